@@ -21,7 +21,7 @@ const ROOMS: &[(&str, &[&str])] = &[
     ("identify", &["motion"]),
     ("measure", &[]),
     ("scene", &["geometry", "contact", "motion", "language"]),
-    ("dynamics", &["geometry", "contact", "motion", "scene"]),
+    ("dynamics", &["geometry", "contact", "motion", "scene", "language"]),
     ("sim", &["geometry", "contact", "motion", "scene", "dynamics", "language"]),
     ("codes", &["geometry", "scene", "dynamics", "sim"]),
     ("study", &["geometry", "contact", "motion", "identify", "measure", "scene", "dynamics", "sim"]),

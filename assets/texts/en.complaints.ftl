@@ -1,5 +1,8 @@
 # What is wrong with a scene and what would be right, in English; every language has the same keys and values.
 
+## a complaint as one line
+complaint = { $file }: { $place }: found { $value }; { $remedy }
+
 ## a number out of its range
 wrong-not-finite = it must be a finite number: { $remedy }
 wrong-extreme = give a number from 1e-15 to 1e15
@@ -9,3 +12,205 @@ wrong-negative = give 0 or a number greater than 0
 wrong-outside = give a number from { $low } to { $high }
 wrong-not-between = give a number between { $low } and { $high }, the limits excluded
 wrong-not-plain = give a plain number, no larger than 1e15
+
+## scenes
+found-both = { $one } and { $other }
+found-nothing = nothing
+wrong-both = give one of the two
+wrong-foreign = bearings of kind { $kind } have none: leave it out
+found-number = a number
+wrong-ratio-below-one = give more than 1: the bearing is stiffer before it yields
+wrong-radius-and-period = give one of the two: T = 2π √(R/g)
+found-gravity = gravity { $gravity } m/s²
+wrong-weightless = its force follows from the weight: give gravity_m_s2
+wrong-no-vertical-frequency = a girder in a spatial scene stands on its bearings: give their vertical frequency in Hz
+wrong-no-places = give the bearings' places: at_m = [[x, y], …], or at_skewed_m
+wrong-empty-places = give at least one place [x, y], or leave out `bearings`
+wrong-no-bearing = give at least one bearing, or leave out `bearings`
+wrong-no-vertical-stiffness = a girder in a spatial scene stands on its bearings: give a third, vertical number
+wrong-no-yield-displacement = give the displacement at which the bearing yields, in m
+wrong-no-yield-force = give the force Q in N, or leave out both
+found-switch = a switch
+wrong-per-axis-alone = give yield_force_n and yield_displacement_m, or leave it out
+wrong-friction-missing = give `friction` as well, or leave it out
+wrong-slider-in-space = a slider in space goes by its vertical force: give a third, vertical stiffness
+found-loads = { $sum } N in all
+wrong-loads = loads at rest add up to the girder's weight, { $weight } N
+found-loads-at = loads that act at [{ $x }, { $y }] m from G
+wrong-loads-turn = friction goes by loads that carry the girder without a moment about G: place the bearings about G, or give load_n of each
+found-all-loads = loads
+wrong-loads-in-space = in a spatial scene vertical stiffness says them: leave load_n out
+found-some-loads = some loads
+wrong-some-loads = give load_n of all bearings, sliders among them, or of none
+found-bearing-off-seat = bearing { $number } beyond the front edge of its seat as placed
+wrong-bearing-off-seat = place it over the seat, make the seat longer, or leave out after_unseating
+wrong-vertical-in-plan = a planar scene knows no vertical: give two numbers, or set kind = "spatial"
+found-ends = { $width } m × { $thickness } m ends at { $skew }°
+wrong-ends = no face can be computed from these ends: choose sizes and skew less extreme
+found-bearing-far = a bearing { $far } times as far from G as the farthest corner
+wrong-bearing-far = no bearing carries a girder from there: give its place in m, relative to G
+wrong-fuse-force-missing = give fuse_force_n as well, or neither
+wrong-fuse-stiffness-missing = give fuse_stiffness_n_per_m as well, or neither
+wrong-no-face = give gap_m, or the face's corners as polygon_m
+found-corners = { $count } corners
+wrong-corners = give four corners [x, y, z]
+wrong-beside-polygon = polygon_m says it already: leave this out
+wrong-in-plan = a planar scene knows no vertical, roll or pitch: leave it out, or set kind = "spatial"
+wrong-order = it must not exceed { $name } = { $most }: lower it, or raise { $name }
+wrong-format = this program reads format { $version }
+wrong-no-name = give the scene a name
+wrong-no-girder = a scene needs at least one girder: add a [[girder]]
+wrong-bilinear = the bilinear spring has no stiffness after yield up to e_n = { $least }: give more, or another normal_law
+wrong-law-parameter = a head-on hit would return less than e = { $least }, or never part: give less
+wrong-impact-in-space = the impact model knows planar scenes only: make it "contact", or kind = "planar"
+wrong-impact-elastic = the impact model knows rigid girders only: make it "contact", or leave out [girder.elastic]
+found-model-elastic = "{ $model }" with an elastic girder, { $girder }
+wrong-stiffness-twice = K = E A / L comes from young_modulus_pa, area_m2 and contact_length_m: give either those or stiffness_n_per_m
+wrong-no-amplitude = give the amplitude: amplitude_g, or amplitude_m_s2
+wrong-elastic-in-space = elastic girders are known in planar scenes only so far: set kind = "planar", or leave it out
+found-elastic-in-space = an elastic girder in a spatial scene
+wrong-no-such-girder = no girder has this name; { $names }
+wrong-one-girder = both points are on one girder: name another body, or leave it out for the ground
+wrong-no-such-body = nobody has this name: leave it out for the ground; { $names }
+wrong-pier-bears-nothing = no bearing stands on it: name it in a girder's bearings (on_plus_x, on_minus_x, on), or give its place [x, y]
+wrong-pier-no-stiffness = give it in N/m, or frequency_hz, or column_m with height_m
+wrong-same-thing = give one of them: they say the same thing
+wrong-no-column-height = k = 3EI/h³ needs it: give the height of the column in m
+found-modulus = a modulus
+wrong-column-missing = it belongs to column_m: give that, or leave it out
+wrong-not-whole = give a whole number
+wrong-yield-force-missing = it belongs to yield_force_n: give that, or leave it out
+wrong-turn-stiffness-missing = it belongs to turn_stiffness_n_m_per_rad: give that, or leave it out
+wrong-slider-on-pier = in space a slider goes by the force of its own spring on the ground: put it there, or use a planar scene
+found-slider-on-pier = a slider on a pier
+wrong-no-pier = the scene has none: add a [[pier]]
+wrong-piers = piers: { $names }
+wrong-no-such-pier = no pier has this name; { $known }, or leave it out for the ground
+wrong-nameless = give it a name
+wrong-name = tables and --set could not tell it apart: use letters, digits, - and _, and single spaces inside
+wrong-name-twice = another body has this name, or a device: girders, abutments, piers and devices need a name each
+wrong-pair-friction = for { $pair } it exceeds the mu_static in force, { $mus }: lower it, or raise mu_static
+wrong-face = this is no contact face: { $error }
+wrong-leaning-face = a planar girder cannot slide up a leaning face: make it vertical, or kind = "spatial"
+wrong-face-away = it faces away from { $girder }: list the corners anticlockwise as seen from there
+found-leaning-backwall = a leaning backwall
+wrong-leaning-backwall = a backwall that moves is upright: make its face vertical, or leave out backfill
+wrong-soil-never-fails = the ultimate force { $force } N is not reached at { $push } m: raise either
+wrong-soil-unloads = soil does not unload softer than it loads: give { $stiffness } or more
+wrong-overlap = { $one } reaches { $depth } m into { $other }: move them apart
+found-girder = girder { $name }
+found-abutment = abutment { $name }
+wrong-azimuth-of-one = it belongs to [[motion.component]]: give angle_deg of the one component
+wrong-no-record = give samples_m_s2 with dt_s, or file
+wrong-no-interval = give the interval between samples in seconds
+wrong-of-a-file = it belongs to a file: leave it out
+wrong-not-loaded = this record has not been read: load it beside the scene's file
+found-samples = { $count } samples
+wrong-too-few-samples = a record needs at least 2 samples
+found-component-beside = component beside it
+wrong-of-one-component = it is of a record of one component: state it in [[motion.component]], or leave that out
+wrong-too-many-components = ground motion has three components at the most
+wrong-intervals-differ = components have one interval, and that of the first is { $first } s: bring them to the same
+found-upward = an upward component
+wrong-upward-in-plan = a planar scene has no vertical: leave it out, or set kind = "spatial"
+found-no-azimuth = no azimuth of world x
+wrong-no-x-azimuth = give x_azimuth_deg in [motion]: components turn against it
+wrong-no-direction = the file states no direction: give azimuth_deg, or vertical = true
+wrong-points-too-near = a cable or damper needs a length of 1e-6 m or more: give to_m so far from where at_m is as placed
+found-points-too-near = { $length } m between its points
+wrong-no-vector = give a vector with a length: [1, 0] along, [0, 1] across
+wrong-bumper-no-stiffness = give it in N/m, or a table depth_force_m_n
+wrong-points-coincide = its points coincide: give a normal, or to_m elsewhere
+wrong-bumper-behind = at_m lies behind the plane through to_m as placed: turn the normal, move a point, or give gap_m
+found-distance = a distance of { $gap } m along the normal
+wrong-depths = depth and force must both rise from (0, 0) on, line by line
+wrong-no-depths = give at least one [depth, force]
+wrong-cable-no-stiffness = give K in N/m, or EA as axial_stiffness_n
+wrong-axial-stiffness-missing = it belongs to axial_stiffness_n: give that, or leave it out
+wrong-post-yield = it must be less than K = { $before } N/m: lower it, or leave out yield_force_n
+wrong-brittle-and-ductile = a brittle side has break_force_n, a ductile one yield_force_n: give one of the two
+wrong-break-displacement = break_displacement_m is that of a ductile side: give its F_y too
+wrong-minus-gap = nothing stops motion against d: leave it out, or set sides = "both"
+wrong-no-area = give the section's area in m², or density_kg_m3
+found-two-masses = ρ A a₀ = { $mass } kg beside a mass of { $given } kg
+wrong-two-masses = give area_m2 or density_kg_m3 alone, or a mass that agrees within 1 %
+wrong-degree = give a whole number from 2 to 64, or "auto"
+wrong-two-abutments = abutments stand still and never touch: name at least one girder
+wrong-touches-itself = a body does not touch itself: name two
+wrong-not-facing = these two do not face each other: move them, or add `ends = ["+x", "-x"]`
+wrong-ends-away = these ends look away from each other: name the facing ones
+wrong-nobody = nobody is called "{ $name }"; { $names }
+wrong-names = girders: { $girders }; abutments: { $abutments }
+wrong-names-none = none
+wrong-assumed = name a value or a table of this file as --set does (girder.deck.mass_kg), or leave it out
+wrong-quake-length = give a length of 2 to 1e6 intervals
+wrong-target = give two to a thousand pairs [period in s, pseudo-acceleration in g], periods growing, from 2 dt_s to length_s
+wrong-quake-coarse = the ground is quicker than that: give a shorter interval
+wrong-sweep-length = so many periods need more than 1e6 samples: give a shorter sweep or lower frequencies
+wrong-cut = the cut must leave at least 2 samples of the record's { $whole } s
+wrong-taper = both tapers must fit into the { $length } s that are left
+wrong-padding = give less: at most 1e7 samples in all
+wrong-unwritable = this scene cannot be written
+found-no-equals = no `=`
+wrong-setting = write PATH=VALUE, as in motion.angle_deg=45
+found-empty-step = an empty step
+wrong-not-there = nothing here has this name{ $meant }; there is: { $there }
+found-one-value = `{ $step }`, which is one value ({ $found })
+wrong-path-ends = the path ends there: it has no keys
+wrong-value = give a value as in the file: 45, true, paper, "two words", [0.07, 0.025]
+wrong-key = no such key here{ $meant }; keys known here: { $known }
+wrong-missing-key = this key must be given: add `{ $key } = …`
+wrong-type = expected { $expected }
+wrong-word = expected one of { $words }{ $meant }
+type-number = a number
+type-count = a whole number, not negative
+type-list = a list: […], or tables under double brackets, [[…]]
+type-table = a table of keys: {"{"}…{"}"}, or under single brackets, […]
+type-word = one of the words known here
+type-list-of = a list of { $n } values
+wrong-did-you-mean = ; did you mean `{ $known }`?
+wrong-format-write = this program reads format { $version }: write `format = { $version }`
+found-line-column = line { $line }, column { $column }
+wrong-toml = not TOML: { $message }
+wrong-preset = no preset has this name{ $meant }; presets: { $names }
+wrong-there = { $place }: { $remedy }
+found-pulled-slider = bearing { $number } under { $load } N at rest
+wrong-pulled-slider = a slider cannot pull: place the bearings about G, or give them other vertical stiffness
+found-face = a face
+found-its-face = its face
+found-no-face = no face
+wrong-abutment-no-face = give gap_m, or polygon_m with four corners, before a girder that is there
+found-no-soil = no soil
+wrong-no-soil = give unloading_stiffness_n_per_m not below the slope at no push, and stiffness_n_per_m times failing_push_m above ultimate_n
+
+## files
+found-line = line { $line }
+found-byte = byte { $byte }
+found-file-itself = the file itself
+found-not-text = not UTF-8 text
+wrong-not-text = a scene is a TOML file, written as UTF-8 text
+wrong-no-record-file = give the record's path relative to the scene's file
+wrong-no-scene = give the path of a scene file or the name of a preset: { $names }
+found-unreadable = it cannot be read ({ $error })
+found-kind = it is { $what }
+found-size = it has { $size } MiB, more than the { $most } MiB that are read
+wrong-unreadable = give a file that is there and may be read
+wrong-file-kind = give a regular file
+wrong-file-size = give a smaller file
+file-folder = a directory
+file-pipe = a pipe
+file-socket = a socket
+file-device = a device
+file-not-regular = no regular file
+unwritten = { $path }: cannot be written ({ $reason }): { $remedy }
+unwritten-no-folder = there is no such folder
+unwritten-denied = permission denied
+unwritten-not-folder = a part of the path is no folder
+unwritten-folder = a folder stands there
+unwritten-read-only = the file system is read-only
+unwritten-full = the disk is full
+unwritten-quota = the quota of the disk is used up
+unwritten-large = it is larger than a file may be
+unwritten-choose-folder = choose a folder that exists and may be written to
+unwritten-make-room = make room, write less, or write to another disk
+unwritten-try-again = try again, or write to another disk

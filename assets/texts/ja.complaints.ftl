@@ -1,5 +1,8 @@
 # シーンの誤りと直し方（日本語）。見出し語と値の名前は en.complaints.ftl と同じ。
 
+## 指摘の一行
+complaint = { $file }：{ $place }：今は { $value }。{ $remedy }
+
 ## 範囲外の数
 wrong-not-finite = 有限の数とする：{ $remedy }
 wrong-extreme = 1e-15 から 1e15 までの数を与える
@@ -9,3 +12,205 @@ wrong-negative = 0 以上の数を与える
 wrong-outside = { $low } から { $high } までの数を与える
 wrong-not-between = { $low } と { $high } の間の数を与える（両端を除く）
 wrong-not-plain = 1e15 以下の普通の数を与える
+
+## シーン
+found-both = { $one } と { $other }
+found-nothing = なし
+wrong-both = どちらか一方を与える
+wrong-foreign = 種類 { $kind } の支承にはない。外す
+found-number = 数
+wrong-ratio-below-one = 1 より大きい値を与える：降伏前の方が硬い
+wrong-radius-and-period = どちらか一方を与える：T = 2π √(R/g)
+found-gravity = 重力加速度 { $gravity } m/s²
+wrong-weightless = 力は重量で決まる。gravity_m_s2 を与える
+wrong-no-vertical-frequency = 立体シーンの桁は支承で支える。鉛直の振動数を Hz で与える
+wrong-no-places = 支承の位置を与える：at_m = [[x, y], …]、または at_skewed_m
+wrong-empty-places = 位置 [x, y] を1つ以上与えるか、`bearings` を外す
+wrong-no-bearing = 支承を1つ以上与えるか、`bearings` を外す
+wrong-no-vertical-stiffness = 立体シーンの桁は支承で支える。3つ目（鉛直）の数を与える
+wrong-no-yield-displacement = 支承が降伏する変位を m で与える
+wrong-no-yield-force = 力 Q を N で与えるか、両方とも外す
+found-switch = 切替え
+wrong-per-axis-alone = yield_force_n と yield_displacement_m を与えるか、これを外す
+wrong-friction-missing = `friction` も与えるか、これを外す
+wrong-slider-in-space = 立体のすべり支承は鉛直力で決まる。3つ目（鉛直）の剛性を与える
+found-loads = 合計 { $sum } N
+wrong-loads = 静止時の反力の和は桁の重量 { $weight } N に等しくする
+found-loads-at = G から [{ $x }, { $y }] m に働く反力
+wrong-loads-turn = 摩擦は、桁を G まわりのモーメントなしに支える反力で決まる。支承を G のまわりに置くか、各々に load_n を与える
+found-all-loads = 反力
+wrong-loads-in-space = 立体シーンでは鉛直剛性から決まる。load_n を外す
+found-some-loads = 一部の反力
+wrong-some-loads = すべり支承を含む全ての支承に load_n を与えるか、全く与えない
+found-bearing-off-seat = 支承 { $number } は初期配置で桁かかりの前縁の外
+wrong-bearing-off-seat = 桁かかりの上に置くか、桁かかりを長くするか、after_unseating を外す
+wrong-vertical-in-plan = 平面シーンに鉛直はない。2つの数を与えるか、kind = "spatial" とする
+found-ends = { $skew }° の { $width } m × { $thickness } m の端
+wrong-ends = この端からは面が計算できない。寸法と斜角をもっと普通の値にする
+found-bearing-far = 最も遠い隅角部の { $far } 倍 G から離れた支承
+wrong-bearing-far = その位置の支承は桁を支えない。位置を G から m で与える
+wrong-fuse-force-missing = fuse_force_n も与えるか、どちらも与えない
+wrong-fuse-stiffness-missing = fuse_stiffness_n_per_m も与えるか、どちらも与えない
+wrong-no-face = gap_m を与えるか、面の隅を polygon_m で与える
+found-corners = 隅 { $count } 個
+wrong-corners = 4つの隅 [x, y, z] を与える
+wrong-beside-polygon = polygon_m で決まっている。これを外す
+wrong-in-plan = 平面シーンに鉛直、ロール、ピッチはない。外すか、kind = "spatial" とする
+wrong-order = { $name } = { $most } を超えない値にする。これを下げるか、{ $name } を上げる
+wrong-format = このプログラムが読む形式は { $version }
+wrong-no-name = シーンに名前を付ける
+wrong-no-girder = シーンには桁が1つ以上要る。[[girder]] を加える
+wrong-bilinear = バイリニアばねは e_n = { $least } 以下では降伏後の剛性がない。もっと大きくするか、別の normal_law とする
+wrong-law-parameter = 正面衝突が e = { $least } より小さい値を返すか、離れない。小さくする
+wrong-impact-in-space = 衝撃モデルは平面シーンだけを扱う。"contact" とするか、kind = "planar" とする
+wrong-impact-elastic = 衝撃モデルは剛な桁だけを扱う。"contact" とするか、[girder.elastic] を外す
+found-model-elastic = "{ $model }" と弾性の桁 { $girder }
+wrong-stiffness-twice = K = E A / L は young_modulus_pa、area_m2、contact_length_m から決まる。それらか stiffness_n_per_m の一方を与える
+wrong-no-amplitude = 振幅を与える：amplitude_g、または amplitude_m_s2
+wrong-elastic-in-space = 弾性の桁は今のところ平面シーンだけ。kind = "planar" とするか、これを外す
+found-elastic-in-space = 立体シーンの弾性の桁
+wrong-no-such-girder = その名前の桁はない。{ $names }
+wrong-one-girder = 両方の点が同じ桁にある。別の物体を名指すか、外して地盤とする
+wrong-no-such-body = その名前の物体はない。外すと地盤となる。{ $names }
+wrong-pier-bears-nothing = この橋脚に立つ支承がない。桁の支承（on_plus_x, on_minus_x, on）で名指すか、位置 [x, y] を与える
+wrong-pier-no-stiffness = N/m で与えるか、frequency_hz、または column_m と height_m を与える
+wrong-same-thing = 1つだけ与える。同じことを表す
+wrong-no-column-height = k = 3EI/h³ に要る。柱の高さを m で与える
+found-modulus = 弾性係数
+wrong-column-missing = column_m に伴う値。それを与えるか、これを外す
+wrong-not-whole = 整数を与える
+wrong-yield-force-missing = yield_force_n に伴う値。それを与えるか、これを外す
+wrong-turn-stiffness-missing = turn_stiffness_n_m_per_rad に伴う値。それを与えるか、これを外す
+wrong-slider-on-pier = 立体のすべり支承は地盤に立つ自身のばねの力で決まる。地盤に置くか、平面シーンとする
+found-slider-on-pier = 橋脚の上のすべり支承
+wrong-no-pier = シーンに橋脚がない：[[pier]] を加える
+wrong-piers = 橋脚：{ $names }
+wrong-no-such-pier = その名前の橋脚はない。{ $known }。外すと地盤となる
+wrong-nameless = 名前を付ける
+wrong-name = 表と --set で区別できない。文字、数字、- と _、間の1つの空白だけを使う
+wrong-name-twice = 同じ名前の物体か装置がある。桁、橋台、橋脚、装置の名前はそれぞれ異なるものとする
+wrong-pair-friction = { $pair } で有効な mu_static { $mus } を超える。これを下げるか、mu_static を上げる
+wrong-face = 接触面にならない：{ $error }
+wrong-leaning-face = 平面の桁は傾いた面を滑り上がれない。面を鉛直にするか、kind = "spatial" とする
+wrong-face-away = { $girder } に背を向けている。そこから見て反時計回りに隅を並べる
+found-leaning-backwall = 傾いた胸壁
+wrong-leaning-backwall = 動く胸壁は鉛直。面を鉛直にするか、backfill を外す
+wrong-soil-never-fails = 終局の力 { $force } N に { $push } m で達しない。どちらかを上げる
+wrong-soil-unloads = 土の除荷は載荷より軟らかくならない。{ $stiffness } 以上を与える
+wrong-overlap = { $one } が { $other } に { $depth } m 食い込む。離す
+found-girder = 桁 { $name }
+found-abutment = 橋台 { $name }
+wrong-azimuth-of-one = [[motion.component]] に伴う値。1成分なら angle_deg を与える
+wrong-no-record = samples_m_s2 と dt_s を与えるか、file を与える
+wrong-no-interval = 時間刻みを秒で与える
+wrong-of-a-file = file に伴う値。外す
+wrong-not-loaded = この記録は読まれていない。シーンのファイルとともに読み込む
+found-samples = データ { $count } 個
+wrong-too-few-samples = 記録には2個以上のデータが要る
+found-component-beside = 並ぶ component
+wrong-of-one-component = 1成分の記録の値。[[motion.component]] に書くか、そちらを外す
+wrong-too-many-components = 地震動の成分は3つまで
+wrong-intervals-differ = 成分の時間刻みは等しくする。最初の成分は { $first } s。揃える
+found-upward = 上向きの成分
+wrong-upward-in-plan = 平面シーンに鉛直はない。外すか、kind = "spatial" とする
+found-no-azimuth = 全体座標 x の方位角なし
+wrong-no-x-azimuth = [motion] に x_azimuth_deg を与える。成分はそれに対して向く
+wrong-no-direction = ファイルに方向がない。azimuth_deg、または vertical = true を与える
+wrong-points-too-near = ケーブルとダンパーには 1e-6 m 以上の長さが要る。初期の at_m からそれだけ離れた to_m を与える
+found-points-too-near = 2点の距離 { $length } m
+wrong-no-vector = 長さのあるベクトルを与える：[1, 0] は橋軸方向、[0, 1] は直角方向
+wrong-bumper-no-stiffness = N/m で与えるか、表 depth_force_m_n を与える
+wrong-points-coincide = 2点が重なる。normal か、別の to_m を与える
+wrong-bumper-behind = 初期配置で at_m は to_m を通る面の後ろにある。法線を逆にするか、点を動かすか、gap_m を与える
+found-distance = 法線方向の距離 { $gap } m
+wrong-depths = 深さと力は (0, 0) から行ごとに増えるものとする
+wrong-no-depths = [深さ, 力] を1つ以上与える
+wrong-cable-no-stiffness = K を N/m で与えるか、EA を axial_stiffness_n で与える
+wrong-axial-stiffness-missing = axial_stiffness_n に伴う値。それを与えるか、これを外す
+wrong-post-yield = K = { $before } N/m より小さくする。下げるか、yield_force_n を外す
+wrong-brittle-and-ductile = 脆性の側は break_force_n、延性の側は yield_force_n。どちらか一方を与える
+wrong-break-displacement = break_displacement_m は延性の側の値。F_y も与える
+wrong-minus-gap = d の逆向きは止めない。外すか、sides = "both" とする
+wrong-no-area = 断面積を m² で与えるか、density_kg_m3 を与える
+found-two-masses = ρ A a₀ = { $mass } kg と質量 { $given } kg
+wrong-two-masses = area_m2 か density_kg_m3 の一方だけ、または 1 % 以内で一致する質量を与える
+wrong-degree = 2 から 64 までの整数、または "auto" を与える
+wrong-two-abutments = 橋台は動かず接触しない。桁を1つ以上名指す
+wrong-touches-itself = 物体は自分とは接触しない。2つを名指す
+wrong-not-facing = この2つは向かい合っていない。動かすか、`ends = ["+x", "-x"]` を加える
+wrong-ends-away = この端は背を向け合っている。向かい合う端を名指す
+wrong-nobody = "{ $name }" という名前の物体はない。{ $names }
+wrong-names = 桁：{ $girders }、橋台：{ $abutments }
+wrong-names-none = なし
+wrong-assumed = --set と同じように、このファイルの値か表を名指す（girder.deck.mass_kg）か、外す
+wrong-quake-length = 時間刻みの 2 ～ 1e6 倍の長さを与える
+wrong-target = [周期 s, 擬似加速度 g] の組を2～1000個、周期の増加順に、2 dt_s から length_s まで与える
+wrong-quake-coarse = 地盤の動きはそれより速い。もっと短い時間刻みを与える
+wrong-sweep-length = 周期が多く 1e6 個を超えるデータが要る。継続時間を短くするか、振動数を下げる
+wrong-cut = 切出しは { $whole } s の記録のデータを2個以上残すものとする
+wrong-taper = 両方のテーパーが残りの { $length } s に収まるものとする
+wrong-padding = 小さくする。データは全部で 1e7 個まで
+wrong-unwritable = このシーンは書き出せない
+found-no-equals = `=` がない
+wrong-setting = PATH=VALUE と書く。例：motion.angle_deg=45
+found-empty-step = 空の段
+wrong-not-there = その名前のものはここにない{ $meant }。あるもの：{ $there }
+found-one-value = `{ $step }` は1つの値（{ $found }）
+wrong-path-ends = パスはそこで終わる。キーをもたない
+wrong-value = ファイルと同じ書き方で与える：45, true, paper, "two words", [0.07, 0.025]
+wrong-key = ここにそのキーはない{ $meant }。ここで使えるキー：{ $known }
+wrong-missing-key = 必須のキー：`{ $key } = …` を加える
+wrong-type = ここには{ $expected }
+wrong-word = { $words } のどれかを与える{ $meant }
+type-number = 数
+type-count = 0 以上の整数
+type-list = 列：[…]、または二重の角かっこ [[…]] の下の表
+type-table = キーの表：{"{"}…{"}"}、または角かっこ […] の下
+type-word = ここで使える言葉
+type-list-of = { $n } 個の値の列
+wrong-did-you-mean = （`{ $known }` のことか）
+wrong-format-write = このプログラムが読む形式は { $version }：`format = { $version }` と書く
+found-line-column = { $line } 行 { $column } 列
+wrong-toml = TOML ではない：{ $message }
+wrong-preset = その名前の例題はない{ $meant }。例題：{ $names }
+wrong-there = { $place }：{ $remedy }
+found-pulled-slider = 静止時に { $load } N を受ける支承 { $number }
+wrong-pulled-slider = すべり支承は引張を受けられない。支承を G のまわりに置くか、鉛直剛性を変える
+found-face = 面
+found-its-face = その面
+found-no-face = 面がない
+wrong-abutment-no-face = 実在する桁の前に gap_m か、4つの角の polygon_m を与える
+found-no-soil = 土がない
+wrong-no-soil = unloading_stiffness_n_per_m は押込み 0 での勾配以上、stiffness_n_per_m × failing_push_m は ultimate_n より大きい値を与える
+
+## ファイル
+found-line = { $line } 行
+found-byte = { $byte } バイト目
+found-file-itself = ファイル自体
+found-not-text = UTF-8 の文字でない
+wrong-not-text = シーンは UTF-8 で書いた TOML ファイルとする
+wrong-no-record-file = シーンのファイルから見た記録のパスを与える
+wrong-no-scene = シーンのファイルのパスか例題の名前を与える：{ $names }
+found-unreadable = 読めない（{ $error }）
+found-kind = { $what }
+found-size = { $size } MiB あり、読める上限 { $most } MiB を超える
+wrong-unreadable = 実在して読めるファイルを与える
+wrong-file-kind = 通常のファイルを与える
+wrong-file-size = もっと小さいファイルを与える
+file-folder = フォルダー
+file-pipe = パイプ
+file-socket = ソケット
+file-device = デバイス
+file-not-regular = 通常のファイルでない
+unwritten = { $path }：書けない（{ $reason }）：{ $remedy }
+unwritten-no-folder = そのフォルダーはない
+unwritten-denied = 許可がない
+unwritten-not-folder = パスの途中がフォルダーでない
+unwritten-folder = そこにフォルダーがある
+unwritten-read-only = ファイルシステムは読取り専用
+unwritten-full = ディスクに空きがない
+unwritten-quota = ディスクの割当てを使い切った
+unwritten-large = ファイルの上限より大きい
+unwritten-choose-folder = 実在して書けるフォルダーを選ぶ
+unwritten-make-room = 空きを作るか、書く量を減らすか、別のディスクに書く
+unwritten-try-again = やり直すか、別のディスクに書く

@@ -4,6 +4,7 @@ use std::path::{Path, PathBuf};
 
 use super::failure::Failure;
 use crate::files;
+use crate::language::Message;
 use crate::motion::format::Unit;
 use crate::scene::validate::validate;
 use crate::scene::{Scene, SceneError, SceneErrors};
@@ -93,9 +94,9 @@ impl Changes {
 
 /// Complaints about what a flag has set, under the flag's name.
 fn errors_of_flags(errors: SceneErrors) -> SceneErrors {
-    let flag = |place: String| match place.as_str() {
-        "duration_s" => "--until".to_owned(),
-        "solver.tolerance" => "--tolerance".to_owned(),
+    let flag = |place: Message| match place.plain() {
+        "duration_s" => "--until".into(),
+        "solver.tolerance" => "--tolerance".into(),
         _ => place,
     };
     SceneErrors(errors.0.into_iter().map(|error| SceneError { place: flag(error.place), ..error }).collect())

@@ -4,6 +4,7 @@ use std::path::{Path, PathBuf};
 use std::sync::{Arc, Mutex, PoisonError};
 
 use super::read::{LARGEST_INPUT, ReadError, read_regular};
+use crate::language::{Message, Text, message};
 use crate::motion::format::{Record, Supplement, read as read_bytes};
 use crate::scene::validate::validate_file;
 use crate::scene::{Motion, Scene, SceneError, SceneErrors, format, overrides, presets};
@@ -119,11 +120,11 @@ impl Records {
 /// Reads one record of a scene, for the place in the scene's file that names it.
 fn load_one(path: &Path, beside: &Supplement, (scene_file, place): (&str, &str)) -> Result<Arc<Record>, SceneErrors> {
     let remedy = |error: &ReadError| match error {
-        missing if missing.is_missing() => "give the record's path relative to the scene's file",
+        missing if missing.is_missing() => Text::new("wrong-no-record-file"),
         other => other.remedy(),
     };
     let unreadable = |error: ReadError| {
-        let value = format!("{}: {}", error.path.display(), error.found());
+        let value = message!("wrong-there", "place" => error.path.display().to_string(), "remedy" => error.found());
         complaint(scene_file, place, value, remedy(&error))
     };
     read_from(path, beside, unreadable).map(Arc::new)
@@ -144,7 +145,7 @@ fn read_from(
 ) -> Result<Record, SceneErrors> {
     let bytes = read_regular(path, LARGEST_INPUT).map_err(unreadable)?;
     read_bytes(&bytes, path, beside).map_err(|error| {
-        complaint(&path.to_string_lossy(), &format!("line {}", error.line), error.value, &error.remedy)
+        complaint(&path.to_string_lossy(), message!("found-line", "line" => error.line), error.value, error.remedy)
     })
 }
 
@@ -154,22 +155,26 @@ fn read_text(path: &Path) -> Result<String, SceneErrors> {
     })?;
     String::from_utf8(bytes).map_err(|error| {
         let at = error.utf8_error().valid_up_to();
-        let remedy = "a scene is a TOML file, written as UTF-8 text";
-        complaint(&path.to_string_lossy(), &format!("byte {at}"), "not UTF-8 text".into(), remedy)
+        let [found, remedy] = [Text::new("found-not-text"), Text::new("wrong-not-text")];
+        complaint(&path.to_string_lossy(), message!("found-byte", "byte" => at), found, remedy)
     })
 }
 
 /// Neither a file nor a preset has that name.
 fn no_scene(path: &Path, error: &ReadError) -> SceneErrors {
     let names: Vec<_> = presets::all().iter().map(|preset| preset.name).collect();
-    let remedy = format!("give the path of a scene file or the name of a preset: {}", names.join(", "));
-    about_file(path, error, &remedy)
+    about_file(path, error, message!("wrong-no-scene", "names" => names.join(", ")))
 }
 
-fn about_file(path: &Path, error: &ReadError, remedy: &str) -> SceneErrors {
-    complaint(&path.to_string_lossy(), "the file itself", error.found(), remedy)
+fn about_file(path: &Path, error: &ReadError, remedy: impl Into<Message>) -> SceneErrors {
+    complaint(&path.to_string_lossy(), Text::new("found-file-itself"), error.found(), remedy)
 }
 
-fn complaint(file: &str, place: &str, value: String, remedy: &str) -> SceneErrors {
-    SceneError { file: file.into(), place: place.into(), value, remedy: remedy.into() }.into()
+fn complaint(
+    file: &str,
+    place: impl Into<Message>,
+    value: impl Into<Message>,
+    remedy: impl Into<Message>,
+) -> SceneErrors {
+    SceneError { file: file.into(), place: place.into(), value: value.into(), remedy: remedy.into() }.into()
 }

@@ -10,6 +10,8 @@ use std::io::ErrorKind;
 use std::io::Read as _;
 use std::path::{Path, PathBuf};
 
+use crate::language::{Message, Text, message};
+
 /// Largest scene or record that is read \[bytes\]: three million lines of twenty characters, eight hours at 100 Hz.
 pub(super) const LARGEST_INPUT: u64 = 64 << 20;
 /// Largest table that is read \[bytes\]; a table of as many cells as `run` writes is smaller.
@@ -30,7 +32,7 @@ enum Cause {
     System(std::io::Error),
     /// It is no regular file, but this.
     #[cfg(not(target_arch = "wasm32"))]
-    Kind(&'static str),
+    Kind(Text),
     /// So large, and so large at the most \[bytes\].
     Size(u64, u64),
 }
@@ -42,25 +44,25 @@ impl ReadError {
     }
 
     /// What was found in place of a file that can be read.
-    pub(super) fn found(&self) -> String {
+    pub(super) fn found(&self) -> Message {
         match self.cause {
-            Cause::System(ref error) => format!("it cannot be read ({error})"),
+            Cause::System(ref error) => message!("found-unreadable", "error" => error.to_string()),
             #[cfg(not(target_arch = "wasm32"))]
-            Cause::Kind(what) => format!("it is {what}"),
+            Cause::Kind(what) => message!("found-kind", "what" => what),
             Cause::Size(size, most) => {
                 let (size, most) = (size as f64 / f64::from(1 << 20), most >> 20);
-                format!("it has {size:.1} MiB, more than the {most} MiB that are read")
+                message!("found-size", "size" => format!("{size:.1}"), "most" => most)
             }
         }
     }
 
     /// What would be right.
-    pub(super) fn remedy(&self) -> &'static str {
+    pub(super) fn remedy(&self) -> Text {
         match self.cause {
-            Cause::System(_) => "give a file that is there and may be read",
+            Cause::System(_) => Text::new("wrong-unreadable"),
             #[cfg(not(target_arch = "wasm32"))]
-            Cause::Kind(_) => "give a regular file",
-            Cause::Size(..) => "give a smaller file",
+            Cause::Kind(_) => Text::new("wrong-file-kind"),
+            Cause::Size(..) => Text::new("wrong-file-size"),
         }
     }
 }
@@ -116,7 +118,7 @@ fn bytes_of(path: &Path, most: u64) -> Result<Vec<u8>, Cause> {
 fn regular(about: &Metadata, most: u64) -> Result<(), Cause> {
     let (kind, size) = (about.file_type(), about.len());
     match () {
-        () if about.is_dir() => Err(Cause::Kind("a directory")),
+        () if about.is_dir() => Err(Cause::Kind(Text::new("file-folder"))),
         () if !about.is_file() => Err(Cause::Kind(special(kind))),
         () if size > most => Err(Cause::Size(size, most)),
         () => Ok(()),
@@ -124,17 +126,17 @@ fn regular(about: &Metadata, most: u64) -> Result<(), Cause> {
 }
 
 #[cfg(unix)]
-fn special(kind: FileType) -> &'static str {
+fn special(kind: FileType) -> Text {
     use std::os::unix::fs::FileTypeExt as _;
     match () {
-        () if kind.is_fifo() => "a pipe",
-        () if kind.is_socket() => "a socket",
-        () if kind.is_char_device() || kind.is_block_device() => "a device",
-        () => "no regular file",
+        () if kind.is_fifo() => Text::new("file-pipe"),
+        () if kind.is_socket() => Text::new("file-socket"),
+        () if kind.is_char_device() || kind.is_block_device() => Text::new("file-device"),
+        () => Text::new("file-not-regular"),
     }
 }
 
 #[cfg(not(any(unix, target_arch = "wasm32")))]
-fn special(_: FileType) -> &'static str {
-    "no regular file"
+fn special(_: FileType) -> Text {
+    Text::new("file-not-regular")
 }

@@ -3,9 +3,11 @@
 use std::io::ErrorKind;
 use std::path::PathBuf;
 
+use crate::language::{Message, Text, said};
+
 /// A file that could not be written.
 #[derive(Debug, thiserror::Error)]
-#[error("{}: cannot be written ({}): {}", path.display(), self.reason(), self.remedy())]
+#[error("{}", self.line())]
 pub struct WriteError {
     /// The file.
     pub path: PathBuf,
@@ -39,28 +41,34 @@ impl WriteError {
         )
     }
 
-    fn reason(&self) -> String {
+    /// Itself as one line, in the language in use.
+    fn line(&self) -> String {
+        let path = self.path.display().to_string();
+        said!("unwritten", "path" => path, "reason" => self.reason().to_string(), "remedy" => self.remedy().as_str())
+    }
+
+    fn reason(&self) -> Message {
         match self.cause.kind() {
-            ErrorKind::NotFound => "there is no such folder".to_owned(),
-            ErrorKind::PermissionDenied => "permission denied".to_owned(),
-            ErrorKind::NotADirectory => "a part of the path is no folder".to_owned(),
-            ErrorKind::IsADirectory => "a folder stands there".to_owned(),
-            ErrorKind::ReadOnlyFilesystem => "the file system is read-only".to_owned(),
-            ErrorKind::StorageFull => "the disk is full".to_owned(),
-            ErrorKind::QuotaExceeded => "the quota of the disk is used up".to_owned(),
-            ErrorKind::FileTooLarge => "it is larger than a file may be".to_owned(),
+            ErrorKind::NotFound => Text::new("unwritten-no-folder").into(),
+            ErrorKind::PermissionDenied => Text::new("unwritten-denied").into(),
+            ErrorKind::NotADirectory => Text::new("unwritten-not-folder").into(),
+            ErrorKind::IsADirectory => Text::new("unwritten-folder").into(),
+            ErrorKind::ReadOnlyFilesystem => Text::new("unwritten-read-only").into(),
+            ErrorKind::StorageFull => Text::new("unwritten-full").into(),
+            ErrorKind::QuotaExceeded => Text::new("unwritten-quota").into(),
+            ErrorKind::FileTooLarge => Text::new("unwritten-large").into(),
             // Words about a temporary file go on with its name, which is gone by now.
-            _ => self.cause.to_string().split(" at path ").next().unwrap_or_default().to_owned(),
+            _ => self.cause.to_string().split(" at path ").next().unwrap_or_default().into(),
         }
     }
 
-    fn remedy(&self) -> &'static str {
+    fn remedy(&self) -> Text {
         match self.cause.kind() {
-            _ if self.is_of_place() => "choose a folder that exists and may be written to",
+            _ if self.is_of_place() => Text::new("unwritten-choose-folder"),
             ErrorKind::StorageFull | ErrorKind::QuotaExceeded | ErrorKind::FileTooLarge => {
-                "make room, write less, or write to another disk"
+                Text::new("unwritten-make-room")
             }
-            _ => "try again, or write to another disk",
+            _ => Text::new("unwritten-try-again"),
         }
     }
 }

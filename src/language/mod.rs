@@ -6,6 +6,7 @@
 
 mod catalog;
 mod letters;
+mod messages;
 mod text;
 
 use std::cell::Cell;
@@ -14,6 +15,8 @@ pub use fluent_bundle::FluentArgs;
 #[cfg(feature = "render")]
 pub use letters::JAPANESE_FONT;
 pub use letters::is_japanese;
+pub use messages::Message;
+pub(crate) use messages::message;
 #[cfg(test)]
 pub(crate) use text::keys_of;
 pub(crate) use text::said;

@@ -3,6 +3,7 @@
 //!
 //! The window marks their fields and the report lists them; a value that is changed is assumed no more.
 
+use crate::language::Text;
 use toml::{Table, Value};
 
 use super::path::{item_at, value_at};
@@ -69,10 +70,9 @@ impl Scene {
         let lost = self.assumed.iter().filter(|path| value_at(&table, path).is_none());
         let complaint = |path: &String| SceneError {
             file: "scene".to_owned(),
-            place: "assumed".to_owned(),
-            value: format!("\"{path}\""),
-            remedy: "name a value or a table of this file as --set does (girder.deck.mass_kg), or leave it out"
-                .to_owned(),
+            place: "assumed".into(),
+            value: format!("\"{path}\"").into(),
+            remedy: Text::new("wrong-assumed").into(),
         };
         lost.map(complaint).collect()
     }
@@ -203,6 +203,6 @@ mod tests {
         let mut scene = scene();
         assert!(scene.unknown_assumed().is_empty(), "all are there");
         scene.assumed.push("girder.nobody.mass_kg".into());
-        assert_eq!(scene.unknown_assumed()[0].value, "\"girder.nobody.mass_kg\"", "by its path");
+        assert_eq!(scene.unknown_assumed()[0].value.plain(), "\"girder.nobody.mass_kg\"", "by its path");
     }
 }

@@ -4,6 +4,7 @@
 //! `contact.pair.0.mu_static`). The scene is laid out as the table that it would be written as, changed there, and read
 //! again by the reader of files: so everything that a file can say can be set, and complaints are the same.
 
+use crate::language::{Message, Text, message};
 use toml::{Table, Value};
 
 use super::path::{item_of, items, value_at};
@@ -85,7 +86,7 @@ impl Laid {
     /// A scene that cannot be written.
     pub fn out(scene: &Scene) -> Result<Self, SceneErrors> {
         let table = Table::try_from(scene);
-        let table = table.map_err(|error| complaint("", error.to_string(), "this scene cannot be written"))?;
+        let table = table.map_err(|error| complaint("", error.to_string(), Text::new("wrong-unwritable")))?;
         Ok(Self { scene: scene.clone(), table })
     }
 
@@ -130,19 +131,19 @@ struct Setting<'a> {
     value: Value,
 }
 
-fn complaint(setting: &str, value: impl Into<String>, remedy: impl Into<String>) -> SceneErrors {
-    let place = format!("--set {setting}");
+fn complaint(setting: &str, value: impl Into<Message>, remedy: impl Into<Message>) -> SceneErrors {
+    let place = format!("--set {setting}").into();
     SceneError { file: "scene".to_owned(), place, value: value.into(), remedy: remedy.into() }.into()
 }
 
 impl<'a> Setting<'a> {
     fn parse(text: &'a str) -> Result<Self, SceneErrors> {
         let Some((path, value)) = text.split_once('=') else {
-            return Err(complaint(text, "no `=`", "write PATH=VALUE, as in motion.angle_deg=45"));
+            return Err(complaint(text, Text::new("found-no-equals"), Text::new("wrong-setting")));
         };
         let path: Vec<&str> = path.split('.').map(str::trim).collect();
         if path.iter().any(|step| step.is_empty()) {
-            return Err(complaint(text, "an empty step", "write PATH=VALUE, as in motion.angle_deg=45"));
+            return Err(complaint(text, Text::new("found-empty-step"), Text::new("wrong-setting")));
         }
         Ok(Self { text, path, value: value_of(text, value.trim())? })
     }
@@ -198,12 +199,16 @@ impl<'a> Setting<'a> {
     fn not_there(&self, item: &str, names: &[String]) -> SceneErrors {
         let known: Vec<&str> = names.iter().map(String::as_str).collect();
         let meant = format::did_you_mean(item, &known);
-        let there = if names.is_empty() { "nothing".to_owned() } else { names.join(", ") };
-        complaint(self.text, format!("`{item}`"), format!("nothing here has this name{meant}; there is: {there}"))
+        let there = if names.is_empty() { Text::new("found-nothing").into() } else { Message::from(names.join(", ")) };
+        complaint(self.text, format!("`{item}`"), message!("wrong-not-there", "meant" => meant, "there" => there))
     }
 
     fn no_table(&self, step: &str, found: &str) -> SceneErrors {
-        complaint(self.text, format!("`{step}`, which is one value ({found})"), "the path ends there: it has no keys")
+        complaint(
+            self.text,
+            message!("found-one-value", "step" => step, "found" => found),
+            Text::new("wrong-path-ends"),
+        )
     }
 }
 
@@ -213,7 +218,7 @@ fn value_of(setting: &str, text: &str) -> Result<Value, SceneErrors> {
     match read.remove("value") {
         Some(value) if read.is_empty() => Ok(value),
         _ if text.is_empty() || text.starts_with(['[', '{', '"', '\'']) || text.contains('\n') => {
-            let remedy = "give a value as in the file: 45, true, paper, \"two words\", [0.07, 0.025]";
+            let remedy = Text::new("wrong-value");
             Err(complaint(setting, format!("`{text}`"), remedy))
         }
         _ => Ok(Value::String(text.to_owned())),
@@ -232,14 +237,15 @@ fn blame(errors: SceneErrors, settings: &[Setting<'_>]) -> SceneErrors {
     let about = |error: SceneError| {
         let is_cause = |s: &&Setting<'_>| {
             let path = s.path.join(".");
-            error.place == path
-                || error.place.starts_with(&format!("{path}."))
-                || path.starts_with(&format!("{}.", error.place))
+            let place = error.place.plain();
+            place == path || place.starts_with(&format!("{path}.")) || path.starts_with(&format!("{place}."))
         };
         let cause = settings.iter().rfind(is_cause).or(settings.last());
         let (text, path) = cause.map_or(("", String::new()), |s| (s.text, s.path.join(".")));
-        let remedy = if error.place == path { error.remedy } else { format!("{}: {}", error.place, error.remedy) };
-        SceneError { place: format!("--set {text}"), remedy, ..error }
+        let SceneError { place, remedy, .. } = error;
+        let remedy =
+            if place.plain() == path { remedy } else { message!("wrong-there", "place" => place, "remedy" => remedy) };
+        SceneError { place: format!("--set {text}").into(), remedy, ..error }
     };
     SceneErrors(errors.0.into_iter().map(about).collect())
 }

@@ -1,6 +1,7 @@
 //! Scenes that come with the program.
 
 use super::{Scene, SceneError, SceneErrors, format};
+use crate::language::message;
 
 /// A scene that comes with the program.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -70,8 +71,8 @@ fn unknown(name: &str) -> SceneError {
     let names: Vec<_> = PRESETS.iter().map(|preset| preset.name).collect();
     SceneError {
         file: name.to_owned(),
-        place: "preset".to_owned(),
-        value: format!("\"{name}\""),
-        remedy: format!("no preset has this name{}; presets: {}", format::did_you_mean(name, &names), names.join(", ")),
+        place: "preset".into(),
+        value: format!("\"{name}\"").into(),
+        remedy: message!("wrong-preset", "meant" => format::did_you_mean(name, &names), "names" => names.join(", ")),
     }
 }

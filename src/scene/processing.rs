@@ -7,6 +7,7 @@ use std::borrow::Cow;
 use serde::{Deserialize, Serialize};
 
 use super::keys::{Fallback, Range, table, words};
+use crate::language::{Message, Text, message};
 use crate::motion::format::STANDARD_GRAVITY;
 use crate::motion::process;
 
@@ -89,22 +90,21 @@ impl Processing {
     }
 
     /// What cannot be done to so many samples at such an interval \[s\]: key, value and remedy.
-    pub fn fault(&self, dt: f64, count: usize) -> Option<(&'static str, f64, String)> {
+    pub fn fault(&self, dt: f64, count: usize) -> Option<(&'static str, f64, Message)> {
         let (first, end) = self.kept(dt, count);
         let length = (end - first).saturating_sub(1) as f64 * dt;
         let key = if self.from.is_some() { "from_s" } else { "to_s" };
         let stated = self.from.or(self.until);
         if let (Some(stated), true) = (stated, end - first < 2) {
             let whole = count.saturating_sub(1) as f64 * dt;
-            return Some((key, stated, format!("the cut must leave at least 2 samples of the record's {whole} s")));
+            return Some((key, stated, message!("wrong-cut", "whole" => whole)));
         }
         if 2.0 * self.taper > length {
-            let remedy = format!("both tapers must fit into the {length} s that are left");
+            let remedy = message!("wrong-taper", "length" => length);
             return Some(("taper_s", self.taper, remedy));
         }
         let padded = (end - first) as f64 + 2.0 * (self.pad / dt);
-        (self.pad > 0.0 && padded > MOST)
-            .then(|| ("pad_s", self.pad, "give less: at most 1e7 samples in all".to_owned()))
+        (self.pad > 0.0 && padded > MOST).then(|| ("pad_s", self.pad, Text::new("wrong-padding").into()))
     }
 
     /// What it does, a step each, in the order done.

@@ -2,6 +2,7 @@
 
 use super::elastic::{DEGREES, Elastic, Rayleigh};
 use super::girder::Girder;
+use crate::language::{Message, Text, message};
 
 /// `k_s G A` of a girder that is rigid in shear, in parts of `G A`.
 const RIGID_IN_SHEAR: f64 = 1e4;
@@ -49,29 +50,33 @@ impl Elastic {
     }
 
     /// What is wrong with keys that stand together: key, value, remedy.
-    pub(in crate::scene) fn faults(&self, girder: &Girder) -> Vec<(&'static str, String, String)> {
+    pub(in crate::scene) fn faults(&self, girder: &Girder) -> Vec<(&'static str, Message, Message)> {
         let mut faults = Vec::new();
-        let mut add = |key, value: &str, remedy: &str| faults.push((key, value.to_owned(), remedy.to_owned()));
+        let mut add = |key, value: Message, remedy: Text| faults.push((key, value, remedy.into()));
         match (self.area, self.density) {
-            (None, None) => add("area_m2", "nothing", "give the section's area in m², or density_kg_m3"),
+            (None, None) => add("area_m2", Text::new("found-nothing").into(), Text::new("wrong-no-area")),
             (Some(area), Some(density)) => {
                 let mass = area * density * girder.length;
                 if (mass - girder.mass).abs() > SAME_MASS * girder.mass {
-                    let value = format!("ρ A a₀ = {mass:.6e} kg beside a mass of {:.6e} kg", girder.mass);
-                    add(
-                        "density_kg_m3",
-                        &value,
-                        "give area_m2 or density_kg_m3 alone, or a mass that agrees within 1 %",
+                    let value = message!(
+                        "found-two-masses",
+                        "mass" => format!("{mass:.6e}"),
+                        "given" => format!("{:.6e}", girder.mass)
                     );
+                    add("density_kg_m3", value, Text::new("wrong-two-masses"));
                 }
             }
             _ => {}
         }
         if self.damping_ratio.is_some() && self.rayleigh.is_some() {
-            add("damping_ratio", "damping_ratio and rayleigh", "give one of the two");
+            add(
+                "damping_ratio",
+                message!("found-both", "one" => "damping_ratio", "other" => "rayleigh"),
+                Text::new("wrong-both"),
+            );
         }
         if let Some(degree) = self.modes.0.filter(|degree| degree.fract() != 0.0) {
-            add("modes", &format!("{degree:?}"), "give a whole number from 2 to 64, or \"auto\"");
+            add("modes", format!("{degree:?}").into(), Text::new("wrong-degree"));
         }
         faults
     }

@@ -4,6 +4,7 @@ use serde::{Deserialize, Serialize};
 
 use super::keys::{Fallback, Range, table, words};
 use super::motion::STANDARD_GRAVITY;
+use crate::language::Text;
 use crate::motion::sweep::{Rate, Sweep};
 
 /// Most intervals between samples of a sweep.
@@ -50,12 +51,8 @@ impl SweepMotion {
     }
 
     /// What does not fit together: key, value and remedy.
-    pub(in crate::scene) fn fault(&self) -> Option<(&'static str, f64, &'static str)> {
+    pub(in crate::scene) fn fault(&self) -> Option<(&'static str, f64, Text)> {
         let too_long = self.sweep().intervals() > f64::from(MOST_INTERVALS);
-        too_long.then_some((
-            "length_s",
-            self.length,
-            "so many periods need more than 1e6 samples: give a shorter sweep or lower frequencies",
-        ))
+        too_long.then_some(("length_s", self.length, Text::new("wrong-sweep-length")))
     }
 }

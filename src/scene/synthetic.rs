@@ -6,6 +6,7 @@ use serde::{Deserialize, Serialize};
 
 use super::keys::{Fallback, Range, table};
 use super::motion::STANDARD_GRAVITY;
+use crate::language::Text;
 use crate::motion::matching::{deviation_from, matched};
 use crate::motion::synthetic::Earthquake;
 
@@ -111,21 +112,21 @@ impl SyntheticMotion {
     }
 
     /// What does not fit together: key, value and remedy.
-    pub(in crate::scene) fn fault(&self) -> Option<(&'static str, f64, &'static str)> {
+    pub(in crate::scene) fn fault(&self) -> Option<(&'static str, f64, Text)> {
         // The filter's step is semi-implicit: stable below 2 / ω_g, true to a few percent below a tenth of that.
         let coarse = self.dt * std::f64::consts::TAU * self.ground_hz * self.ground_damping.max(1.0) > 0.5;
         let count = self.duration / self.dt;
         match () {
-            () if self.seed.fract() != 0.0 => Some(("seed", self.seed, "give a whole number")),
+            () if self.seed.fract() != 0.0 => Some(("seed", self.seed, Text::new("wrong-not-whole"))),
             () if !(2.0..=MOST_SAMPLES).contains(&count) => {
-                Some(("length_s", self.duration, "give a length of 2 to 1e6 intervals"))
+                Some(("length_s", self.duration, Text::new("wrong-quake-length")))
             }
             () if !self.target_is_sound() => Some((
                 "target_psa_g",
                 self.target.as_ref().map_or(0.0, |target| target.len() as f64),
-                "give two to a thousand pairs [period in s, pseudo-acceleration in g], periods growing, from 2 dt_s to length_s",
+                Text::new("wrong-target"),
             )),
-            () if coarse => Some(("dt_s", self.dt, "the ground is quicker than that: give a shorter interval")),
+            () if coarse => Some(("dt_s", self.dt, Text::new("wrong-quake-coarse"))),
             () => None,
         }
     }

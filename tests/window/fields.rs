@@ -279,7 +279,7 @@ fn a_number_out_of_its_range_is_marked_with_the_reason_and_undone() {
     let problems = harness.state().replay.runner.problems().expect("no mass is negative").clone();
     let remedy = keys::find(keys::GIRDER, "mass_kg").and_then(|key| key.range.fault(-2.0)).expect("a reason");
     assert_eq!(problems.0[0].remedy, remedy, "the range's own words");
-    assert!(harness.query_all_by_label_contains(&remedy).count() >= 2, "at the field too");
+    assert!(harness.query_all_by_label_contains(&remedy.to_string()).count() >= 2, "at the field too");
     undo(&mut harness);
     assert_eq!(*harness.state().files.document.scene(), before, "one step");
     type_in(&mut harness, "Mass m", "12 mm");

@@ -153,10 +153,10 @@ fn a_bad_scene_says_what_is_wrong_and_keeps_the_last_answer() {
     let good = digest(&harness);
     slide(&mut harness, "μ kinetic", 0.9);
     let problems = harness.state().replay.runner.problems().expect("kinetic friction above static");
-    assert!(problems.0[0].place.contains("mu_kinetic"), "names the field: {problems}");
+    assert!(problems.0[0].place.plain().contains("mu_kinetic"), "names the field: {problems}");
     assert_eq!(digest(&harness), good, "the last good answer is still there");
     assert!(harness.state().replay.runner.is_stale(), "and is marked as old");
-    let remedy = problems.0[0].remedy.clone();
+    let remedy = problems.0[0].remedy.to_string();
     assert!(harness.query_all_by_label_contains(&remedy).count() >= 2, "over the view and at the field: {remedy}");
     slide(&mut harness, "μ kinetic", 0.1);
     assert!(

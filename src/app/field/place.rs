@@ -36,7 +36,7 @@ impl<'a> Place<'a> {
         let place = self.path(key);
         // An index or a suffix may follow the key: `position_m[0]`.
         let own = |p: &str| p == place || p.strip_prefix(&place).is_some_and(|rest| rest.starts_with(['[', '.']));
-        errors.iter().find(|e| own(&e.place)).map(|e| format!("{}: {}", e.value, e.remedy))
+        errors.iter().find(|e| own(e.place.plain())).map(|e| format!("{}: {}", e.value, e.remedy))
     }
 }
 

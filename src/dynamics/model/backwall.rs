@@ -13,6 +13,7 @@ use crate::dynamics::model::compiled_model::Backwall;
 use crate::dynamics::model::coordinates::guided::Guided;
 use crate::dynamics::model::rate_bounds::RateBounds;
 use crate::geometry::Prism;
+use crate::language::Text;
 use crate::scene::{Abutment, BackfillLaw, ResolvedBackfill, Scene, SceneError, SceneErrors, placed};
 
 /// The number among the bodies of an abutment's wall, behind the girders; `None` for one that stands.
@@ -48,11 +49,9 @@ pub(super) fn add(
 fn complaint(abutment: &Abutment) -> SceneErrors {
     SceneErrors::from(SceneError {
         file: "scene".to_owned(),
-        place: format!("abutment.{}.backfill", abutment.name),
-        value: "no soil".to_owned(),
-        remedy: "give unloading_stiffness_n_per_m not below the slope at no push, and stiffness_n_per_m times \
-                 failing_push_m above ultimate_n"
-            .to_owned(),
+        place: format!("abutment.{}.backfill", abutment.name).into(),
+        value: Text::new("found-no-soil").into(),
+        remedy: Text::new("wrong-no-soil").into(),
     })
 }
 

@@ -12,6 +12,7 @@ use crate::dynamics::model::face_choice::FaceChoice;
 use crate::dynamics::model::pair::ContactSite;
 use crate::geometry::shape::block_behind;
 use crate::geometry::{End, Face, Prism};
+use crate::language::{Message, Text};
 use crate::scene::facing::{Facing, Flank, Rear, Side, SolidId};
 use crate::scene::{Kind, Scene, SceneError, SceneErrors, placed};
 
@@ -208,7 +209,7 @@ fn flank_facade(kind: Kind, body: &Body, number: usize, side: Side) -> Result<Pa
         _ => body.prism.thickness,
     };
     let face = Face::new(corners.map(|i| all[i]), depth)
-        .map_err(|error| complaint(&body.name, "a face", &error.to_string()))?;
+        .map_err(|error| complaint(&body.name, Text::new("found-face"), error.to_string()))?;
     let nodes = corners.iter().filter(|&&corner| kind == Kind::Spatial || corner < 4);
     Ok(PairSide {
         side,
@@ -220,18 +221,16 @@ fn flank_facade(kind: Kind, body: &Body, number: usize, side: Side) -> Result<Pa
     })
 }
 
-fn complaint(body: &str, value: &str, remedy: &str) -> SceneErrors {
-    let (place, value, remedy) = (body.to_owned(), value.to_owned(), remedy.to_owned());
-    SceneErrors(vec![SceneError { file: "scene".to_owned(), place, value, remedy }])
+fn complaint(body: &str, value: Text, remedy: impl Into<Message>) -> SceneErrors {
+    SceneError { file: "scene".to_owned(), place: body.into(), value: value.into(), remedy: remedy.into() }.into()
 }
 
 /// A face of an abutment: the front, or of the block behind it.
 fn abutment_facade(scene: &Scene, number: usize, side: Side) -> Result<PairSide, SceneErrors> {
     let abutment = &scene.abutments[number];
-    let complaint = |value: &str, remedy: &str| complaint(&format!("abutment.{}", abutment.name), value, remedy);
-    let front = placed::abutment_face(scene, abutment).ok_or_else(|| {
-        complaint("no face", "give gap_m, or polygon_m with four corners, before a girder that is there")
-    })?;
+    let complaint = |value: Text, remedy: Message| complaint(&format!("abutment.{}", abutment.name), value, remedy);
+    let front = placed::abutment_face(scene, abutment)
+        .ok_or_else(|| complaint(Text::new("found-no-face"), Text::new("wrong-abutment-no-face").into()))?;
     let fixed = front[0];
     let front = front.map(|corner| corner - fixed);
     let behind = placed::abutment_depth(scene, abutment);
@@ -243,8 +242,8 @@ fn abutment_facade(scene: &Scene, number: usize, side: Side) -> Result<PairSide,
         _ => behind,
     };
     let corners = side.corners();
-    let face =
-        Face::new(corners.map(|i| block[i]), depth).map_err(|error| complaint("its face", &error.to_string()))?;
+    let face = Face::new(corners.map(|i| block[i]), depth)
+        .map_err(|error| complaint(Text::new("found-its-face"), error.to_string().into()))?;
     let node = |corner: usize| {
         let (place, number) = if corner < 4 { ("back", corner) } else { ("corner", corner - 4) };
         Node { name: format!("{}.{place}{number}", abutment.name), point: block[corner], corner }

@@ -9,6 +9,7 @@ use crate::dynamics::devices::{Drop, Hysteresis, LinearBearing, Play, Slider, Su
 use crate::dynamics::model::bearing::Bearing;
 use crate::dynamics::model::body::Body;
 use crate::dynamics::model::compiled_model::Model;
+use crate::language::{Text, message};
 use crate::scene::{AfterUnseating, Girder, Kind, ResolvedBearing, Scene, SceneError, SceneErrors, Setting, seating};
 
 impl Model {
@@ -104,10 +105,9 @@ pub(super) fn pressed(scene: &Scene, bodies: &[Body]) -> Result<(), SceneErrors>
             if load <= 0.0 {
                 errors.push(SceneError {
                     file: "scene".to_owned(),
-                    place: format!("girder.{}.bearings", girder.name),
-                    value: format!("bearing {} under {load:.4e} N at rest", number + 1),
-                    remedy: "a slider cannot pull: place the bearings about G, or give them other vertical stiffness"
-                        .to_owned(),
+                    place: format!("girder.{}.bearings", girder.name).into(),
+                    value: message!("found-pulled-slider", "number" => number + 1, "load" => format!("{load:.4e}")),
+                    remedy: Text::new("wrong-pulled-slider").into(),
                 });
             }
         }

@@ -2,9 +2,10 @@
 
 use glam::DVec3;
 
-use super::fault::{Fault, missing, written};
+use super::fault::{Fault, missing};
 use super::joint::{Joint, no_direction};
 use super::table::device_table;
+use crate::language::{Text, message};
 use crate::scene::keys::{Fallback, Range};
 
 device_table! {
@@ -51,21 +52,20 @@ impl Bumper {
     fn own_faults(&self, joint: Option<&Joint>) -> Vec<Fault> {
         let mut faults: Vec<Fault> = no_direction("normal", self.normal).into_iter().collect();
         match (self.stiffness, &self.table) {
-            (None, None) => faults.push(missing("stiffness_n_per_m", "give it in N/m, or a table depth_force_m_n")),
+            (None, None) => faults.push(missing("stiffness_n_per_m", Text::new("wrong-bumper-no-stiffness"))),
             (Some(_), Some(_)) => {
-                let both = "stiffness_n_per_m and depth_force_m_n".to_owned();
-                faults.push(("stiffness_n_per_m", both, "give one of the two".to_owned()));
+                let both = message!("found-both", "one" => "stiffness_n_per_m", "other" => "depth_force_m_n");
+                faults.push(("stiffness_n_per_m", both, Text::new("wrong-both").into()));
             }
             (None, Some(table)) => faults.extend(unsteady(table)),
             (Some(_), None) => {}
         }
         let Some(joint) = joint.filter(|_| faults.is_empty()) else { return faults };
         match self.gaps(joint) {
-            None => faults.push(missing("normal", "its points coincide: give a normal, or to_m elsewhere")),
+            None => faults.push(missing("normal", Text::new("wrong-points-coincide"))),
             Some([gap, _]) if gap < 0.0 => {
-                let remedy =
-                    "at_m lies behind the plane through to_m as placed: turn the normal, move a point, or give gap_m";
-                faults.push(("to_m", format!("a distance of {gap:e} m along the normal"), remedy.to_owned()));
+                let remedy = Text::new("wrong-bumper-behind");
+                faults.push(("to_m", message!("found-distance", "gap" => format!("{gap:e}")), remedy.into()));
             }
             Some(_) => {}
         }
@@ -87,11 +87,11 @@ fn unsteady(table: &[[f64; 2]]) -> Option<Fault> {
     let mut before = [0.0; 2];
     for point in table {
         if !(point[0] > before[0] && point[1] > before[1]) {
-            let found = format!("[{}, {}]", written(point[0]), written(point[1]));
-            let remedy = "depth and force must both rise from (0, 0) on, line by line".to_owned();
+            let found = format!("[{:?}, {:?}]", point[0], point[1]).into();
+            let remedy = Text::new("wrong-depths").into();
             return Some(("depth_force_m_n", found, remedy));
         }
         before = *point;
     }
-    table.is_empty().then(|| ("depth_force_m_n", "[]".to_owned(), "give at least one [depth, force]".to_owned()))
+    table.is_empty().then(|| ("depth_force_m_n", "[]".into(), Text::new("wrong-no-depths").into()))
 }

@@ -1,5 +1,6 @@
 //! The two points of a device as placed, and directions that it is given.
 
+use crate::language::{Text, message};
 use glam::{DMat3, DVec3};
 
 use super::fault::Fault;
@@ -40,10 +41,10 @@ impl Joint {
 
     /// What is wrong with the points of a device that acts along the line between them.
     pub(super) fn too_short(&self) -> Option<Fault> {
-        let remedy =
-            "a cable or damper needs a length of 1e-6 m or more: give to_m so far from where at_m is as placed";
-        (self.length() < SHORTEST)
-            .then(|| ("to_m", format!("{:e} m between its points", self.length()), remedy.to_owned()))
+        let remedy = Text::new("wrong-points-too-near");
+        (self.length() < SHORTEST).then(|| {
+            ("to_m", message!("found-points-too-near", "length" => format!("{:e}", self.length())), remedy.into())
+        })
     }
 }
 
@@ -51,5 +52,5 @@ impl Joint {
 pub(super) fn no_direction(key: &'static str, given: Option<[f64; 3]>) -> Option<Fault> {
     let vector = given?;
     let short = DVec3::from(vector).try_normalize().is_none();
-    short.then(|| (key, format!("{vector:?}"), "give a vector with a length: [1, 0] along, [0, 1] across".to_owned()))
+    short.then(|| (key, format!("{vector:?}").into(), Text::new("wrong-no-vector").into()))
 }

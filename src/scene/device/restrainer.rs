@@ -3,6 +3,7 @@
 use super::fault::{Fault, missing, written};
 use super::joint::Joint;
 use super::table::device_table;
+use crate::language::{Text, message};
 use crate::scene::keys::{Fallback, Range};
 
 device_table! {
@@ -36,19 +37,19 @@ impl Restrainer {
     fn own_faults(&self, joint: Option<&Joint>) -> Vec<Fault> {
         let mut faults = Vec::new();
         match (self.stiffness, self.axial_stiffness) {
-            (None, None) => faults.push(missing("stiffness_n_per_m", "give K in N/m, or EA as axial_stiffness_n")),
+            (None, None) => faults.push(missing("stiffness_n_per_m", Text::new("wrong-cable-no-stiffness"))),
             (Some(_), Some(_)) => {
-                let both = "stiffness_n_per_m and axial_stiffness_n".to_owned();
-                faults.push(("stiffness_n_per_m", both, "give one of the two".to_owned()));
+                let both = message!("found-both", "one" => "stiffness_n_per_m", "other" => "axial_stiffness_n");
+                faults.push(("stiffness_n_per_m", both, Text::new("wrong-both").into()));
             }
             _ => {}
         }
         if let (Some(length), None) = (self.cable_length, self.axial_stiffness) {
-            let remedy = "it belongs to axial_stiffness_n: give that, or leave it out".to_owned();
+            let remedy = Text::new("wrong-axial-stiffness-missing").into();
             faults.push(("length_m", written(length), remedy));
         }
         if let (Some(stiffness), None) = (self.post_yield_stiffness, self.yield_force) {
-            let remedy = "it belongs to yield_force_n: give that, or leave it out".to_owned();
+            let remedy = Text::new("wrong-yield-force-missing").into();
             faults.push(("post_yield_stiffness_n_per_m", written(stiffness), remedy));
         }
         let Some(joint) = joint else { return faults };
@@ -56,7 +57,7 @@ impl Restrainer {
         if let (Some(after), Some(before)) = (self.post_yield_stiffness, self.stiffness(joint))
             && after >= before
         {
-            let remedy = format!("it must be less than K = {before:?} N/m: lower it, or leave out yield_force_n");
+            let remedy = message!("wrong-post-yield", "before" => format!("{before:?}"));
             faults.push(("post_yield_stiffness_n_per_m", written(after), remedy));
         }
         faults

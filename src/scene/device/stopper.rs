@@ -5,6 +5,7 @@ use glam::DVec3;
 use super::fault::{Fault, missing, written};
 use super::joint::{Joint, no_direction};
 use super::table::device_table;
+use crate::language::{Text, message};
 use crate::scene::keys::{Fallback, Range, words};
 
 words! {
@@ -60,15 +61,18 @@ impl Stopper {
     fn own_faults(&self, _: Option<&Joint>) -> Vec<Fault> {
         let mut faults: Vec<Fault> = no_direction("direction", self.direction).into_iter().collect();
         if self.break_force.is_some() && self.yield_force.is_some() {
-            let remedy =
-                "a brittle side has break_force_n, a ductile one yield_force_n: give one of the two".to_owned();
-            faults.push(("break_force_n", "break_force_n and yield_force_n".to_owned(), remedy));
+            let remedy = Text::new("wrong-brittle-and-ductile").into();
+            faults.push((
+                "break_force_n",
+                message!("found-both", "one" => "break_force_n", "other" => "yield_force_n"),
+                remedy,
+            ));
         }
         if self.break_displacement.is_some() && self.yield_force.is_none() {
-            faults.push(missing("yield_force_n", "break_displacement_m is that of a ductile side: give its F_y too"));
+            faults.push(missing("yield_force_n", Text::new("wrong-break-displacement")));
         }
         if let (Some(gap), Sides::Plus) = (self.minus_gap, self.sides) {
-            let remedy = "nothing stops motion against d: leave it out, or set sides = \"both\"".to_owned();
+            let remedy = Text::new("wrong-minus-gap").into();
             faults.push(("minus_gap_m", written(gap), remedy));
         }
         faults

@@ -21,6 +21,7 @@ pub(in crate::scene) use side::names;
 pub use side::{Flank, Rear, Side, SolidId};
 
 use super::{Scene, SceneError, SceneErrors, placed};
+use crate::language::message;
 use end::{EndFace, Walls};
 use side::{front, girder_named};
 
@@ -54,7 +55,7 @@ pub fn find(scene: &Scene) -> Result<Vec<Facing>, SceneErrors> {
         match declared::pair(scene, pair, &sides) {
             Ok(new) => sides.extend(new),
             Err((place, value, remedy)) => {
-                let place = format!("contact.pair[{n}].{place}");
+                let place = format!("contact.pair[{n}].{place}").into();
                 complaints.push(SceneError { file: "scene".to_owned(), place, value, remedy });
             }
         }
@@ -71,9 +72,9 @@ fn found(scene: &Scene, complaints: &mut Vec<SceneError>) -> Vec<(Side, Side)> {
         if girder_named(scene, &abutment.faces).is_none() {
             complaints.push(SceneError {
                 file: "scene".to_owned(),
-                place: format!("abutment.{}.faces", abutment.name),
-                value: format!("\"{}\"", abutment.faces),
-                remedy: format!("no girder has this name; {}", names(scene)),
+                place: format!("abutment.{}.faces", abutment.name).into(),
+                value: format!("\"{}\"", abutment.faces).into(),
+                remedy: message!("wrong-no-such-girder", "names" => names(scene)),
             });
         }
     }

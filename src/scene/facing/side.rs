@@ -4,6 +4,7 @@ use glam::DVec3;
 
 use crate::geometry::End;
 use crate::geometry::shape::block_behind;
+use crate::language::{Message, Text, message};
 use crate::scene::{Kind, Scene, placed};
 
 /// A body of a scene.
@@ -169,9 +170,11 @@ pub(super) fn girder_named(scene: &Scene, name: &str) -> Option<usize> {
 }
 
 /// Who there is, for complaints.
-pub(in crate::scene) fn names(scene: &Scene) -> String {
-    let list = |names: Vec<&str>| if names.is_empty() { "none".to_owned() } else { names.join(", ") };
+pub(in crate::scene) fn names(scene: &Scene) -> Message {
+    let list = |names: Vec<&str>| {
+        if names.is_empty() { Text::new("wrong-names-none").into() } else { Message::from(names.join(", ")) }
+    };
     let girders = list(scene.girders.iter().map(|g| g.name.as_str()).collect());
     let abutments = list(scene.abutments.iter().map(|a| a.name.as_str()).collect());
-    format!("girders: {girders}; abutments: {abutments}")
+    message!("wrong-names", "girders" => girders, "abutments" => abutments)
 }

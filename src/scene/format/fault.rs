@@ -2,6 +2,7 @@
 
 use toml::Value;
 
+use crate::language::{Message, Text, message};
 use crate::scene::SceneError;
 use crate::scene::shown::shown;
 
@@ -91,19 +92,19 @@ impl Fault {
         }
     }
 
-    fn remedy(&self) -> String {
+    fn remedy(&self) -> Message {
         match &self.what {
             What::UnknownKey(key, known) => {
-                format!("no such key here{}; keys known here: {}", did_you_mean(key, known), known.join(", "))
+                message!("wrong-key", "meant" => did_you_mean(key, known), "known" => known.join(", "))
             }
-            What::MissingKey(key) => format!("this key must be given: add `{key} = …`"),
-            What::Type(expected) => format!("expected {}", in_words(expected)),
+            What::MissingKey(key) => message!("wrong-missing-key", "key" => *key),
+            What::Type(expected) => message!("wrong-type", "expected" => in_words(expected)),
             What::Word(words) => {
                 let found = self.value.as_deref().unwrap_or_default().trim_matches('"');
                 let quoted: Vec<String> = words.iter().map(|w| format!("\"{w}\"")).collect();
-                format!("expected one of {}{}", quoted.join(", "), did_you_mean(found, words))
+                message!("wrong-word", "words" => quoted.join(", "), "meant" => did_you_mean(found, words))
             }
-            What::Wrong(message) => message.clone(),
+            What::Wrong(message) => message.as_str().into(),
         }
     }
 
@@ -111,8 +112,8 @@ impl Fault {
     pub(super) fn complaint(&self, file: &str) -> SceneError {
         SceneError {
             file: file.to_owned(),
-            place: self.place(),
-            value: self.value.clone().unwrap_or_else(|| "nothing".to_owned()),
+            place: self.place().into(),
+            value: self.value.clone().map_or_else(|| Text::new("found-nothing").into(), Message::from),
             remedy: self.remedy(),
         }
     }
@@ -131,28 +132,28 @@ pub(super) fn short(value: &Value) -> String {
 }
 
 /// serde names Rust's types; a user writes TOML.
-fn in_words(expected: &str) -> String {
+fn in_words(expected: &str) -> Message {
     let number_of = expected.strip_prefix("an array of length ");
     match expected {
-        "f64" | "f32" => "a number".to_owned(),
-        "u32" | "usize" => "a whole number, not negative".to_owned(),
-        "a sequence" => "a list: […], or tables under double brackets, [[…]]".to_owned(),
-        _ if expected.starts_with("struct ") => "a table of keys: {…}, or under single brackets, […]".to_owned(),
-        _ if expected.starts_with("enum ") => "one of the words known here".to_owned(),
-        _ => number_of.map_or_else(|| expected.to_owned(), |n| format!("a list of {n} values")),
+        "f64" | "f32" => Text::new("type-number").into(),
+        "u32" | "usize" => Text::new("type-count").into(),
+        "a sequence" => Text::new("type-list").into(),
+        _ if expected.starts_with("struct ") => Text::new("type-table").into(),
+        _ if expected.starts_with("enum ") => Text::new("type-word").into(),
+        _ => number_of.map_or_else(|| expected.into(), |n| message!("type-list-of", "n" => n)),
     }
 }
 
 /// `; did you mean …` when one of the known words is near.
-pub(crate) fn did_you_mean(word: &str, known: &[&str]) -> String {
+pub(crate) fn did_you_mean(word: &str, known: &[&str]) -> Message {
     // A word so long is none of them; the distance would take its length times theirs.
     if word.len() > 4 * LONGEST {
-        return String::new();
+        return "".into();
     }
     let near = known.iter().map(|k| (distance(word, k), *k)).min();
     match near {
-        Some((d, known)) if d <= 2.max(known.len() / 3) => format!("; did you mean `{known}`?"),
-        _ => String::new(),
+        Some((d, known)) if d <= 2.max(known.len() / 3) => message!("wrong-did-you-mean", "known" => known),
+        _ => "".into(),
     }
 }
 

@@ -10,6 +10,7 @@ mod read;
 mod update;
 mod write;
 
+use crate::language::{Text, message};
 use serde::Deserialize;
 use toml::{Table, Value};
 
@@ -58,9 +59,9 @@ fn check_version(table: &Table, file: &str) -> Result<(), SceneErrors> {
         Some(Value::Integer(n)) if *n == i64::from(VERSION) => Ok(()),
         Some(other) => Err(SceneError {
             file: file.to_owned(),
-            place: "format".to_owned(),
-            value: fault::short(other),
-            remedy: format!("this program reads format {VERSION}: write `format = {VERSION}`"),
+            place: "format".into(),
+            value: fault::short(other).into(),
+            remedy: message!("wrong-format-write", "version" => VERSION),
         }
         .into()),
     }
@@ -74,9 +75,9 @@ fn not_toml(error: &toml::de::Error, text: &str, file: &str) -> SceneError {
     let found = part_around(text.lines().nth(line).unwrap_or_default(), column);
     SceneError {
         file: file.to_owned(),
-        place: format!("line {}, column {}", line + 1, column + 1),
-        value: if found.is_empty() { "nothing".to_owned() } else { format!("`{found}`") },
-        remedy: format!("not TOML: {}", shown(&error.message().replace('\n', "; "), 4 * fault::LONGEST)),
+        place: message!("found-line-column", "line" => line + 1, "column" => column + 1),
+        value: if found.is_empty() { Text::new("found-nothing").into() } else { format!("`{found}`").into() },
+        remedy: message!("wrong-toml", "message" => shown(&error.message().replace('\n', "; "), 4 * fault::LONGEST)),
     }
 }
 

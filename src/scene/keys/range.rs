@@ -1,6 +1,6 @@
 //! What may stand under a key: the one rule that files are checked by and that the window shows.
 
-use crate::language::{Text, said};
+use crate::language::{Message, Text, message};
 
 /// Beyond this no unit of this world makes sense, and squares begin to overflow.
 const LARGEST: f64 = 1e15;
@@ -34,11 +34,11 @@ pub enum Range {
 
 impl Range {
     /// What is wrong with a number, as a remedy; `None` where it may stand.
-    pub fn fault(self, value: f64) -> Option<String> {
+    pub fn fault(self, value: f64) -> Option<Message> {
         if value.is_finite() {
             (!self.takes(value)).then(|| self.remedy(value))
         } else {
-            Some(said!("wrong-not-finite", "remedy" => self.remedy(value)))
+            Some(message!("wrong-not-finite", "remedy" => self.remedy(value)))
         }
     }
 
@@ -52,7 +52,7 @@ impl Range {
         }
     }
 
-    fn remedy(self, value: f64) -> String {
+    fn remedy(self, value: f64) -> Message {
         let sized = value.is_finite() && value > 0.0;
         match self {
             Self::Positive if sized => Text::new("wrong-extreme").into(),
@@ -60,10 +60,10 @@ impl Range {
             Self::NotNegative | Self::NotBelow(_) if sized => Text::new("wrong-too-large").into(),
             Self::NotNegative | Self::NotBelow(_) => Text::new("wrong-negative").into(),
             Self::Within([low, high]) => {
-                said!("wrong-outside", "low" => format!("{low:?}"), "high" => format!("{high:?}"))
+                message!("wrong-outside", "low" => format!("{low:?}"), "high" => format!("{high:?}"))
             }
             Self::Between([low, high]) => {
-                said!("wrong-not-between", "low" => format!("{low:?}"), "high" => format!("{high:?}"))
+                message!("wrong-not-between", "low" => format!("{low:?}"), "high" => format!("{high:?}"))
             }
             Self::Any | Self::Words(_) | Self::Switch | Self::Like(_) | Self::Free => {
                 Text::new("wrong-not-plain").into()
@@ -99,7 +99,7 @@ mod tests {
     fn every_range_refuses_what_is_no_number() {
         let ranges = [Range::Any, Range::Positive, Range::NotNegative, Range::Within([0.0, 1.0]), Range::Free];
         for range in ranges {
-            assert!(range.fault(f64::NAN).is_some_and(|f| f.contains("finite")), "{range:?}");
+            assert!(range.fault(f64::NAN).is_some_and(|f| f.to_string().contains("finite")), "{range:?}");
             assert!(range.fault(1e16).is_some(), "{range:?}: too large for any unit");
             assert_eq!(range.fault(0.5), None, "{range:?}: a plain number");
         }

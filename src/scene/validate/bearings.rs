@@ -2,6 +2,7 @@
 //! lost.
 
 use super::complaints::{At, numbers};
+use crate::language::{Text, message};
 use crate::scene::keys::{self, Keyed, Range};
 use crate::scene::{Bearing, BearingKind, Bearings, DeckBearings, Girder, Kind, Setting, SharedBearings, seating};
 
@@ -37,14 +38,18 @@ fn deck(bearings: &DeckBearings, setting: Setting, needs_vertical: bool, at: &mu
     vertical(bearings, bearings.vertical_frequency_hz, needs_vertical, at);
     places(bearings.at.as_deref(), bearings.at_skewed.as_deref(), at);
     for key in bearings.foreign() {
-        let remedy = format!("bearings of kind {:?} have none: leave it out", bearings.kind.label());
-        at.add(key, "a number", remedy);
+        let remedy = message!("wrong-foreign", "kind" => format!("{:?}", bearings.kind.label()));
+        at.add(key, Text::new("found-number"), remedy);
     }
     if let Some(ratio) = bearings.stiffness_ratio.filter(|ratio| *ratio <= 1.0) {
-        at.add("stiffness_ratio", ratio, "give more than 1: the bearing is stiffer before it yields");
+        at.add("stiffness_ratio", ratio, Text::new("wrong-ratio-below-one"));
     }
     if bearings.kind == BearingKind::Pendulum && bearings.radius.is_some() && bearings.period.is_some() {
-        at.add("radius_m", "radius_m and post_yield_period_s", "give one of the two: T = 2π √(R/g)");
+        at.add(
+            "radius_m",
+            message!("found-both", "one" => "radius_m", "other" => "post_yield_period_s"),
+            Text::new("wrong-radius-and-period"),
+        );
     }
     weightless(setting, "kind", at);
 }
@@ -54,8 +59,8 @@ fn weightless(setting: Setting, key: &str, at: &mut At<'_>) {
     if setting.gravity <= 0.0 {
         at.add(
             key,
-            format!("gravity {:?} m/s²", setting.gravity),
-            "its force follows from the weight: give gravity_m_s2",
+            message!("found-gravity", "gravity" => format!("{:?}", setting.gravity)),
+            Text::new("wrong-weightless"),
         );
     }
 }
@@ -68,8 +73,8 @@ fn vertical(bearings: &impl Keyed, frequency: Option<f64>, needs_vertical: bool,
         // Where it carries nothing it may say so.
         Some(f) => at.obeys("vertical_frequency_hz", f, Range::NotNegative),
         None if needs_vertical => {
-            let remedy = "a girder in a spatial scene stands on its bearings: give their vertical frequency in Hz";
-            at.add("vertical_frequency_hz", "nothing", remedy);
+            let remedy = Text::new("wrong-no-vertical-frequency");
+            at.add("vertical_frequency_hz", Text::new("found-nothing"), remedy);
         }
         None => {}
     }
@@ -80,18 +85,24 @@ fn places(at_m: Option<&[[f64; 2]]>, at_skewed: Option<&[[f64; 2]]>, at: &mut At
         (Some(places), None) => ("at_m", places),
         (None, Some(places)) => ("at_skewed_m", places),
         (None, None) => {
-            return at.add("at_m", "nothing", "give the bearings' places: at_m = [[x, y], …], or at_skewed_m");
+            return at.add("at_m", Text::new("found-nothing"), Text::new("wrong-no-places"));
         }
-        (Some(_), Some(_)) => return at.add("at_m", "at_m and at_skewed_m", "give one of the two"),
+        (Some(_), Some(_)) => {
+            return at.add(
+                "at_m",
+                message!("found-both", "one" => "at_m", "other" => "at_skewed_m"),
+                Text::new("wrong-both"),
+            );
+        }
     };
     if places.is_empty() {
-        at.add(key, "[]", "give at least one place [x, y], or leave out `bearings`");
+        at.add(key, "[]", Text::new("wrong-empty-places"));
     }
 }
 
 fn single(bearings: &[Bearing], needs_vertical: bool, setting: Setting, at: &mut At<'_>) {
     if bearings.is_empty() {
-        at.add("bearings", "[]", "give at least one bearing, or leave out `bearings`");
+        at.add("bearings", "[]", Text::new("wrong-no-bearing"));
     }
     for (n, bearing) in bearings.iter().enumerate() {
         let key = format!("bearings[{n}]");
@@ -102,7 +113,7 @@ fn single(bearings: &[Bearing], needs_vertical: bool, setting: Setting, at: &mut
         sliding(bearing, setting, &mut table);
     }
     if needs_vertical && !bearings.is_empty() && bearings.iter().all(|b| b.stiffness[2] == 0.0) {
-        let remedy = "a girder in a spatial scene stands on its bearings: give a third, vertical number";
+        let remedy = Text::new("wrong-no-vertical-stiffness");
         at.add("bearings[0].stiffness_n_per_m", numbers(&bearings[0].stiffness[..2]), remedy);
     }
 }
@@ -110,13 +121,13 @@ fn single(bearings: &[Bearing], needs_vertical: bool, setting: Setting, at: &mut
 fn yielding(bearing: &Bearing, at: &mut At<'_>) {
     match (bearing.yield_force, bearing.yield_displacement) {
         (Some(_), None) => {
-            at.add("yield_displacement_m", "nothing", "give the displacement at which the bearing yields, in m");
+            at.add("yield_displacement_m", Text::new("found-nothing"), Text::new("wrong-no-yield-displacement"));
         }
-        (None, Some(_)) => at.add("yield_force_n", "nothing", "give the force Q in N, or leave out both"),
+        (None, Some(_)) => at.add("yield_force_n", Text::new("found-nothing"), Text::new("wrong-no-yield-force")),
         _ => {}
     }
     if bearing.per_axis.is_some() && bearing.yield_force.is_none() {
-        at.add("yields_per_axis", "a switch", "give yield_force_n and yield_displacement_m, or leave it out");
+        at.add("yields_per_axis", Text::new("found-switch"), Text::new("wrong-per-axis-alone"));
     }
 }
 
@@ -130,17 +141,21 @@ fn sliding(bearing: &Bearing, setting: Setting, at: &mut At<'_>) {
         for (key, value) in beside.into_iter().filter_map(|(key, value)| Some((key, value?))) {
             // A load without friction is a share of the weight that others do not carry.
             if key != "load_n" {
-                at.add(key, value, "give `friction` as well, or leave it out");
+                at.add(key, value, Text::new("wrong-friction-missing"));
             }
         }
         return;
     }
     if bearing.yield_force.is_some() {
-        at.add("friction", "friction and yield_force_n", "give one of the two");
+        at.add(
+            "friction",
+            message!("found-both", "one" => "friction", "other" => "yield_force_n"),
+            Text::new("wrong-both"),
+        );
     }
     weightless(setting, "friction", at);
     if setting.kind == Kind::Spatial && bearing.stiffness[2] == 0.0 {
-        let remedy = "a slider in space goes by its vertical force: give a third, vertical stiffness";
+        let remedy = Text::new("wrong-slider-in-space");
         at.add("stiffness_n_per_m", numbers(&bearing.stiffness), remedy);
     }
 }
@@ -151,15 +166,18 @@ fn loads(girder: &Girder, setting: Setting, at: &mut At<'_>) {
     let weight = girder.mass * setting.gravity;
     let sum: f64 = loads.iter().map(|(_, load)| load).sum();
     if (sum - weight).abs() > UNBALANCED * weight {
-        let remedy = format!("loads at rest add up to the girder's weight, {weight:.6e} N");
-        return at.add("bearings[0].load_n", format!("{sum:.6e} N in all"), remedy);
+        let remedy = message!("wrong-loads", "weight" => format!("{weight:.6e}"));
+        return at.add("bearings[0].load_n", message!("found-loads", "sum" => format!("{sum:.6e}")), remedy);
     }
     let farthest = loads.iter().map(|([x, y], _)| x.hypot(*y)).fold(0.0, f64::max);
     let moment = [0, 1].map(|axis| loads.iter().map(|(place, load)| place[axis] * load).sum::<f64>());
     if moment[0].hypot(moment[1]) > UNBALANCED * weight * farthest {
-        let value = format!("loads that act at [{:.4}, {:.4}] m from G", moment[0] / sum, moment[1] / sum);
-        let remedy = "friction goes by loads that carry the girder without a moment about G: place the bearings about G, or give \
-                      load_n of each";
+        let value = message!(
+            "found-loads-at",
+            "x" => format!("{:.4}", moment[0] / sum),
+            "y" => format!("{:.4}", moment[1] / sum)
+        );
+        let remedy = Text::new("wrong-loads-turn");
         at.add("bearings", value, remedy);
     }
 }
@@ -178,7 +196,7 @@ fn loads_in_plan(girder: &Girder, setting: Setting, at: &mut At<'_>) -> Option<V
     };
     if setting.kind == Kind::Spatial {
         if given.iter().any(Option::is_some) {
-            at.add("bearings[0].load_n", "loads", "in a spatial scene vertical stiffness says them: leave load_n out");
+            at.add("bearings[0].load_n", Text::new("found-all-loads"), Text::new("wrong-loads-in-space"));
         }
         return None;
     }
@@ -187,7 +205,7 @@ fn loads_in_plan(girder: &Girder, setting: Setting, at: &mut At<'_>) -> Option<V
         _ => true,
     };
     if given.iter().any(Option::is_some) && (!slides || given.iter().any(Option::is_none)) {
-        at.add("bearings[0].load_n", "some loads", "give load_n of all bearings, sliders among them, or of none");
+        at.add("bearings[0].load_n", Text::new("found-some-loads"), Text::new("wrong-some-loads"));
         return None;
     }
     let places: Vec<[f64; 2]> = bearings.resolve(girder, setting).iter().map(|b| [b.place.x, b.place.y]).collect();
@@ -201,8 +219,8 @@ fn seats(girder: &Girder, setting: Setting, at: &mut At<'_>) {
     for (n, bearing) in girder.supports(setting).iter().enumerate() {
         let Some(room) = seating::room(girder, bearing) else { continue };
         if room.excess(0.0) >= 0.0 {
-            let value = format!("bearing {} beyond the front edge of its seat as placed", n + 1);
-            at.add("bearings", value, "place it over the seat, make the seat longer, or leave out after_unseating");
+            let value = message!("found-bearing-off-seat", "number" => n + 1);
+            at.add("bearings", value, Text::new("wrong-bearing-off-seat"));
         }
     }
 }

@@ -3,6 +3,7 @@
 use super::complaints::{At, numbers};
 use super::{bearings, elastic};
 use crate::geometry::{End, Face};
+use crate::language::{Text, message};
 use crate::scene::domain::measures::bearing_place;
 use crate::scene::keys;
 use crate::scene::{Abutment, Direction, Girder, Kind, Setting};
@@ -40,7 +41,7 @@ fn start(girder: &Girder, kind: Kind, at: &mut At<'_>) {
 /// Of three numbers a planar scene knows two.
 fn level(key: &str, vector: &[f64; 3], kind: Kind, at: &mut At<'_>) {
     if kind == Kind::Planar && vector[2] != 0.0 {
-        let remedy = "a planar scene knows no vertical: give two numbers, or set kind = \"spatial\"";
+        let remedy = Text::new("wrong-vertical-in-plan");
         at.add(key, numbers(vector), remedy);
     }
 }
@@ -54,8 +55,13 @@ fn end_faces(girder: &Girder, at: &mut At<'_>) {
     let face = Face::new(prism.end_face(End::Plus), prism.depth_behind_end());
     let finite = prism.corners().iter().all(|corner| corner.is_finite());
     if !finite || face.is_err() {
-        let value = format!("{:?} m × {:?} m ends at {:?}°", girder.width, girder.thickness, girder.skew_deg);
-        at.add("", value, "no face can be computed from these ends: choose sizes and skew less extreme");
+        let value = message!(
+            "found-ends",
+            "width" => format!("{:?}", girder.width),
+            "thickness" => format!("{:?}", girder.thickness),
+            "skew" => format!("{:?}", girder.skew_deg)
+        );
+        at.add("", value, Text::new("wrong-ends"));
     }
 }
 
@@ -71,8 +77,8 @@ fn far_bearings(girder: &Girder, setting: Setting, at: &mut At<'_>) {
     const FAR: f64 = 100.0;
     let far = if is_sound(girder) { bearing_place(girder, setting) } else { 0.0 };
     if far > FAR {
-        let value = format!("a bearing {far:.3e} times as far from G as the farthest corner");
-        at.add("bearings", value, "no bearing carries a girder from there: give its place in m, relative to G");
+        let value = message!("found-bearing-far", "far" => format!("{far:.3e}"));
+        at.add("bearings", value, Text::new("wrong-bearing-far"));
     }
 }
 
@@ -83,15 +89,17 @@ pub(super) fn abutment(abutment: &Abutment, at: &mut At<'_>) {
         at.all(backfill);
         match (backfill.fuse_stiffness, backfill.fuse_force) {
             (Some(stiffness), None) => {
-                at.add("fuse_stiffness_n_per_m", stiffness, "give fuse_force_n as well, or neither");
+                at.add("fuse_stiffness_n_per_m", stiffness, Text::new("wrong-fuse-force-missing"));
             }
-            (None, Some(force)) => at.add("fuse_force_n", force, "give fuse_stiffness_n_per_m as well, or neither"),
+            (None, Some(force)) => at.add("fuse_force_n", force, Text::new("wrong-fuse-stiffness-missing")),
             _ => {}
         }
     }
     match (abutment.gap, &abutment.polygon) {
-        (None, None) => at.add("gap_m", "nothing", "give gap_m, or the face's corners as polygon_m"),
-        (Some(_), Some(_)) => at.add("gap_m", "gap_m and polygon_m", "give one of the two"),
+        (None, None) => at.add("gap_m", Text::new("found-nothing"), Text::new("wrong-no-face")),
+        (Some(_), Some(_)) => {
+            at.add("gap_m", message!("found-both", "one" => "gap_m", "other" => "polygon_m"), Text::new("wrong-both"));
+        }
         (Some(_), None) => {}
         (None, Some(corners)) => polygon(abutment, corners, at),
     }
@@ -99,12 +107,12 @@ pub(super) fn abutment(abutment: &Abutment, at: &mut At<'_>) {
 
 fn polygon(abutment: &Abutment, corners: &[[f64; 3]], at: &mut At<'_>) {
     if corners.len() != 4 {
-        at.add("polygon_m", format!("{} corners", corners.len()), "give four corners [x, y, z]");
+        at.add("polygon_m", message!("found-corners", "count" => corners.len()), Text::new("wrong-corners"));
     }
     let beside = [("width_m", abutment.width), ("height_m", abutment.height), ("offset_m", abutment.offset)];
     for (key, value) in beside {
         if let Some(value) = value {
-            at.add(key, value, "polygon_m says it already: leave this out");
+            at.add(key, value, Text::new("wrong-beside-polygon"));
         }
     }
 }

@@ -2,6 +2,7 @@
 
 use std::fmt::Display;
 
+use crate::language::{Message, Text, message, said};
 use crate::scene::Kind;
 use crate::scene::keys::{self, Key, Keyed, Range, Stated};
 use crate::scene::shown::{escaped, shown};
@@ -17,16 +18,29 @@ fn cut(text: &str) -> String {
 
 /// One complaint about a scene, shown as one line.
 #[derive(Clone, Debug, PartialEq, thiserror::Error)]
-#[error("{}: {}: found {}; {}", escaped(file), cut(place), cut(value), shown(remedy, LONGEST_REMEDY))]
+#[error("{}", self.line())]
 pub struct SceneError {
     /// The file, or the preset's name, or "scene".
     pub file: String,
     /// `girder.deck.mass_kg`
-    pub place: String,
+    pub place: Message,
     /// What stands there.
-    pub value: String,
+    pub value: Message,
     /// What is wrong and what would be right.
-    pub remedy: String,
+    pub remedy: Message,
+}
+
+impl SceneError {
+    /// Itself as one line, in the language in use.
+    fn line(&self) -> String {
+        said!(
+            "complaint",
+            "file" => escaped(&self.file),
+            "place" => cut(&self.place.to_string()),
+            "value" => cut(&self.value.to_string()),
+            "remedy" => shown(&self.remedy.to_string(), LONGEST_REMEDY)
+        )
+    }
 }
 
 /// All complaints about a scene; never empty.
@@ -106,13 +120,13 @@ pub(super) struct At<'a> {
 }
 
 impl At<'_> {
-    pub(super) fn add(&mut self, key: &str, value: impl Display, remedy: impl Into<String>) {
+    pub(super) fn add(&mut self, key: &str, value: impl Into<Message>, remedy: impl Into<Message>) {
         let top = matches!(&self.table, Table::Called(name) if name.is_empty());
         let dot = if top || key.is_empty() { "" } else { "." };
         self.complaints.0.push(SceneError {
             file: "scene".to_owned(),
-            place: format!("{}{dot}{key}", self.table),
-            value: value.to_string(),
+            place: format!("{}{dot}{key}", self.table).into(),
+            value: value.into(),
             remedy: remedy.into(),
         });
     }
@@ -177,7 +191,7 @@ impl At<'_> {
     /// The same of one key.
     pub(super) fn fits_key(&mut self, key: &Key, value: f64, kind: Kind) {
         if key.spatial && kind == Kind::Planar && value != 0.0 {
-            let remedy = "a planar scene knows no vertical, roll or pitch: leave it out, or set kind = \"spatial\"";
+            let remedy = Text::new("wrong-in-plan");
             self.add(key.name, number(value), remedy);
         }
     }
@@ -190,11 +204,7 @@ impl At<'_> {
             let (Some(most), Some(value)) = (in_force.number(upper.name), in_force.number(lower)) else { continue };
             if given && value > most {
                 let name = upper.name;
-                self.add(
-                    lower,
-                    number(value),
-                    format!("it must not exceed {name} = {most:?}: lower it, or raise {name}"),
-                );
+                self.add(lower, number(value), message!("wrong-order", "name" => name, "most" => format!("{most:?}")));
             }
         }
     }

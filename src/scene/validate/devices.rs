@@ -1,6 +1,7 @@
 //! Devices: their numbers, the bodies that they name, their points.
 
 use super::complaints::{Complaints, numbers};
+use crate::language::{Message, Text, message};
 use crate::scene::device::{DeviceKind, Ends, Joint, Part};
 use crate::scene::facing::names;
 use crate::scene::keys::{Keyed, Stated};
@@ -26,12 +27,12 @@ fn each<T: Keyed + Part>(scene: &Scene, sound: bool, (kind, devices): (DeviceKin
                 && planar
                 && *up != 0.0
             {
-                let remedy = "a planar scene knows no vertical: give two numbers, or set kind = \"spatial\"";
+                let remedy = Text::new("wrong-vertical-in-plan");
                 at.add(key, numbers(vector), remedy);
             }
         }
         let wrong_body = bodies(scene, &ends);
-        if let Some((key, value, remedy)) = &wrong_body {
+        if let Some((key, value, remedy)) = wrong_body.clone() {
             at.add(key, value, remedy);
         }
         let joint = if sound && wrong_body.is_none() { Joint::of(scene, &ends) } else { None };
@@ -42,18 +43,18 @@ fn each<T: Keyed + Part>(scene: &Scene, sound: bool, (kind, devices): (DeviceKin
 }
 
 /// What is wrong with the bodies that a device names.
-fn bodies(scene: &Scene, ends: &Ends<'_>) -> Option<(&'static str, String, String)> {
+fn bodies(scene: &Scene, ends: &Ends<'_>) -> Option<(&'static str, Message, Message)> {
     let is_girder = |name: &str| scene.girders.iter().any(|g| g.name == name);
     if !is_girder(ends.girder) {
-        let remedy = format!("no girder has this name; {}", names(scene));
-        return Some(("girder", format!("{:?}", ends.girder), remedy));
+        let remedy = message!("wrong-no-such-girder", "names" => names(scene));
+        return Some(("girder", format!("{:?}", ends.girder).into(), remedy));
     }
     let to = ends.to?;
     if to == ends.girder {
-        let remedy = "both points are on one girder: name another body, or leave it out for the ground";
-        return Some(("to", format!("{to:?}"), remedy.to_owned()));
+        let remedy = Text::new("wrong-one-girder");
+        return Some(("to", format!("{to:?}").into(), remedy.into()));
     }
     let known = is_girder(to) || scene.abutments.iter().any(|a| a.name == to);
-    let remedy = || format!("nobody has this name: leave it out for the ground; {}", names(scene));
-    (!known).then(|| ("to", format!("{to:?}"), remedy()))
+    let remedy = || message!("wrong-no-such-body", "names" => names(scene));
+    (!known).then(|| ("to", format!("{to:?}").into(), remedy()))
 }

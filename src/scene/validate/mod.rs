@@ -18,6 +18,7 @@ pub use complaints::{SceneError, SceneErrors};
 use super::facing::Facing;
 use super::top::VERSION;
 use super::{Scene, keys};
+use crate::language::{Text, message};
 use complaints::Complaints;
 
 /// Checks a whole scene (everything that can be known without running it).
@@ -75,14 +76,14 @@ pub fn facings(scene: &Scene) -> Result<Vec<Facing>, SceneErrors> {
 fn top(scene: &Scene, complaints: &mut Complaints) {
     let mut at = complaints.at("", keys::TOP);
     if scene.format != VERSION {
-        at.add("format", scene.format, format!("this program reads format {VERSION}"));
+        at.add("format", scene.format, message!("wrong-format", "version" => VERSION));
     }
     if scene.name.trim().is_empty() {
-        at.add("name", format!("\"{}\"", scene.name), "give the scene a name");
+        at.add("name", format!("\"{}\"", scene.name), Text::new("wrong-no-name"));
     }
     at.number("duration_s", scene.duration);
     at.number("gravity_m_s2", scene.gravity);
     if scene.girders.is_empty() {
-        at.add("girder", "nothing", "a scene needs at least one girder: add a [[girder]]");
+        at.add("girder", Text::new("found-nothing"), Text::new("wrong-no-girder"));
     }
 }

@@ -4,6 +4,7 @@ use super::complaints::{At, Complaints, number};
 use super::record::record;
 use crate::contact::NormalName;
 use crate::contact::calibration::{self, least_bilinear_restitution};
+use crate::language::{Text, message};
 use crate::scene::contact::LEAST_RESTITUTION;
 use crate::scene::keys;
 use crate::scene::{ContactSettings, ImpactSettings, Kind, Limits, ModelKind, Motion, Scene, SineMotion, Tension};
@@ -30,17 +31,14 @@ pub(super) fn contact(contact: &ContactSettings, complaints: &mut Complaints) {
 fn normal_law(contact: &ContactSettings, at: &mut At<'_>) {
     let least = least_bilinear_restitution(contact.calibration);
     if contact.normal_law == NormalName::Bilinear && contact.restitution_normal <= least {
-        let remedy = format!(
-            "the bilinear spring has no stiffness after yield up to e_n = {least:.4}: give more, or another normal_law"
-        );
-        at.add("restitution_normal", number(contact.restitution_normal), &remedy);
+        let remedy = message!("wrong-bilinear", "least" => format!("{least:.4}"));
+        at.add("restitution_normal", number(contact.restitution_normal), remedy);
     }
     if let Some(parameter) = contact.law_parameter {
         let returned = calibration::returned(contact.normal_law, parameter, contact.tension == Tension::Clamp);
         if returned < LEAST_RESTITUTION {
-            let remedy =
-                format!("a head-on hit would return less than e = {LEAST_RESTITUTION}, or never part: give less");
-            at.add("law_parameter", number(parameter), &remedy);
+            let remedy = message!("wrong-law-parameter", "least" => LEAST_RESTITUTION);
+            at.add("law_parameter", number(parameter), remedy);
         }
     }
 }
@@ -63,20 +61,21 @@ pub(super) fn limits(limits: &Limits, complaints: &mut Complaints) {
 pub(super) fn model(scene: &Scene, complaints: &mut Complaints) {
     if scene.kind == Kind::Spatial && scene.model.kind != ModelKind::Contact {
         let value = format!("\"{}\"", scene.model.kind.label());
-        let remedy = "the impact model knows planar scenes only: make it \"contact\", or kind = \"planar\"";
+        let remedy = Text::new("wrong-impact-in-space");
         complaints.at("model", keys::MODEL).add("kind", value, remedy);
     }
     let elastic = scene.girders.iter().find(|girder| girder.elastic.is_some());
     if let Some(girder) = elastic.filter(|_| scene.model.kind != ModelKind::Contact) {
-        let value = format!("\"{}\" with an elastic girder, {}", scene.model.kind.label(), girder.name);
-        let remedy = "the impact model knows rigid girders only: make it \"contact\", or leave out [girder.elastic]";
+        let value =
+            message!("found-model-elastic", "model" => scene.model.kind.label(), "girder" => girder.name.as_str());
+        let remedy = Text::new("wrong-impact-elastic");
         complaints.at("model", keys::MODEL).add("kind", value, remedy);
     }
 }
 
 fn stiffness(stiffness: Option<f64>, of_section: [Option<f64>; 3], at: &mut At<'_>) {
     if let (Some(k), true) = (stiffness, of_section.iter().any(Option::is_some)) {
-        let remedy = "K = E A / L comes from young_modulus_pa, area_m2 and contact_length_m: give either those or stiffness_n_per_m";
+        let remedy = Text::new("wrong-stiffness-twice");
         at.add("stiffness_n_per_m", number(k), remedy);
     }
 }
@@ -108,11 +107,19 @@ fn harmonic(sine: &SineMotion, kind: Kind, at: &mut At<'_>) {
     at.all(sine);
     at.fits(sine, kind);
     if sine.vertical_amplitude_g.is_some() && sine.vertical_amplitude.is_some() {
-        at.add("vertical_amplitude_g", "vertical_amplitude_g and vertical_amplitude_m_s2", "give one of the two");
+        at.add(
+            "vertical_amplitude_g",
+            message!("found-both", "one" => "vertical_amplitude_g", "other" => "vertical_amplitude_m_s2"),
+            Text::new("wrong-both"),
+        );
     }
     match (sine.amplitude_g, sine.amplitude) {
-        (None, None) => at.add("amplitude_g", "nothing", "give the amplitude: amplitude_g, or amplitude_m_s2"),
-        (Some(_), Some(_)) => at.add("amplitude_g", "amplitude_g and amplitude_m_s2", "give one of the two"),
+        (None, None) => at.add("amplitude_g", Text::new("found-nothing"), Text::new("wrong-no-amplitude")),
+        (Some(_), Some(_)) => at.add(
+            "amplitude_g",
+            message!("found-both", "one" => "amplitude_g", "other" => "amplitude_m_s2"),
+            Text::new("wrong-both"),
+        ),
         _ => {}
     }
 }

@@ -1,6 +1,7 @@
 //! Piers, each for itself, and the bearings that stand on them.
 
 use super::complaints::{At, Complaints, number};
+use crate::language::{Message, Text, message};
 use crate::scene::keys::Range;
 use crate::scene::pier::ColumnTop;
 use crate::scene::{Bearings, Girder, Pier, Scene, keys};
@@ -13,8 +14,8 @@ pub(super) fn piers(scene: &Scene, complaints: &mut Complaints) {
         stiffness(pier, &mut at);
         beside(pier, &mut at);
         if pier.position.is_none() && scene.standing_on(n).is_empty() {
-            let remedy = "no bearing stands on it: name it in a girder's bearings (on_plus_x, on_minus_x, on), or give its place [x, y]";
-            at.add("position_m", "nothing", remedy);
+            let remedy = Text::new("wrong-pier-bears-nothing");
+            at.add("position_m", Text::new("found-nothing"), remedy);
         }
     }
     for girder in &scene.girders {
@@ -31,18 +32,21 @@ fn stiffness(pier: &Pier, at: &mut At<'_>) {
     ];
     let given: Vec<&str> = ways.iter().filter(|(_, given)| *given).map(|(key, _)| *key).collect();
     match given.as_slice() {
-        [] => at.add("stiffness_n_per_m", "nothing", "give it in N/m, or frequency_hz, or column_m with height_m"),
+        [] => at.add("stiffness_n_per_m", Text::new("found-nothing"), Text::new("wrong-pier-no-stiffness")),
         [_] => {}
-        [first, ..] => at.add(first, given.join(" and "), "give one of them: they say the same thing"),
+        [first, others @ ..] => {
+            let both = |one, other: &&str| message!("found-both", "one" => one, "other" => *other);
+            at.add(first, others.iter().fold(Message::from(*first), both), Text::new("wrong-same-thing"));
+        }
     }
     if pier.column.is_some() && pier.height.is_none() {
-        at.add("height_m", "nothing", "k = 3EI/h³ needs it: give the height of the column in m");
+        at.add("height_m", Text::new("found-nothing"), Text::new("wrong-no-column-height"));
     }
     if pier.column.is_none() && pier.modulus.is_some() {
-        at.add("young_modulus_pa", "a modulus", "it belongs to column_m: give that, or leave it out");
+        at.add("young_modulus_pa", Text::new("found-modulus"), Text::new("wrong-column-missing"));
     }
     if pier.column.is_none() && pier.top != ColumnTop::Free {
-        at.add("column_top", pier.top.label(), "it belongs to column_m: give that, or leave it out");
+        at.add("column_top", pier.top.label(), Text::new("wrong-column-missing"));
     }
 }
 
@@ -52,17 +56,13 @@ fn beside(pier: &Pier, at: &mut At<'_>) {
         at.obeys(&format!("cap_m[{n}]"), *side, Range::Positive);
     }
     if pier.columns.fract() != 0.0 {
-        at.add("columns", number(pier.columns), "give a whole number");
+        at.add("columns", number(pier.columns), Text::new("wrong-not-whole"));
     }
     if let (Some(ratio), None) = (pier.post_yield_ratio, pier.yield_force) {
-        at.add("post_yield_ratio", number(ratio), "it belongs to yield_force_n: give that, or leave it out");
+        at.add("post_yield_ratio", number(ratio), Text::new("wrong-yield-force-missing"));
     }
     if let (Some(inertia), None) = (pier.turn_inertia, pier.turn_stiffness) {
-        at.add(
-            "turn_inertia_kg_m2",
-            number(inertia),
-            "it belongs to turn_stiffness_n_m_per_rad: give that, or leave it out",
-        );
+        at.add("turn_inertia_kg_m2", number(inertia), Text::new("wrong-turn-stiffness-missing"));
     }
 }
 
@@ -86,17 +86,16 @@ fn bearings(scene: &Scene, girder: &Girder, complaints: &mut Complaints) {
     };
     let slides = girder.supports(scene.setting()).into_iter().map(|bearing| bearing.sliding.is_some());
     if slides.zip(scene.supports(girder)).any(|(slides, pier)| slides && pier.is_some()) {
-        let remedy =
-            "in space a slider goes by the force of its own spring on the ground: put it there, or use a planar scene";
-        at.add("bearings", "a slider on a pier", remedy);
+        let remedy = Text::new("wrong-slider-on-pier");
+        at.add("bearings", Text::new("found-slider-on-pier"), remedy);
     }
     for (key, name) in named.iter().filter(|(_, name)| scene.pier_named(name).is_none()) {
         let known: Vec<&str> = scene.piers.iter().map(|pier| pier.name.as_str()).collect();
         let known = if known.is_empty() {
-            "the scene has none: add a [[pier]]".to_owned()
+            Text::new("wrong-no-pier").into()
         } else {
-            format!("piers: {}", known.join(", "))
+            message!("wrong-piers", "names" => known.join(", "))
         };
-        at.add(key, format!("{name:?}"), format!("no pier has this name; {known}, or leave it out for the ground"));
+        at.add(key, format!("{name:?}"), message!("wrong-no-such-pier", "known" => known));
     }
 }

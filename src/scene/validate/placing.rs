@@ -8,6 +8,7 @@ use super::complaints::{At, Complaints, numbers};
 use crate::geometry::Face;
 use crate::geometry::broad;
 use crate::geometry::shape::{self, AlignedBox, Convex, Stand};
+use crate::language::{Text, message};
 use crate::scene::{Abutment, BackfillLaw, Kind, ResolvedBackfill, Scene, facing, keys, placed};
 
 /// Bodies may reach this part of their size into each other: placing by hand touches to rounding.
@@ -25,11 +26,11 @@ pub(super) fn names(scene: &Scene, complaints: &mut Complaints) {
     let bodies = girders.chain(abutments).chain(piers).map(|(kind, n, name)| (kind, n, name.as_str()));
     for (kind, n, name) in bodies.chain(devices) {
         let fault = if name.trim().is_empty() {
-            "give it a name"
+            Text::new("wrong-nameless")
         } else if name.trim() != name || name.contains(|c: char| RESERVED.contains(&c) || c.is_control()) {
-            "tables and --set could not tell it apart: use letters, digits, - and _, and single spaces inside"
+            Text::new("wrong-name")
         } else if !seen.insert(name) {
-            "another body has this name, or a device: girders, abutments, piers and devices need a name each"
+            Text::new("wrong-name-twice")
         } else {
             continue;
         };
@@ -56,8 +57,7 @@ pub(super) fn faces(scene: &Scene, complaints: &mut Complaints) -> Vec<facing::F
 fn in_force(pair: &facing::Facing, complaints: &mut Complaints) {
     let (mu_s, mu_k) = (pair.contact.mu_static, pair.contact.mu_kinetic);
     if mu_k > mu_s {
-        let remedy =
-            format!("for {} it exceeds the mu_static in force, {mu_s:?}: lower it, or raise mu_static", pair.name);
+        let remedy = message!("wrong-pair-friction", "pair" => pair.name.as_str(), "mus" => format!("{mu_s:?}"));
         complaints.at("contact.pair", keys::PAIR).add("mu_kinetic", format!("{mu_k:?}"), remedy);
     }
 }
@@ -68,23 +68,18 @@ fn backwall(scene: &Scene, abutment: &Abutment, complaints: &mut Complaints) {
     let key = if abutment.polygon.is_some() { "polygon_m" } else { "width_m" };
     let value = || corners.map(|c| numbers(&c.to_array())).join(", ");
     match Face::new(corners, placed::abutment_depth(scene, abutment)) {
-        Err(error) => at.add(key, value(), format!("this is no contact face: {error}")),
+        Err(error) => at.add(key, value(), message!("wrong-face", "error" => error.to_string())),
         Ok(face) => {
             let Some(girder) = scene.girders.iter().find(|g| g.name == abutment.faces) else { return };
             let outward = placed::axes(girder).x_axis * abutment.end.sign();
             if scene.kind == Kind::Planar && face.normal.z.abs() > 1e-9 {
-                at.add(
-                    key,
-                    value(),
-                    "a planar girder cannot slide up a leaning face: make it vertical, or kind = \"spatial\"",
-                );
+                at.add(key, value(), Text::new("wrong-leaning-face"));
             }
             if let Some(soil) = abutment.soil(scene) {
                 backfill(&soil, face.normal.z, &mut at.below("backfill", keys::BACKFILL));
             }
             if face.normal.dot(outward) >= 0.0 {
-                let remedy =
-                    format!("it faces away from {}: list the corners anticlockwise as seen from there", girder.name);
+                let remedy = message!("wrong-face-away", "girder" => girder.name.as_str());
                 at.add(key, value(), remedy);
             }
         }
@@ -94,18 +89,17 @@ fn backwall(scene: &Scene, abutment: &Abutment, complaints: &mut Complaints) {
 /// Numbers of soil that follow from each other.
 fn backfill(soil: &ResolvedBackfill, leaning: f64, at: &mut At<'_>) {
     if leaning.abs() > 1e-9 {
-        at.add(
-            "",
-            "a leaning backwall",
-            "a backwall that moves is upright: make its face vertical, or leave out backfill",
-        );
+        at.add("", Text::new("found-leaning-backwall"), Text::new("wrong-leaning-backwall"));
     }
     if soil.law == BackfillLaw::MeanStiffness && soil.stiffness * soil.limit <= soil.ultimate {
-        let remedy =
-            format!("the ultimate force {:?} N is not reached at {:?} m: raise either", soil.ultimate, soil.limit);
+        let remedy = message!(
+            "wrong-soil-never-fails",
+            "force" => format!("{:?}", soil.ultimate),
+            "push" => format!("{:?}", soil.limit)
+        );
         at.add("stiffness_n_per_m", format!("{:?}", soil.stiffness), remedy);
     } else if soil.unloading < soil.first_slope() {
-        let remedy = format!("soil does not unload softer than it loads: give {:?} or more", soil.first_slope());
+        let remedy = message!("wrong-soil-unloads", "stiffness" => format!("{:?}", soil.first_slope()));
         at.add("unloading_stiffness_n_per_m", format!("{:?}", soil.unloading), remedy);
     }
 }
@@ -137,10 +131,11 @@ pub(super) fn overlaps(scene: &Scene, complaints: &mut Complaints) {
 
 fn complain(scene: &Scene, [earlier, later]: [&Placed; 2], depth: f64, complaints: &mut Complaints) {
     let label = |body: &Placed| match body.side {
-        Body::Girder(n) => format!("girder {}", scene.girders[n].name),
-        Body::Abutment(n) => format!("abutment {}", scene.abutments[n].name),
+        Body::Girder(n) => message!("found-girder", "name" => scene.girders[n].name.as_str()),
+        Body::Abutment(n) => message!("found-abutment", "name" => scene.abutments[n].name.as_str()),
     };
-    let remedy = format!("{} reaches {depth:.3e} m into {}: move them apart", label(later), label(earlier));
+    let remedy =
+        message!("wrong-overlap", "one" => label(later), "depth" => format!("{depth:.3e}"), "other" => label(earlier));
     match later.side {
         Body::Girder(n) => {
             let girder = &scene.girders[n];

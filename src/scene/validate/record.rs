@@ -1,6 +1,7 @@
 //! A record of ground motion: where its samples are, what is done to them, how its components fit together.
 
 use super::complaints::{At, Complaints, number};
+use crate::language::{Text, message};
 use crate::motion::format::Record;
 use crate::scene::keys::{self, Range};
 use crate::scene::{Component, Heading, Kind, RecordMotion};
@@ -38,11 +39,7 @@ struct Source<'a> {
 
 fn one_component(record: &RecordMotion, at: &mut At<'_>) {
     if let Some(azimuth) = record.x_azimuth_deg {
-        at.add(
-            "x_azimuth_deg",
-            number(azimuth),
-            "it belongs to [[motion.component]]: give angle_deg of the one component",
-        );
+        at.add("x_azimuth_deg", number(azimuth), Text::new("wrong-azimuth-of-one"));
     }
     let source = Source {
         samples: record.samples.as_ref(),
@@ -57,15 +54,19 @@ fn one_component(record: &RecordMotion, at: &mut At<'_>) {
 
 fn samples_or_file(source: &Source<'_>, at: &mut At<'_>) {
     match (source.samples, source.file) {
-        (None, None) => at.add("samples_m_s2", "nothing", "give samples_m_s2 with dt_s, or file"),
-        (Some(_), Some(_)) => at.add("samples_m_s2", "samples_m_s2 and file", "give one of the two"),
+        (None, None) => at.add("samples_m_s2", Text::new("found-nothing"), Text::new("wrong-no-record")),
+        (Some(_), Some(_)) => at.add(
+            "samples_m_s2",
+            message!("found-both", "one" => "samples_m_s2", "other" => "file"),
+            Text::new("wrong-both"),
+        ),
         (Some(list), None) => {
             if source.dt.is_none() {
-                at.add("dt_s", "nothing", "give the interval between samples in seconds");
+                at.add("dt_s", Text::new("found-nothing"), Text::new("wrong-no-interval"));
             }
             for (key, given) in [("channel", source.channel.is_some()), ("unit", source.has_unit)] {
                 if given {
-                    at.add(key, "samples_m_s2", "it belongs to a file: leave it out");
+                    at.add(key, "samples_m_s2", Text::new("wrong-of-a-file"));
                 }
             }
             samples("samples_m_s2", list, at);
@@ -76,7 +77,7 @@ fn samples_or_file(source: &Source<'_>, at: &mut At<'_>) {
 
 fn recorded_file(source: &Source<'_>, file: &str, at: &mut At<'_>) {
     let Some(loaded) = source.loaded else {
-        at.add("file", format!("\"{file}\""), "this record has not been read: load it beside the scene's file");
+        at.add("file", format!("\"{file}\""), Text::new("wrong-not-loaded"));
         return;
     };
     match loaded.channel(source.channel) {
@@ -85,7 +86,7 @@ fn recorded_file(source: &Source<'_>, file: &str, at: &mut At<'_>) {
             samples("file", &channel.samples, at);
         }
         Err(remedy) => {
-            let found = source.channel.map_or_else(|| "nothing".to_owned(), |channel| channel.to_string());
+            let found = source.channel.map_or_else(|| Text::new("found-nothing").into(), |channel| channel.to_string());
             at.add("channel", found, remedy);
         }
     }
@@ -93,7 +94,7 @@ fn recorded_file(source: &Source<'_>, file: &str, at: &mut At<'_>) {
 
 fn samples(key: &str, list: &[f64], at: &mut At<'_>) {
     if list.len() < 2 {
-        at.add(key, format!("{} samples", list.len()), "a record needs at least 2 samples");
+        at.add(key, message!("found-samples", "count" => list.len()), Text::new("wrong-too-few-samples"));
     }
     at.each(key, list);
 }
@@ -110,14 +111,10 @@ fn several(record: &RecordMotion, kind: Kind, at: &mut At<'_>) {
         ("vertical_scale", record.vertical_scale != 0.0),
     ];
     for (key, _) in alone.into_iter().filter(|(_, given)| *given) {
-        at.add(
-            key,
-            "component beside it",
-            "it is of a record of one component: state it in [[motion.component]], or leave that out",
-        );
+        at.add(key, Text::new("found-component-beside"), Text::new("wrong-of-one-component"));
     }
     if record.components.len() > 3 {
-        at.add("component", record.components.len(), "ground motion has three components at the most");
+        at.add("component", record.components.len(), Text::new("wrong-too-many-components"));
     }
     let first = record.component_series(0).map(|(dt, _)| dt);
     for (n, component) in record.components.iter().enumerate() {
@@ -127,8 +124,7 @@ fn several(record: &RecordMotion, kind: Kind, at: &mut At<'_>) {
         if let (Some(first), Some((dt, _))) = (first, record.component_series(n))
             && (dt - first).abs() > ROUNDING * first
         {
-            let remedy =
-                format!("components have one interval, and that of the first is {first} s: bring them to the same");
+            let remedy = message!("wrong-intervals-differ", "first" => first);
             at.add("dt_s", number(dt), remedy);
         }
     }
@@ -151,21 +147,13 @@ fn one_of_several(record: &RecordMotion, (n, component): (usize, &Component), ki
     let readable = component.file.is_none() || loaded.is_some_and(|loaded| loaded.channel(component.channel).is_ok());
     match record.heading(n) {
         Some(Heading::Up) if kind == Kind::Planar => {
-            at.add(
-                "vertical",
-                "an upward component",
-                "a planar scene has no vertical: leave it out, or set kind = \"spatial\"",
-            );
+            at.add("vertical", Text::new("found-upward"), Text::new("wrong-upward-in-plan"));
         }
         None if readable && record.x_azimuth_deg.is_none() => {
-            at.add(
-                "azimuth_deg",
-                "no azimuth of world x",
-                "give x_azimuth_deg in [motion]: components turn against it",
-            );
+            at.add("azimuth_deg", Text::new("found-no-azimuth"), Text::new("wrong-no-x-azimuth"));
         }
         None if readable => {
-            at.add("azimuth_deg", "nothing", "the file states no direction: give azimuth_deg, or vertical = true");
+            at.add("azimuth_deg", Text::new("found-nothing"), Text::new("wrong-no-direction"));
         }
         _ => {}
     }

@@ -73,7 +73,13 @@ impl Axis {
 
 /// A complaint about `--vary`.
 fn complaint(text: &str, value: String, remedy: &str) -> SceneErrors {
-    SceneError { file: "sweep".into(), place: format!("--vary {text}"), value, remedy: remedy.into() }.into()
+    SceneError {
+        file: "sweep".into(),
+        place: format!("--vary {text}").into(),
+        value: value.into(),
+        remedy: remedy.into(),
+    }
+    .into()
 }
 
 /// A finite number.

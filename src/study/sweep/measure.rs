@@ -170,12 +170,13 @@ fn unknown(name: &str) -> SceneError {
     let names: Vec<&str> = MEASURES.iter().map(|measure| measure.name).collect();
     SceneError {
         file: "sweep".to_owned(),
-        place: "--measure".to_owned(),
-        value: format!("\"{}\"", shown(name, 80)),
+        place: "--measure".into(),
+        value: format!("\"{}\"", shown(name, 80)).into(),
         remedy: format!(
             "no measure has this name{}; measures: {}",
             format::did_you_mean(name, &names),
             names.join(", ")
-        ),
+        )
+        .into(),
     }
 }

@@ -195,15 +195,15 @@ fn once<'a>(flag: &str, names: impl Iterator<Item = &'a str>) -> Result<(), Scen
 }
 
 fn complaint(place: &str, value: &str, remedy: String) -> SceneErrors {
-    SceneError { file: "sweep".into(), place: place.into(), value: value.into(), remedy }.into()
+    SceneError { file: "sweep".into(), place: place.into(), value: value.into(), remedy: remedy.into() }.into()
 }
 
 /// Complaints about values that `--vary` has set.
 fn of_sweep(errors: SceneErrors) -> SceneErrors {
     let about = |error: SceneError| {
-        let place = match error.place.strip_prefix("--set ") {
-            Some(setting) => format!("--vary {setting}"),
-            None => error.place,
+        let place = match error.place.plain().strip_prefix("--set ") {
+            Some(setting) => format!("--vary {setting}").into(),
+            None => error.place.clone(),
         };
         SceneError { place, ..error }
     };

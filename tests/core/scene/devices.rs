@@ -147,7 +147,11 @@ fn what_is_wrong_with_a_device_is_said_at_its_key() {
         let text = format!("{BRIDGE}{device}{words}");
         let errors = format::read(&text, "bridge.toml").expect_err(words).0;
         assert_eq!(errors.len(), 1, "{words}: {errors:#?}");
-        assert!(errors[0].place == place && errors[0].remedy.contains(remedy), "{words}: {}", errors[0]);
+        assert!(
+            errors[0].place.plain() == place && errors[0].remedy.to_string().contains(remedy),
+            "{words}: {}",
+            errors[0]
+        );
     }
     let named = format!("{BRIDGE}{}", damper.replace("\"d\"", "\"wall\""));
     let errors = format::read(&named, "bridge.toml").expect_err("a name twice").to_string();

@@ -155,7 +155,8 @@ fn set(table: &str, key: &str, value: &str) -> Result<Scene, SceneErrors> {
 fn the_reader_knows_these_keys_and_no_others() {
     for table in TABLES {
         let errors = set(table.path, "no_such_key", "1").expect_err("not a key").0;
-        let known = errors[0].remedy.rsplit("keys known here: ").next().expect("it lists them");
+        let remedy = errors[0].remedy.to_string();
+        let known = remedy.rsplit("keys known here: ").next().expect("it lists them");
         let mut known: Vec<&str> = known.split(", ").collect();
         let mut listed: Vec<&str> = table.keys.iter().map(|key| key.name).collect();
         if table.path.starts_with("motion kind") {
@@ -397,7 +398,7 @@ fn a_number_out_of_its_range_is_refused_with_the_ranges_own_words() {
             // Of a table with several forms the place does not say which.
             let form = |path: &'static str| path.split(" kind").next();
             let found = errors.iter().any(|e| {
-                keys::of_place(&e.place).is_some_and(|(t, k)| {
+                keys::of_place(e.place.plain()).is_some_and(|(t, k)| {
                     (form(t.path), k.name) == (form(table.path), key.name) || t.path.starts_with("motion")
                 }) && e.remedy == fault
             });
@@ -418,9 +419,9 @@ fn a_planar_scene_refuses_every_key_of_space_and_a_spatial_one_has_it() {
             assert_eq!(validate::validate(&scene), Ok(()), "[{}] {} in space", table.path, key.name);
             let plan = Scene { kind: girderbench::scene::Kind::Planar, ..scene };
             let errors = validate::validate(&plan).expect_err(key.name).0;
-            let place = errors[0].place.clone();
+            let place = errors[0].place.plain();
             assert!(place.ends_with(key.name) && errors.len() == 1, "[{}] {}: {errors:#?}", table.path, key.name);
-            assert!(errors[0].remedy.contains("kind = \"spatial\""), "[{}] {}", table.path, key.name);
+            assert!(errors[0].remedy.to_string().contains("kind = \"spatial\""), "[{}] {}", table.path, key.name);
             checked += 1;
         }
     }

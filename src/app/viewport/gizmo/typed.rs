@@ -85,7 +85,7 @@ pub(in crate::app) fn read(held: &Held, typing: &Typing) -> Said {
 /// The number in the unit of the scene; an empty text of a way is no way at all.
 fn number_in(text: &str, unit: Unit, range: Range) -> Result<f64, String> {
     let number = parse::read(text, unit)?.unwrap_or(0.0) / unit.factor;
-    range.fault(number).map_or(Ok(number), Err)
+    range.fault(number).map_or(Ok(number), |fault| Err(fault.to_string()))
 }
 
 /// `length 12.5| mm`: what is typed, where the next letter goes, and the unit that is meant without one.
