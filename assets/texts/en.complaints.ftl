@@ -214,3 +214,50 @@ unwritten-large = it is larger than a file may be
 unwritten-choose-folder = choose a folder that exists and may be written to
 unwritten-make-room = make room, write less, or write to another disk
 unwritten-try-again = try again, or write to another disk
+
+## limits of the domain and notes of design codes
+condition-can-turn = (6) of the paper, JRA (16.5.1): a₀ sin 2β/(2 b₀) = { $number } ≥ 1: can turn out between its abutments
+condition-cannot-turn = (6) of the paper, JRA (16.5.1): a₀ sin 2β/(2 b₀) = { $number } < 1: cannot
+code-note-caltrans = normal to the bearing line; Δ_eq is the greatest opening of the run; the seat does not move: Δ₂ = 0 at a hinge
+code-note-en-1998-2 = taken square to the edge; d_E is the greatest opening of the run
+code-note-aashto-lrfd = measured normal to the centreline of bearing
+code-note-aashto-guide = Δ_eq is the greatest opening of the run, for the demand of the code's own analysis
+code-note-jra = taken square to the edge; u_R is the greatest displacement of the run relative to the seat
+code-note-jra-rotation = what the middle of the end loses square to the edge when the deck turns by α_E about G; the acute corner loses more
+domain-unchecked = no such girder is among the scenes that are checked
+domain-tolerance = tolerance
+domain-below-tolerance = steps of a long run are held to less than the rounding of a place
+domain-above-tolerance = a step may span half a period of a contact, and a finer tolerance need not make the error smaller
+domain-mend-tolerance = set solver.tolerance between 1e-12 and 1e-4; 1e-10 is the default
+domain-mass = mass of a girder
+domain-mend-mass = give the mass in kg
+domain-size = length, width or thickness of a girder
+domain-above-size = places so far from home round by more than 1e-13 m, and shallow contacts feel it
+domain-mend-size = give the size in m
+domain-skew = skew angle of a girder
+domain-mend-skew = give the angle between axis and support line in degrees; 90 is straight
+domain-bearing-place = place of a bearing over that of the farthest corner
+domain-above-bearing-place = it does not stand under the girder, and may make it turn too fast to follow
+domain-mend-bearing-place = give the place in m, relative to the girder's G
+domain-stiffness = K/M of a facing pair
+domain-below-stiffness = faces go as deep into each other as a girder is large: that is no contact any more
+domain-above-stiffness = faces at rest are pressed hardly deeper than a place rounds, and forces are in doubt
+domain-mend-stiffness = set stiffness_n_per_m so that K/M, with M = m₁m₂/(m₁+m₂) or the girder's mass at an abutment, lies in the range
+domain-contact-phase = phase of a contact over the run, √(K/M) T
+domain-above-contact-phase = a contact that stays closed may take more steps than the run is allowed, and end it early
+domain-mend-contact-phase = shorten duration_s or lower stiffness_n_per_m
+domain-motion-phase = phase of bearings, ground or spin over the run, ω T
+domain-above-motion-phase = the run is longer than any that is checked, and the errors of its steps add up
+domain-mend-motion-phase = shorten duration_s, or lower the frequency, the damping or the spin
+domain-acceleration = acceleration by push, gravity or ground
+domain-above-acceleration = girders may come to tumble so fast that the errors of their steps add up
+domain-mend-acceleration = lower the push, gravity or the amplitude of the ground
+domain-speed = speed of a corner at the start, or that its start leads to
+domain-mend-speed = lower velocity_m_s, spin_deg_s, displacement_m or rotation_deg
+domain-turn = turn of a girder at the start
+domain-mend-turn = take whole turns away from rotation_deg
+domain-friction = coefficient of static friction
+domain-unchecked-friction = no such friction is among the scenes that are checked
+domain-mend-friction = lower mu_static
+domain-is-below = { $place }{ $of }: { $quantity } = { $value } is below { $bound }, outside the domain: { $consequence }; { $remedy }
+domain-is-above = { $place }{ $of }: { $quantity } = { $value } is above { $bound }, outside the domain: { $consequence }; { $remedy }

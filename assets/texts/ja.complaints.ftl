@@ -1,7 +1,7 @@
-# シーンの誤りと直し方（日本語）。見出し語と値の名前は en.complaints.ftl と同じ。
+# シーンの誤りと直し方（日本語）。キーと値の名前は en.complaints.ftl と同じ。
 
 ## 指摘の一行
-complaint = { $file }：{ $place }：今は { $value }。{ $remedy }
+complaint = { $file }：{ $place } が { $value }。{ $remedy }
 
 ## 範囲外の数
 wrong-not-finite = 有限の数とする：{ $remedy }
@@ -214,3 +214,50 @@ unwritten-large = ファイルの上限より大きい
 unwritten-choose-folder = 実在して書けるフォルダーを選ぶ
 unwritten-make-room = 空きを作るか、書く量を減らすか、別のディスクに書く
 unwritten-try-again = やり直すか、別のディスクに書く
+
+## 検証範囲と設計基準の注記
+condition-can-turn = 論文の条件 (6)、道示 (16.5.1)：a₀ sin 2β/(2 b₀) = { $number } ≥ 1：橋台の間で回転しうる
+condition-cannot-turn = 論文の条件 (6)、道示 (16.5.1)：a₀ sin 2β/(2 b₀) = { $number } < 1：回転できない
+code-note-caltrans = 支承線に直角。Δ_eq は計算した最大の開き。桁かかり側は動かない：ヒンジの Δ₂ = 0
+code-note-en-1998-2 = 縁に直角にとる。d_E は計算した最大の開き
+code-note-aashto-lrfd = 支承の中心線に直角に測る
+code-note-aashto-guide = Δ_eq は計算した最大の開き。基準自身の解析による要求値として
+code-note-jra = 縁に直角にとる。u_R は桁かかりに対する計算した最大の変位
+code-note-jra-rotation = 桁が G まわりに α_E 回転したときに桁端の中央が縁に直角に失う長さ。鋭角部はもっと失う
+domain-unchecked = 検証したシーンにそのような桁はない
+domain-tolerance = 許容誤差
+domain-below-tolerance = 長い計算のステップが位置の丸めより小さい誤差を求められる
+domain-above-tolerance = 1ステップが接触の半周期に及びうる。許容誤差を下げても誤差が減るとは限らない
+domain-mend-tolerance = solver.tolerance を 1e-12 から 1e-4 の間とする。既定は 1e-10
+domain-mass = 桁の質量
+domain-mend-mass = 質量を kg で与える
+domain-size = 桁の長さ、幅または厚さ
+domain-above-size = 原点から遠い位置は 1e-13 m より粗く丸められ、浅い接触に影響する
+domain-mend-size = 寸法を m で与える
+domain-skew = 桁の斜角
+domain-mend-skew = 橋軸と支承線のなす角を度で与える。直橋は 90
+domain-bearing-place = 最も遠い隅角部に対する支承の位置の比
+domain-above-bearing-place = 桁の下になく、追えないほど速い回転を生みうる
+domain-mend-bearing-place = 位置を桁の G から m で与える
+domain-stiffness = 向かい合う組の K/M
+domain-below-stiffness = 面が桁の大きさほど食い込む：もはや接触ではない
+domain-above-stiffness = 静止した面の食い込みが位置の丸めと同程度になり、力が疑わしい
+domain-mend-stiffness = K/M が範囲に入るように stiffness_n_per_m を定める。M = m₁m₂/(m₁+m₂)、橋台では桁の質量
+domain-contact-phase = 計算全体の接触の位相 √(K/M) T
+domain-above-contact-phase = 閉じたままの接触が許されるステップ数を超え、計算が早く終わりうる
+domain-mend-contact-phase = duration_s を短くするか、stiffness_n_per_m を下げる
+domain-motion-phase = 計算全体の支承、地動または回転の位相 ω T
+domain-above-motion-phase = 検証したどの計算より長く、ステップの誤差が積み重なる
+domain-mend-motion-phase = duration_s を短くするか、振動数、減衰、回転速度を下げる
+domain-acceleration = 外力、重力または地動による加速度
+domain-above-acceleration = 桁がステップの誤差が積み重なるほど速く転がりうる
+domain-mend-acceleration = 外力、重力または地動の振幅を下げる
+domain-speed = 初期の、または初期条件が生む隅角部の速さ
+domain-mend-speed = velocity_m_s、spin_deg_s、displacement_m または rotation_deg を下げる
+domain-turn = 桁の初期回転角
+domain-mend-turn = rotation_deg から整数回転分を引く
+domain-friction = 静止摩擦係数
+domain-unchecked-friction = 検証したシーンにそのような摩擦はない
+domain-mend-friction = mu_static を下げる
+domain-is-below = { $place }{ $of }：{ $quantity } = { $value } は検証範囲の下限 { $bound } より小さい：{ $consequence }。{ $remedy }
+domain-is-above = { $place }{ $of }：{ $quantity } = { $value } は検証範囲の上限 { $bound } より大きい：{ $consequence }。{ $remedy }

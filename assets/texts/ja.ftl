@@ -1,4 +1,4 @@
-# 画面の言葉（日本語）。見出し語と値の名前は en.ftl と同じ。用語は論文（阿部ら 2004）と道路橋示方書による。
+# 画面の言葉（日本語）。キーと値の名前は en.ftl と同じ。用語は論文（阿部ら 2004）と道路橋示方書による。
 
 ## 窓
 file = ファイル
@@ -925,7 +925,7 @@ report-versions = girderbench { $program }、シーン形式 { $format }
 
 of-whom = { $part } の{ $quantity }
 
-## シーンファイルの見出し語の欄の名
+## シーンファイルのキーの欄の名
 field-gap = 遊間
 field-face-width = 前面の幅
 field-face-height = 前面の高さ
@@ -1129,3 +1129,22 @@ range-within = { $low } ～ { $high }
 range-between = { $low } と { $high } の間
 range-switch = 入か切
 range-free = 任意
+
+## 途中で止まった計算
+stop-gave-up = 中断
+stop-ended = 終了
+
+## 例題
+preset-straight-abutment = 論文：直橋の桁が橋台に正面から衝突、2.4 Hz、0.40 g
+preset-skew60-abutment = 論文：斜角 60° の桁と橋台、2.6 Hz、0.40 g
+preset-skew45-abutment = 論文：斜角 45° の桁と橋台、2.6 Hz、0.40 g
+preset-straight-straight = 論文：周期の異なる直橋の桁2本、入力角 22.5°、0.40 g
+preset-flush-free-hit = 自由な桁の面全体の衝突、0.5 m/s：与えた反発係数を返す
+preset-deck-30m = 実橋の大きさ、立体、重力あり：2つの橋台の間の斜角 60°、30 m の桁
+preset-deck-30m-elastic = 同じ桁を平面で：伸縮し、たわみ、振動するコンクリート桁、橋台1つ
+preset-el-centro-45 = エルセントロと同じ最大加速度 0.313 g の模擬地震動を受ける斜角 45° の桁
+preset-two-components = 模擬地震動の水平2成分を同時に受ける斜角 45° の桁
+preset-row-of-5 = 周期の異なる 30 m の桁5本の列、遊間 50 mm：隣と衝突する
+preset-viaduct-5 = 橋台の間の橋脚4基に架かる斜角 60°、30 m の5径間、水平2成分
+preset-span-as-built = 実橋の大きさ：鉛プラグ入りゴムに載る斜角 60° の径間、落橋防止ケーブル、背面土、桁かかり、40 s の地震
+preset-twin-span-restrained = 実橋の大きさ：周期の異なる鉛プラグ入りゴムに載る斜角 60° の2径間、橋脚上でケーブル連結

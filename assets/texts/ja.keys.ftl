@@ -1,4 +1,4 @@
-# シーンファイルの見出し語の意味、既定値、範囲、値の言葉（日本語）。英語は src/scene の表にある。
+# シーンファイルのキーの意味、既定値、範囲、値の言葉（日本語）。英語は src/scene の表にある。
 
 ## 意味
 meaning-format = ファイル形式の版
@@ -183,7 +183,7 @@ meaning-impact-corner_mu_static = 隅角部の静止摩擦係数
 meaning-impact-corner_mu_kinetic = 隅角部の動摩擦係数
 meaning-impact-flush = 面全体の衝突：接近の重心に働く論文の力積 (44)、または面の両端の力積
 meaning-impact-stop_speed_m_s = これより遅ければ跳ね返らない, m/s
-meaning-motion-kind = 地震動の種類。"none" にはほかの見出し語がない
+meaning-motion-kind = 地震動の種類。"none" にはほかのキーがない
 meaning-motion-kind-sine-amplitude_g = 振幅 A, 9.80665 m/s² の倍数
 meaning-motion-kind-sine-frequency_hz = f, Hz
 meaning-motion-kind-sine-phase_deg = φ0, 度
@@ -410,8 +410,8 @@ word-contact-calibration-exact = 厳密
 word-contact-calibration-published = 文献の式
 word-contact-law-paper = 論文
 word-contact-law-return-mapping = リターンマッピング
-word-contact-sharing-tributary = 分担
-word-contact-sharing-per-node = 節点ごと
+word-contact-sharing-tributary = 節点に分担
+word-contact-sharing-per-node = 節点ごとに全部
 word-contact-tension-keep = 許す
 word-contact-tension-clamp = 許さない
 word-contact-between-all = すべて

@@ -1,6 +1,7 @@
 //! AASHTO Guide Specifications for LRFD Seismic Bridge Design, support length in seismic design category D.
 
 use super::demand::{Case, Code, Demand, Input};
+use crate::language::Text;
 
 /// The code.
 pub(super) struct AashtoGuide;
@@ -25,7 +26,7 @@ impl Code for AashtoGuide {
             edition: "2nd edition, 2011",
             formula: "N = (4 + 1.65 Δ_eq)(1 + 0.00025 S²) ≥ 24 in",
             confirmed: false,
-            note: "Δ_eq is the greatest opening of the run, for the demand of the code's own analysis",
+            note: Text::new("code-note-aashto-guide"),
             inputs: vec![opening, skew],
             required: INCH * support_length_in(opening.value / INCH, skew.value).max(LEAST_IN),
             provided: case.seat.ledge.placed(),

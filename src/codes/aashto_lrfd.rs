@@ -1,6 +1,7 @@
 //! AASHTO LRFD Bridge Design Specifications, 4.7.4.4: empirical support length.
 
 use super::demand::{Case, Code, Demand, Input};
+use crate::language::Text;
 
 /// The code.
 pub(super) struct AashtoLrfd;
@@ -25,7 +26,7 @@ impl Code for AashtoLrfd {
             edition: "9th edition, 2020",
             formula: "N = (200 + 0.0017 L + 0.0067 H)(1 + 0.000125 S²) mm, times the percentage of the zone",
             confirmed: false,
-            note: "measured normal to the centreline of bearing",
+            note: Text::new("code-note-aashto-lrfd"),
             inputs: vec![length, height, skew, percent],
             required: base * percent.value / 100.0,
             provided: case.seat.ledge.placed(),

@@ -2,6 +2,7 @@
 
 use super::aashto_guide::INCH;
 use super::demand::{Case, Code, Demand, Input};
+use crate::language::Text;
 use crate::scene::Support;
 
 /// The code.
@@ -36,7 +37,7 @@ impl Code for Caltrans {
             edition: "version 2.0, 2019",
             formula: "N = Δ_p/s + Δ_cr+sh + Δ_temp + Δ_eq + 4 in, ≥ 30 in at abutments, ≥ 24 in at hinges",
             confirmed: false,
-            note: "normal to the bearing line; Δ_eq is the greatest opening of the run; the seat does not move: Δ₂ = 0 at a hinge",
+            note: Text::new("code-note-caltrans"),
             inputs: vec![long_term, temperature, opening, least],
             required: seat_width(long_term.value + temperature.value + opening.value, support),
             provided: case.seat.ledge.placed(),

@@ -1,6 +1,7 @@
 //! What a code requires of a seat, and what that depends on.
 
 use crate::geometry::Prism;
+use crate::language::Text;
 use crate::scene::Codes;
 use crate::sim::seats::Seat;
 
@@ -87,7 +88,7 @@ pub struct Demand {
     /// Whether the formula was read in that edition; otherwise it is quoted from memory.
     pub confirmed: bool,
     /// What the direction and the numbers rest on, where it is not plain.
-    pub note: &'static str,
+    pub note: Text,
     /// What it depends on.
     pub inputs: Vec<Input>,
     /// The length required \[m\].

@@ -1,6 +1,7 @@
 //! EN 1998-2, 6.6.4: minimum overlap length of a support.
 
 use super::demand::{Case, Code, Demand, Input};
+use crate::language::Text;
 use crate::scene::{EuropeanGround, STANDARD_GRAVITY};
 
 /// The code.
@@ -66,7 +67,7 @@ impl Code for En1998Part2 {
             edition: "2005 + A2:2011; S, T_C, T_D of EN 1998-1:2004, type 1",
             formula: "l_ov = l_m + d_eg + d_es; d_eg = 2 d_g L_eff/L_g ≤ 2 d_g, d_g = 0.025 a_g S T_C T_D; d_es = d_E + d_G + d_T/2",
             confirmed: false,
-            note: "taken square to the edge; d_E is the greatest opening of the run",
+            note: Text::new("code-note-en-1998-2"),
             inputs: vec![
                 length,
                 acceleration,

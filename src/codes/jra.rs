@@ -1,6 +1,7 @@
 //! Japan Road Association, Specifications for highway bridges, part V: seat length, and that of a skewed deck which turns.
 
 use super::demand::{Case, Code, Demand, Input};
+use crate::language::Text;
 use crate::scene::JapaneseGround;
 
 /// The code.
@@ -42,7 +43,7 @@ impl Code for Jra {
             edition: "2002 (English); ε_G and later editions not read",
             formula: "S_E = u_R + ε_G L ≥ S_EM = 0.7 + 0.005 l",
             confirmed: true,
-            note: "taken square to the edge; u_R is the greatest displacement of the run relative to the seat",
+            note: Text::new("code-note-jra"),
             inputs: vec![span, distance, strain, relative],
             required: (relative.value + strain.value * distance.value).max(least(span.value)),
             provided,
@@ -57,7 +58,7 @@ impl Code for Jra {
                 edition: "2002 (English); later editions not read",
                 formula: "S_Eθ = (L_θ/2)[sin θ − sin(θ − α_E)]",
                 confirmed: true,
-                note: "what the middle of the end loses square to the edge when the deck turns by α_E about G; the acute corner loses more",
+                note: Text::new("code-note-jra-rotation"),
                 inputs: vec![length, angle, rotation],
                 required: of_rotation(length.value, angle.value.to_radians(), rotation.value.to_radians()),
                 provided,

@@ -1,6 +1,7 @@
 //! Whether a skewed deck can turn out between its abutments, and the rotation at which a corner comes off its seat.
 
 use crate::geometry::{End, Prism};
+use crate::language::said;
 
 /// The condition (6) of the paper, `a₀ sin 2β/(2 b₀) ≥ 1`; JRA part V (2002), (16.5.1), `(sin 2θ)/2 > b/L`, is the same with > for ≥.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -23,8 +24,12 @@ impl RotationCondition {
 
     /// The condition with its sources, its number and what follows.
     pub fn words(self) -> String {
-        let follows = if self.can_turn() { "≥ 1: can turn out between its abutments" } else { "< 1: cannot" };
-        format!("(6) of the paper, JRA (16.5.1): a₀ sin 2β/(2 b₀) = {:.3} {follows}", self.number)
+        let number = format!("{:.3}", self.number);
+        if self.can_turn() {
+            said!("condition-can-turn", "number" => number)
+        } else {
+            said!("condition-cannot-turn", "number" => number)
+        }
     }
 }
 

@@ -335,7 +335,7 @@ fn demand_row(DemandReport { demand, met, ratio }: &DemandReport) -> String {
         escape(demand.edition),
         escape(demand.formula),
         inputs.join(", "),
-        escape(demand.note)
+        escape(&demand.note)
     )
 }
 

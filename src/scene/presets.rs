@@ -1,7 +1,7 @@
 //! Scenes that come with the program.
 
 use super::{Scene, SceneError, SceneErrors, format};
-use crate::language::message;
+use crate::language::{Text, message};
 
 /// A scene that comes with the program.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -9,7 +9,7 @@ pub struct Preset {
     /// What `run NAME` calls it.
     pub name: &'static str,
     /// One line on what it shows.
-    pub summary: &'static str,
+    pub summary: Text,
     /// Its file.
     pub text: &'static str,
 }
@@ -21,32 +21,26 @@ macro_rules! preset {
     ($name:literal, $summary:literal) => {
         Preset {
             name: $name,
-            summary: $summary,
+            summary: Text::new($summary),
             text: include_str!(concat!(env!("CARGO_MANIFEST_DIR"), "/assets/presets/", $name, ".toml")),
         }
     };
 }
 
 static PRESETS: [Preset; 13] = [
-    preset!("straight-abutment", "paper: straight girder head-on against an abutment, 2.4 Hz, 0.40 g"),
-    preset!("skew60-abutment", "paper: 60° girder against an abutment, 2.6 Hz, 0.40 g"),
-    preset!("skew45-abutment", "paper: 45° girder against an abutment, 2.6 Hz, 0.40 g"),
-    preset!("straight-straight", "paper: two straight girders of different period, shaken at 22.5°, 0.40 g"),
-    preset!("flush-free-hit", "one flush hit of a free girder at 0.5 m/s: it returns the restitution asked for"),
-    preset!("deck-30m", "full scale, spatial, with gravity: 30 m deck of 60° skew between two abutments"),
-    preset!("deck-30m-elastic", "the same deck in plan, of concrete that shortens, bends and rings, one abutment"),
-    preset!("el-centro-45", "45° girder under a synthetic earthquake with the peak of El Centro, 0.313 g"),
-    preset!("two-components", "45° girder under two horizontal components of a synthetic earthquake at once"),
-    preset!("row-of-5", "five 30 m girders of different period in a row, 50 mm apart: neighbours pound"),
-    preset!("viaduct-5", "five 30 m spans of 60° skew on four piers between abutments, two components"),
-    preset!(
-        "span-as-built",
-        "full scale: a 60° span on lead rubber, with restrainers, backfill and seats, 40 s of an earthquake"
-    ),
-    preset!(
-        "twin-span-restrained",
-        "full scale: two 60° spans on lead rubber of different period, tied by cables over the pier"
-    ),
+    preset!("straight-abutment", "preset-straight-abutment"),
+    preset!("skew60-abutment", "preset-skew60-abutment"),
+    preset!("skew45-abutment", "preset-skew45-abutment"),
+    preset!("straight-straight", "preset-straight-straight"),
+    preset!("flush-free-hit", "preset-flush-free-hit"),
+    preset!("deck-30m", "preset-deck-30m"),
+    preset!("deck-30m-elastic", "preset-deck-30m-elastic"),
+    preset!("el-centro-45", "preset-el-centro-45"),
+    preset!("two-components", "preset-two-components"),
+    preset!("row-of-5", "preset-row-of-5"),
+    preset!("viaduct-5", "preset-viaduct-5"),
+    preset!("span-as-built", "preset-span-as-built"),
+    preset!("twin-span-restrained", "preset-twin-span-restrained"),
 ];
 
 /// Every preset, the paper's first.

@@ -8,6 +8,7 @@ use super::events::law_of;
 use super::flexible::{self, FlexibleReport};
 use super::seats::{self, SeatReport};
 use super::verdicts::{self, VerdictReport};
+use crate::language::Text;
 use crate::scene::{Kind, Scene, domain};
 use crate::sim::{
     BackfillReading, DegreeCheck, History, Ledger, LostSupport, Overlap, PierReading, Stop, Summary, TooDeep, readings,
@@ -222,7 +223,7 @@ pub struct OutsideReport {
     /// The facing pair that it belongs to, if to one.
     pub pair: Option<String>,
     /// What it is called.
-    pub quantity: &'static str,
+    pub quantity: Text,
     /// Its unit.
     pub unit: &'static str,
     /// What it is.
@@ -230,7 +231,7 @@ pub struct OutsideReport {
     /// The end of the domain that it lies beyond.
     pub bound: f64,
     /// What is to be expected.
-    pub consequence: &'static str,
+    pub consequence: Text,
 }
 
 /// Versions that an answer depends on.

@@ -15,16 +15,19 @@ pub struct VerdictReport {
     pub stays: bool,
     /// The moment that decides it \[s\].
     pub t: f64,
-    /// The same in words.
+    /// The same in words, which are English in a file.
     pub words: String,
+    /// The same in the language in use, for people.
+    #[serde(skip)]
+    pub told: String,
 }
 
 /// Of the girders that have seats.
 pub(super) fn of(history: &History) -> Vec<VerdictReport> {
     let report = |(number, girder): (usize, &Girder)| {
         let verdict = verdict::verdict(history, number)?;
-        let (girder, words) = (girder.name.clone(), Language::English.within(|| verdict.words()));
-        Some(VerdictReport { girder, stays: verdict.stays(), t: verdict.t(), words })
+        let (words, told) = (Language::English.within(|| verdict.words()), verdict.words());
+        Some(VerdictReport { girder: girder.name.clone(), stays: verdict.stays(), t: verdict.t(), words, told })
     };
     history.scene().girders.iter().enumerate().filter_map(report).collect()
 }

@@ -133,7 +133,7 @@ fn edit(ui: &mut Ui, scene: &Scene, bodies: bool, out: &mut Vec<Command>) {
 fn preset_list(ui: &mut Ui, scene: &Scene, out: &mut Vec<Command>) {
     for preset in presets::all() {
         let chosen = scene.name == preset.name;
-        if ui.add(Button::selectable(chosen, preset.name)).on_hover_text(preset.summary).clicked() {
+        if ui.add(Button::selectable(chosen, preset.name)).on_hover_text(&*preset.summary).clicked() {
             out.push(FileCommand::OpenPreset(preset.name.to_owned()).into());
             ui.close();
         }

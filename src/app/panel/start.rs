@@ -70,7 +70,7 @@ fn others(ui: &mut Ui, files: &SceneFiles, out: &mut Vec<Command>) {
     ui.label(RichText::new(text::PRESETS).strong());
     for preset in presets::all() {
         let words = format!("{}: {}", preset.name, preset.summary);
-        if ui.add(Button::new(words).frame(false).truncate()).on_hover_text(preset.summary).clicked() {
+        if ui.add(Button::new(words).frame(false).truncate()).on_hover_text(&*preset.summary).clicked() {
             out.push(FileCommand::OpenPreset(preset.name.to_owned()).into());
         }
     }

@@ -1,5 +1,7 @@
 //! Events of contacts as recorded, and the reason of an early stop.
 
+use crate::language::Text;
+
 /// Kind of a contact's event (`docs/physics.md#contact-events`).
 #[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord, Hash)]
 pub enum EventKind {
@@ -89,10 +91,10 @@ pub enum Cause {
 
 impl Cause {
     /// What the run did, in a sentence: "the run gave up at t = …".
-    pub fn verb(self) -> &'static str {
+    pub fn verb(self) -> Text {
         match self {
-            Self::Computation => "gave up",
-            Self::SupportLost | Self::NoContact => "ended",
+            Self::Computation => Text::new("stop-gave-up"),
+            Self::SupportLost | Self::NoContact => Text::new("stop-ended"),
         }
     }
 }

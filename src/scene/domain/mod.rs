@@ -10,138 +10,133 @@ use std::fmt;
 
 use super::facing::{self, Facing, Side};
 use super::{Girder, ModelKind, Motion, RecordMotion, Scene};
+use crate::language::{Text, values};
 
 /// A quantity of a scene, and the range that belongs to the domain.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Limit {
     /// What is limited.
-    pub quantity: &'static str,
+    pub quantity: Text,
     /// Its unit; empty for a pure number.
     pub unit: &'static str,
     /// From the first to the second number, both included.
     pub range: [f64; 2],
     /// What is to be expected below the first number and above the second.
-    pub beyond: [&'static str; 2],
+    pub beyond: [Option<Text>; 2],
     /// What brings a scene back.
-    pub remedy: &'static str,
+    pub remedy: Text,
 }
 
 /// Where a range begins at 0 there is nothing below.
-const NOTHING: &str = "";
+const NOTHING: Option<Text> = None;
 /// Where a range is what has been checked and no more.
-const UNCHECKED: &str = "no such girder is among the scenes that are checked";
+const UNCHECKED: Text = Text::new("domain-unchecked");
 
 /// `solver.tolerance`. Below: from its 1000th step with contact on a body's steps may err by less, in proportion to their
 /// number, but by no less than 1e-13, where errors are rounding; at 1e-12 that takes 10,000 steps. Above: an explicit step
 /// spans 0.48 rad of a contact at 1e-10 and grows with the eighth root, to 2.7 rad at 1e-4 and past half a period (π) at
 /// 3.4e-4.
 pub const TOLERANCE: Limit = Limit {
-    quantity: "tolerance",
+    quantity: Text::new("domain-tolerance"),
     unit: "",
     range: [1e-12, 1e-4],
-    beyond: [
-        "steps of a long run are held to less than the rounding of a place",
-        "a step may span half a period of a contact, and a finer tolerance need not make the error smaller",
-    ],
-    remedy: "set solver.tolerance between 1e-12 and 1e-4; 1e-10 is the default",
+    beyond: [Some(Text::new("domain-below-tolerance")), Some(Text::new("domain-above-tolerance"))],
+    remedy: Text::new("domain-mend-tolerance"),
 };
 /// Forces, energies and stiffnesses scale with the mass, so no number of the solver depends on it; the range is what seeds
 /// cover: from grams to a viaduct.
 pub const MASS: Limit = Limit {
-    quantity: "mass of a girder",
+    quantity: Text::new("domain-mass"),
     unit: "kg",
     range: [1e-3, 1e8],
-    beyond: [UNCHECKED, UNCHECKED],
-    remedy: "give the mass in kg",
+    beyond: [Some(UNCHECKED), Some(UNCHECKED)],
+    remedy: Text::new("domain-mend-mass"),
 };
 /// A place 1000 m from home rounds by 1.1e-13 m. Below: what seeds cover.
 pub const SIZE: Limit = Limit {
-    quantity: "length, width or thickness of a girder",
+    quantity: Text::new("domain-size"),
     unit: "m",
     range: [1e-3, 1e3],
-    beyond: [UNCHECKED, "places so far from home round by more than 1e-13 m, and shallow contacts feel it"],
-    remedy: "give the size in m",
+    beyond: [Some(UNCHECKED), Some(Text::new("domain-above-size"))],
+    remedy: Text::new("domain-mend-size"),
 };
 /// The ends of nearly parallel girders reach as far as the skew makes them, b / sin β: 11 widths at 5°.
 pub const SKEW: Limit = Limit {
-    quantity: "skew angle of a girder",
+    quantity: Text::new("domain-skew"),
     unit: "°",
     range: [5.0, 175.0],
-    beyond: [UNCHECKED, UNCHECKED],
-    remedy: "give the angle between axis and support line in degrees; 90 is straight",
+    beyond: [Some(UNCHECKED), Some(UNCHECKED)],
+    remedy: Text::new("domain-mend-skew"),
 };
 /// Distance of a bearing from G over that of the farthest corner. Bearings stand under the girder, in seeds as in bridges; a cross
 /// beam may carry one beyond its edge by as much again. Above: the rotation's rate grows with the distance.
 pub const BEARING_PLACE: Limit = Limit {
-    quantity: "place of a bearing over that of the farthest corner",
+    quantity: Text::new("domain-bearing-place"),
     unit: "",
     range: [0.0, 2.0],
-    beyond: [NOTHING, "it does not stand under the girder, and may make it turn too fast to follow"],
-    remedy: "give the place in m, relative to the girder's G",
+    beyond: [NOTHING, Some(Text::new("domain-above-bearing-place"))],
+    remedy: Text::new("domain-mend-bearing-place"),
 };
 /// `K/M`, with the reduced mass M of (65). Below: a blow at 1 m/s presses the faces by 1 m, `v/√(K/M)`. Above: an acceleration
 /// of 1e-3 m/s² presses a face that rests by 1e-12 m, `a M/K`, where places of 1 m round by 2e-16 m.
 pub const STIFFNESS: Limit = Limit {
-    quantity: "K/M of a facing pair",
+    quantity: Text::new("domain-stiffness"),
     unit: "1/s²",
     range: [1.0, 1e9],
-    beyond: [
-        "faces go as deep into each other as a girder is large: that is no contact any more",
-        "faces at rest are pressed hardly deeper than a place rounds, and forces are in doubt",
-    ],
-    remedy: "set stiffness_n_per_m so that K/M, with M = m₁m₂/(m₁+m₂) or the girder's mass at an abutment, lies in the range",
+    beyond: [Some(Text::new("domain-below-stiffness")), Some(Text::new("domain-above-stiffness"))],
+    remedy: Text::new("domain-mend-stiffness"),
 };
 /// `√(K/M) T`. Explicit steps of a closed contact span 0.5 to 2.7 rad, and the work of a run is bounded by 1e7 steps and searches a
 /// body.
 pub const CONTACT_PHASE: Limit = Limit {
-    quantity: "phase of a contact over the run, √(K/M) T",
+    quantity: Text::new("domain-contact-phase"),
     unit: "rad",
     range: [0.0, 1e7],
-    beyond: [NOTHING, "a contact that stays closed may take more steps than the run is allowed, and end it early"],
-    remedy: "shorten duration_s or lower stiffness_n_per_m",
+    beyond: [NOTHING, Some(Text::new("domain-above-contact-phase"))],
+    remedy: Text::new("domain-mend-contact-phase"),
 };
 /// `ω T` of the fastest bearing (or its decay c/m), the ground, a spin; a record counts its samples. The longest seed has 8.8e4,
 /// an hour at 3 Hz 6.8e4.
 pub const MOTION_PHASE: Limit = Limit {
-    quantity: "phase of bearings, ground or spin over the run, ω T",
+    quantity: Text::new("domain-motion-phase"),
     unit: "rad",
     range: [0.0, 1e5],
-    beyond: [NOTHING, "the run is longer than any that is checked, and the errors of its steps add up"],
-    remedy: "shorten duration_s, or lower the frequency, the damping or the spin",
+    beyond: [NOTHING, Some(Text::new("domain-above-motion-phase"))],
+    remedy: Text::new("domain-mend-motion-phase"),
 };
 /// Of pushes (at G, and of a corner by the moment), gravity and the ground: ten times that of gravity. Above: the checks failed
 /// once where 3.6e4 m/s² had made a girder tumble at thousands of rad/s (seed 5735).
 pub const ACCELERATION: Limit = Limit {
-    quantity: "acceleration by push, gravity or ground",
+    quantity: Text::new("domain-acceleration"),
     unit: "m/s²",
     range: [0.0, 100.0],
-    beyond: [NOTHING, "girders may come to tumble so fast that the errors of their steps add up"],
-    remedy: "lower the push, gravity or the amplitude of the ground",
+    beyond: [NOTHING, Some(Text::new("domain-above-acceleration"))],
+    remedy: Text::new("domain-mend-acceleration"),
 };
 /// Of G by the velocity, of the farthest corner by the spin; and what a displaced start comes to, `ω (|d| + |θ| r)` by the fastest
 /// bearing and `√(K/M) δ` by a face that is pressed in: what seeds cover.
 pub const SPEED: Limit = Limit {
-    quantity: "speed of a corner at the start, or that its start leads to",
+    quantity: Text::new("domain-speed"),
     unit: "m/s",
     range: [0.0, 100.0],
-    beyond: [NOTHING, UNCHECKED],
-    remedy: "lower velocity_m_s, spin_deg_s, displacement_m or rotation_deg",
+    beyond: [NOTHING, Some(UNCHECKED)],
+    remedy: Text::new("domain-mend-speed"),
 };
 /// A whole turn more is the same place, but bearings in plan are wound up by it, and the angle rounds.
 pub const TURN: Limit = Limit {
-    quantity: "turn of a girder at the start",
+    quantity: Text::new("domain-turn"),
     unit: "°",
     range: [0.0, 180.0],
-    beyond: [NOTHING, UNCHECKED],
-    remedy: "take whole turns away from rotation_deg",
+    beyond: [NOTHING, Some(UNCHECKED)],
+    remedy: Text::new("domain-mend-turn"),
 };
 /// What seeds cover.
 pub const FRICTION: Limit = Limit {
-    quantity: "coefficient of static friction",
+    quantity: Text::new("domain-friction"),
     unit: "",
     range: [0.0, 2.0],
-    beyond: [NOTHING, "no such friction is among the scenes that are checked"],
-    remedy: "lower mu_static",
+    beyond: [NOTHING, Some(Text::new("domain-unchecked-friction"))],
+    remedy: Text::new("domain-mend-friction"),
 };
 
 /// All of them.
@@ -185,8 +180,8 @@ impl Departure {
     }
 
     /// What is to be expected.
-    pub fn consequence(&self) -> &'static str {
-        self.limit.beyond[usize::from(!self.is_below())]
+    pub fn consequence(&self) -> Text {
+        self.limit.beyond[usize::from(!self.is_below())].unwrap_or(UNCHECKED)
     }
 }
 
@@ -195,16 +190,18 @@ impl fmt::Display for Departure {
         let Self { place, pair, value, limit } = self;
         let of = pair.as_ref().map_or(String::new(), |pair| format!(" ({pair})"));
         let unit = if limit.unit.is_empty() { String::new() } else { format!(" {}", limit.unit) };
-        let side = if self.is_below() { "below" } else { "above" };
         let value = format!("{value:.3e}").parse().unwrap_or(*value);
-        write!(
-            f,
-            "{place}{of}: {} = {value:e}{unit} is {side} {:e}{unit}, outside the domain: {}; {}",
-            limit.quantity,
-            self.bound(),
-            self.consequence(),
-            limit.remedy
-        )
+        let said = if self.is_below() { Text::new("domain-is-below") } else { Text::new("domain-is-above") };
+        let values = values![
+            "place" => place.as_str(),
+            "of" => of,
+            "quantity" => limit.quantity,
+            "value" => format!("{value:e}{unit}"),
+            "bound" => format!("{:e}{unit}", self.bound()),
+            "consequence" => self.consequence(),
+            "remedy" => limit.remedy
+        ];
+        f.write_str(&said.with(&values))
     }
 }
 
