@@ -23,7 +23,7 @@ const ROOMS: &[(&str, &[&str])] = &[
     ("scene", &["geometry", "contact", "motion", "language"]),
     ("dynamics", &["geometry", "contact", "motion", "scene", "language"]),
     ("sim", &["geometry", "contact", "motion", "scene", "dynamics", "language"]),
-    ("codes", &["geometry", "scene", "dynamics", "sim"]),
+    ("codes", &["geometry", "scene", "dynamics", "sim", "language"]),
     ("study", &["geometry", "contact", "motion", "identify", "measure", "scene", "dynamics", "sim"]),
     ("tables", &["geometry", "scene", "dynamics", "sim", "codes", "language"]),
     ("report", &["geometry", "motion", "scene", "dynamics", "sim", "codes", "study", "tables", "language"]),

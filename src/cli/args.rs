@@ -4,7 +4,7 @@ use std::path::{Path, PathBuf};
 
 use super::failure::Failure;
 use crate::files;
-use crate::language::Message;
+use crate::language::{Message, Text, said};
 use crate::motion::format::Unit;
 use crate::scene::validate::validate;
 use crate::scene::{Scene, SceneError, SceneErrors};
@@ -50,7 +50,7 @@ impl Threads {
     pub(super) fn start(self) -> Result<(), Failure> {
         let Some(count) = self.threads else { return Ok(()) };
         let pool = rayon::ThreadPoolBuilder::new().num_threads(count.into()).build_global();
-        pool.map_err(|error| Failure::Input(format!("--threads {count}: they cannot be started ({error}): give fewer")))
+        pool.map_err(|error| Failure::Input(said!("failed-threads", "count" => count, "error" => error.to_string())))
     }
 }
 
@@ -104,19 +104,19 @@ fn errors_of_flags(errors: SceneErrors) -> SceneErrors {
 
 /// A unit of acceleration in a record file.
 pub(super) fn record_unit(text: &str) -> Result<Unit, String> {
-    Unit::of_word(text).ok_or_else(|| format!("give one of {}", Unit::WORDS.join(", ")))
+    Unit::of_word(text).ok_or_else(|| said!("wrong-one-of", "words" => Unit::WORDS.join(", ")))
 }
 
 /// A finite number.
 pub(super) fn finite(text: &str) -> Result<f64, String> {
-    text.parse::<f64>().ok().filter(|x| x.is_finite()).ok_or_else(|| "give a number".into())
+    text.parse::<f64>().ok().filter(|x| x.is_finite()).ok_or_else(|| Text::new("wrong-no-number").into())
 }
 
 /// A count of at least one.
 pub(super) fn at_least_one(text: &str) -> Result<usize, String> {
     match text.parse::<usize>() {
         Ok(n) if n > 0 => Ok(n),
-        _ => Err("give a whole number of at least 1".into()),
+        _ => Err(Text::new("wrong-no-count").into()),
     }
 }
 
@@ -124,7 +124,7 @@ pub(super) fn at_least_one(text: &str) -> Result<usize, String> {
 pub(super) fn positive(text: &str) -> Result<f64, String> {
     match text.parse::<f64>() {
         Ok(value) if value.is_finite() && value > 0.0 => Ok(value),
-        _ => Err("give a number above 0".into()),
+        _ => Err(Text::new("wrong-not-above").into()),
     }
 }
 
@@ -132,6 +132,6 @@ pub(super) fn positive(text: &str) -> Result<f64, String> {
 pub(super) fn not_negative(text: &str) -> Result<f64, String> {
     match text.parse::<f64>() {
         Ok(value) if value.is_finite() && value >= 0.0 => Ok(value),
-        _ => Err("give a number of 0 or above".into()),
+        _ => Err(Text::new("wrong-below").into()),
     }
 }

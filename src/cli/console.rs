@@ -3,6 +3,7 @@
 use std::io::{Error, ErrorKind, Write, stderr, stdout};
 
 use super::failure::Failure;
+use crate::language::said;
 use crate::scene::shown::escaped;
 
 /// Standard output for answers, standard error for notes about them.
@@ -54,9 +55,9 @@ impl Console {
     /// Why it took no more.
     pub(super) fn finish(&mut self) -> Result<(), Failure> {
         match self.ended.take() {
-            Some(error) if error.kind() != ErrorKind::BrokenPipe => Err(Failure::Output(format!(
-                "standard output: the answer cannot be written ({error}): redirect it to where there is space"
-            ))),
+            Some(error) if error.kind() != ErrorKind::BrokenPipe => {
+                Err(Failure::Output(said!("failed-standard-output", "error" => error.to_string())))
+            }
             _ => Ok(()),
         }
     }

@@ -3,6 +3,7 @@
 use super::console::Console;
 use super::digits::six;
 use super::summary::name;
+use crate::language::{Text, said};
 use crate::scene::domain::outside;
 use crate::scene::{Motion, Scene};
 use crate::sim::History;
@@ -14,10 +15,10 @@ const MOST: usize = 10;
 pub(super) fn warn(scene: &Scene, console: &mut Console) {
     let found = outside(scene);
     for departure in found.iter().take(MOST) {
-        console.note(&format!("warning: {departure}"));
+        console.note(&said!("warning", "what" => departure.to_string()));
     }
     if let Some(more) = found.len().checked_sub(MOST).filter(|more| *more > 0) {
-        console.note(&format!("warning: {more} more quantities outside the domain"));
+        console.note(&said!("warning-more-outside", "more" => more));
     }
     warn_of_cut(scene, console);
 }
@@ -29,7 +30,7 @@ fn warn_of_cut(scene: &Scene, console: &mut Console) {
     let length = dt * samples.saturating_sub(1) as f64;
     if length > scene.duration + dt {
         let [length, end] = [length, scene.duration].map(six);
-        console.note(&format!("note: the record lasts {length} s, and the run ends at {end} s: duration_s"));
+        console.note(&said!("note-record-cut", "length" => length, "end" => end));
     }
 }
 
@@ -37,7 +38,12 @@ fn warn_of_cut(scene: &Scene, console: &mut Console) {
 pub(super) fn warn_of_balance(history: &History, console: &mut Console) {
     let balance = history.balance();
     if !balance.holds() {
-        let remedy = "do not trust this answer: heed the other warnings, or lower solver.tolerance";
-        console.note(&format!("warning: {}: {balance}: {remedy}", name(&history.scene().name)));
+        let remedy = Text::new("warning-untrusted");
+        console.note(&said!(
+            "warning-balance",
+            "name" => name(&history.scene().name),
+            "balance" => balance.to_string(),
+            "remedy" => remedy
+        ));
     }
 }

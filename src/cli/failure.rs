@@ -4,6 +4,7 @@ use std::process::ExitCode;
 
 use super::summary::{name, plain};
 use crate::files::{ReadError, WriteError};
+use crate::language::said;
 use crate::scene::SceneErrors;
 use crate::sim::Stop;
 
@@ -20,7 +21,7 @@ pub(super) enum Failure {
     #[error("{0}")]
     NoPicture(String),
     /// The run ended before its time; what it has was kept.
-    #[error("the run of {} {} at t = {} s, {}: {}", name(scene), stop.cause.verb(), plain(stop.t), stop.place, stop.reason)]
+    #[error("{}", gave_up(scene, stop))]
     GaveUp {
         /// The scene's name.
         scene: String,
@@ -28,11 +29,23 @@ pub(super) enum Failure {
         stop: Stop,
     },
     /// A signal came while files were written; the message says what was kept.
-    #[error("interrupted: {0}")]
+    #[error("{}", said!("failed-interrupted", "kept" => .0.as_str()))]
     Interrupted(String),
     /// A study found what it looked for; everything was written.
     #[error("{0}")]
     Study(String),
+}
+
+/// What ended a run before its time.
+fn gave_up(scene: &str, stop: &Stop) -> String {
+    said!(
+        "failed-gave-up",
+        "scene" => name(scene),
+        "ended" => stop.cause.verb().as_str(),
+        "t" => plain(stop.t),
+        "place" => stop.place.as_str(),
+        "reason" => stop.reason.as_str()
+    )
 }
 
 impl Failure {

@@ -1,6 +1,7 @@
 //! How many cells tables may have.
 
 use super::failure::Failure;
+use crate::language::{Text, said};
 use crate::scene::Scene;
 use crate::sim::History;
 use crate::tables;
@@ -20,7 +21,7 @@ pub(super) fn check_trajectory(sample_hz: f64, scene: &Scene) -> Result<(), Fail
 /// The same of one that is kept in memory.
 pub(super) fn check_in_memory(sample_hz: f64, scene: &Scene) -> Result<(), Failure> {
     let columns = tables::trajectory_columns(scene) as f64;
-    check(sample_hz, ("the trajectory", sample_hz * scene.duration * columns), MOST_IN_MEMORY)
+    check(sample_hz, (Text::new("failed-trajectory").as_str(), sample_hz * scene.duration * columns), MOST_IN_MEMORY)
 }
 
 /// Refuses a `contacts.csv` of too many cells, by what was computed.
@@ -33,8 +34,12 @@ fn check(sample_hz: f64, (table, cells): (&str, f64), most: f64) -> Result<(), F
         return Ok(());
     }
     let less = sample_hz * most / cells;
-    Err(Failure::Input(format!(
-        "--sample: {sample_hz}: {table} would have {cells:.1e} cells, more than {most:.1e}: give at most {less:.3e} samples a \
-         second, or a shorter run"
+    Err(Failure::Input(said!(
+        "failed-cells",
+        "samplehz" => sample_hz,
+        "table" => table,
+        "cells" => format!("{cells:.1e}"),
+        "most" => format!("{most:.1e}"),
+        "less" => format!("{less:.3e}")
     )))
 }

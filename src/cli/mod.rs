@@ -2,6 +2,7 @@
 
 mod args;
 mod check;
+mod columns;
 mod compare;
 mod compute;
 mod console;
@@ -10,6 +11,7 @@ mod domain;
 mod failure;
 mod flexible;
 mod headless;
+mod help;
 mod identify;
 mod interrupt;
 mod limits;
@@ -36,27 +38,30 @@ mod waves;
 use console::Console;
 use failure::Failure;
 
+use std::ffi::OsString;
 use std::path::PathBuf;
 use std::process::ExitCode;
 
-use clap::{Parser, Subcommand};
+use clap::error::ErrorKind;
+use clap::parser::ValueSource;
+use clap::{CommandFactory as _, FromArgMatches as _, Parser, Subcommand};
 
-use crate::language::Language;
+use crate::language::{Language, Text, said};
 
 /// Bridge girders that pound, stick, slip and turn.
 ///
 /// Without a command it opens the workbench; where there is no display it writes the opening scene's pictures and
 /// tables instead.
 #[derive(Debug, Parser)]
-#[command(version, about, long_about, max_term_width = 100, args_conflicts_with_subcommands = true)]
+#[command(version, about, long_about, max_term_width = 100)]
 struct Cli {
     #[command(subcommand)]
     command: Option<Command>,
     /// Where the pictures and tables go when there is no display
     #[arg(long, value_name = "DIR", default_value = "out")]
     out: PathBuf,
-    /// The language of the window, en or ja; the one chosen in it last, else the system's, unless given
-    #[arg(long, value_name = "LANG")]
+    /// The language of what is said, en or ja; the system's unless given, in the window the one chosen there last
+    #[arg(long, value_name = "LANG", global = true)]
     lang: Option<Language>,
 }
 
@@ -96,7 +101,18 @@ enum Command {
 /// Runs the program on the process's arguments.
 pub fn main() -> ExitCode {
     let mut console = Console::standard();
-    let cli = match Cli::try_parse() {
+    // Before the arguments are read: what is wrong with them is said in it too.
+    asked(std::env::args_os()).unwrap_or_else(Language::of_system).speak();
+    let mut command = help::told(Cli::command());
+    let read = command.try_get_matches_from_mut(std::env::args_os());
+    let read = read.and_then(|found| {
+        // A flag of the opening alone, unlike the language.
+        if found.subcommand().is_some() && found.value_source("out") == Some(ValueSource::CommandLine) {
+            return Err(command.error(ErrorKind::ArgumentConflict, Text::new("wrong-out-before")));
+        }
+        Cli::from_arg_matches(&found).map_err(|mistake| mistake.format(&mut command))
+    });
+    let cli = match read {
         Ok(cli) => cli,
         Err(help_or_mistake) => return say(&help_or_mistake, &mut console),
     };
@@ -110,9 +126,24 @@ pub fn main() -> ExitCode {
     code
 }
 
+/// The language that arguments ask for, wherever it stands among them.
+fn asked(mut args: impl Iterator<Item = OsString>) -> Option<Language> {
+    let mut found = None;
+    while let Some(arg) = args.next() {
+        let code = match arg.to_str() {
+            Some("--") => break,
+            Some("--lang") => args.next()?,
+            Some(arg) => arg.strip_prefix("--lang=").unwrap_or_default().into(),
+            None => continue,
+        };
+        found = code.to_str().and_then(Language::of_locale).or(found);
+    }
+    found
+}
+
 /// Says what went wrong.
 fn fail(failure: &Failure, console: &mut Console) -> ExitCode {
-    console.note(&format!("error: {failure}"));
+    console.note(&said!("failed", "failure" => failure.to_string()));
     failure.exit_code()
 }
 
@@ -130,8 +161,8 @@ fn say(help_or_mistake: &clap::Error, console: &mut Console) -> ExitCode {
 
 fn dispatch(cli: Cli, console: &mut Console) -> Result<(), Failure> {
     match cli.command {
-        None => open::run(&open::OpenArgs::opening(cli.out, cli.lang), console),
-        Some(Command::Open(args)) => open::run(&args, console),
+        None => open::run(&open::OpenArgs::opening(cli.out), cli.lang, console),
+        Some(Command::Open(args)) => open::run(&args, cli.lang, console),
         Some(Command::Run(args)) => run::run(&args, console),
         Some(Command::Report(args)) => report::run(&args, console),
         Some(Command::Check(args)) => check::run(&args, console),
@@ -151,8 +182,8 @@ fn dispatch(cli: Cli, console: &mut Console) -> Result<(), Failure> {
         #[cfg(feature = "render")]
         Some(Command::Measure(args)) => measure::run(&args, console),
         #[cfg(not(feature = "render"))]
-        Some(Command::Render { .. } | Command::Measure { .. }) => Err(Failure::NoPicture(
-            "this build has no pictures: build it with `cargo build --release --features render`".into(),
-        )),
+        Some(Command::Render { .. } | Command::Measure { .. }) => {
+            Err(Failure::NoPicture(Text::new("failed-no-pictures").into()))
+        }
     }
 }

@@ -7,7 +7,7 @@ use super::console::Console;
 use super::failure::Failure;
 use super::headless;
 use crate::files;
-use crate::language::Language;
+use crate::language::{Language, said};
 use crate::scene::{Scene, presets};
 
 /// Open the workbench on a scene
@@ -22,27 +22,24 @@ pub(super) struct OpenArgs {
     /// Where the pictures and tables go when there is no display
     #[arg(long, value_name = "DIR", default_value = "out")]
     out: PathBuf,
-    /// The language of the window, en or ja; the one chosen in it last, else the system's, unless given
-    #[arg(long, value_name = "LANG")]
-    lang: Option<Language>,
 }
 
 impl OpenArgs {
     /// The scene that the workbench opens on when none is named.
-    pub(super) fn opening(out: PathBuf, lang: Option<Language>) -> Self {
-        Self { scene: presets::OPENING.into(), changes: Changes::default(), out, lang }
+    pub(super) fn opening(out: PathBuf) -> Self {
+        Self { scene: presets::OPENING.into(), changes: Changes::default(), out }
     }
 }
 
-/// Does it.
+/// Does it; the window is in this language, where one is given.
 ///
 /// # Errors
 /// Bad input; a window that could not go on; without a window, what [`headless::run`] says.
-pub(super) fn run(args: &OpenArgs, console: &mut Console) -> Result<(), Failure> {
+pub(super) fn run(args: &OpenArgs, lang: Option<Language>, console: &mut Console) -> Result<(), Failure> {
     let scene = args.changes.load(&args.scene)?;
-    if let Some(why) = window(&scene, args)? {
+    if let Some(why) = window(&scene, args, lang)? {
         files::check_folder(&args.out)?;
-        console.note(&format!("{why}: writing pictures and tables to {} instead", args.out.display()));
+        console.note(&said!("open-headless", "why" => why, "folder" => args.out.display().to_string()));
         headless::run(&scene, &args.out, console)?;
     }
     Ok(())
@@ -53,9 +50,9 @@ pub(super) fn run(args: &OpenArgs, console: &mut Console) -> Result<(), Failure>
 /// # Errors
 /// When it was open and had to end.
 #[cfg(feature = "gui")]
-fn window(scene: &Scene, args: &OpenArgs) -> Result<Option<String>, Failure> {
+fn window(scene: &Scene, args: &OpenArgs, lang: Option<Language>) -> Result<Option<String>, Failure> {
     use crate::app::AppError;
-    match crate::app::run(scene.clone(), files::SceneSource::of(&args.scene), args.lang) {
+    match crate::app::run(scene.clone(), files::SceneSource::of(&args.scene), lang) {
         Ok(()) => Ok(None),
         Err(ended @ AppError::Ended { .. }) => Err(Failure::NoPicture(ended.to_string())),
         // A display that nothing can draw on is as good as none.
@@ -66,6 +63,6 @@ fn window(scene: &Scene, args: &OpenArgs) -> Result<Option<String>, Failure> {
 /// Runs the workbench until it is closed; else says why there is none.
 #[cfg(not(feature = "gui"))]
 #[expect(clippy::unnecessary_wraps, reason = "as with a window")]
-fn window(_: &Scene, _: &OpenArgs) -> Result<Option<String>, Failure> {
-    Ok(Some("this build has no window (feature gui)".to_owned()))
+fn window(_: &Scene, _: &OpenArgs, _: Option<Language>) -> Result<Option<String>, Failure> {
+    Ok(Some(crate::language::Text::new("open-no-window").into()))
 }

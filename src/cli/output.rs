@@ -5,6 +5,7 @@ use std::path::Path;
 use super::failure::Failure;
 use super::interrupt::Writing;
 use crate::files::{FileSet, earlier_files, remove_files};
+use crate::language::said;
 use crate::tables::{self, Table};
 
 /// Writes the tables of an answer and pictures, as (file name, bytes), into a folder, and says so; tables of an earlier answer
@@ -37,9 +38,10 @@ pub(super) fn write_answer(
     let of_earlier = if removed.is_empty() {
         String::new()
     } else {
-        format!("removed, of an earlier answer: {}\n", removed.join(", "))
+        format!("{}\n", said!("run-removed", "names" => removed.join(", ")))
     };
-    Ok(format!("written to {}: {}\n{of_earlier}", folder.display(), names.join(", ")))
+    let written = said!("run-written", "folder" => folder.display().to_string(), "names" => names.join(", "));
+    Ok(format!("{written}\n{of_earlier}"))
 }
 
 /// Writes files, as (file name, bytes), into a folder.

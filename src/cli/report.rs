@@ -8,7 +8,7 @@ use super::console::Console;
 use super::domain;
 use super::failure::Failure;
 use crate::files;
-use crate::language::Language;
+use crate::language::said;
 use crate::report;
 use crate::tables::TableOptions;
 
@@ -22,9 +22,6 @@ pub(super) struct ReportArgs {
     /// The page, one HTML file with every picture inside
     #[arg(long, value_name = "FILE.html")]
     out: PathBuf,
-    /// The language of the page, en or ja
-    #[arg(long, value_name = "LANG", default_value = "en")]
-    lang: Language,
 }
 
 /// Does it.
@@ -42,9 +39,9 @@ pub(super) fn run(args: &ReportArgs, console: &mut Console) -> Result<(), Failur
         run_time: Some(timed.run_time),
         ..TableOptions::default()
     };
-    let page = args.lang.within(|| report::html(&timed.history, &options));
+    let page = report::html(&timed.history, &options);
     files::write_atomic(&args.out, page.as_bytes())?;
-    console.print(&format!("written to {}\n", args.out.display()));
+    console.print(&format!("{}\n", said!("report-written-to", "file" => args.out.display().to_string())));
     match timed.history.stop() {
         Some(stop) => Err(Failure::GaveUp { scene: scene.name, stop: stop.clone() }),
         None => Ok(()),

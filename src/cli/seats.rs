@@ -1,36 +1,63 @@
 //! Seats in the summary of a run: what remained, when a corner came off, and what design codes require.
 
+use super::columns::{left, right};
 use crate::codes::{RotationCondition, Source};
+use crate::language::{Text, said};
 use crate::scene::shown::escaped;
 use crate::tables::{CornerReport, DemandReport, SeatReport};
 
 /// What remained of a seat, square to its edge, and a line for each corner that came off.
 pub(super) fn lines(seat: &SeatReport) -> Vec<(String, String)> {
-    let name = format!("seat {}{}", escaped(&seat.girder), seat.end);
+    let name = said!("run-seat", "girder" => escaped(&seat.girder), "end" => seat.end);
     let off = seat.corners.iter().flat_map(|corner| departures(seat, corner));
-    let lost = seat.lost_at.map(|t| format!("the whole end is off from {t:.4} s"));
+    let lost = seat.lost_at.map(|t| said!("run-seat-lost", "t" => format!("{t:.4}")));
     let words = std::iter::once(remaining(seat)).chain(off).chain(lost);
     words.map(|words| (name.clone(), words)).collect()
 }
 
 fn remaining(seat: &SeatReport) -> String {
     let [placed, least, used] = [seat.placed, seat.least_remaining, seat.used].map(|metres| metres * 1e3);
-    let along =
-        if seat.placed == seat.length { String::new() } else { format!(" ({:.3} along the axis)", seat.length * 1e3) };
-    format!("placed {placed:.3} mm{along}, least {least:.3}, used {used:.3}, at {:.4} s", seat.t)
+    let along = if seat.placed == seat.length {
+        String::new()
+    } else {
+        said!("run-seat-along", "length" => format!("{:.3}", seat.length * 1e3))
+    };
+    said!(
+        "run-seat-of",
+        "placed" => format!("{placed:.3}"),
+        "along" => along,
+        "least" => format!("{least:.3}"),
+        "used" => format!("{used:.3}"),
+        "t" => format!("{:.4}", seat.t)
+    )
+}
+
+/// Whether a corner is acute, obtuse or right.
+fn angle(corner: &CornerReport) -> &'static str {
+    let words = match corner.angle {
+        "acute" => Text::new("report-acute"),
+        "obtuse" => Text::new("report-obtuse"),
+        _ => Text::new("report-right"),
+    };
+    words.as_str()
 }
 
 /// When a corner came off, over the front edge and over a side.
 fn departures(seat: &SeatReport, corner: &CornerReport) -> Vec<String> {
-    let which = format!("corner {} ({})", corner.corner, corner.angle);
+    let which = said!("run-corner", "corner" => corner.corner, "angle" => angle(corner));
     let front = corner.left_at.map(|t| {
         let share = 100.0 * seat.least_share;
         let at = corner.left_along.unwrap_or(0.0);
-        format!(
-            "{which} comes off at {t:.4} s, {at:.3} m along the edge; {share:.0} % of the end stay seated at the least"
+        said!(
+            "run-corner-off",
+            "which" => which.as_str(),
+            "t" => format!("{t:.4}"),
+            "at" => format!("{at:.3}"),
+            "share" => format!("{share:.0}")
         )
     });
-    let side = corner.left_side_at.map(|t| format!("{which} leaves the seat over its side at {t:.4} s"));
+    let side =
+        corner.left_side_at.map(|t| said!("run-corner-side", "which" => which.as_str(), "t" => format!("{t:.4}")));
     front.into_iter().chain(side).collect()
 }
 
@@ -39,13 +66,18 @@ pub(super) fn table(seats: &[SeatReport]) -> String {
     if seats.is_empty() {
         return String::new();
     }
-    let head = format!("  {:<41} {:>8} {:>8} {:>8}\n", "seats, square to the edge [mm]", "needed", "there", "used");
+    let head = format!(
+        "  {} {} {} {}\n",
+        left(&Text::new("run-seats-head"), 41),
+        right(&Text::new("run-needed"), 8),
+        right(&Text::new("run-there"), 8),
+        right(&Text::new("run-used"), 8)
+    );
     let of_seat = |seat: &SeatReport| {
         let name = format!("  {}{}\n", escaped(&seat.girder), seat.end);
         std::iter::once(name).chain(seat.codes.iter().map(row)).chain(turning(seat)).collect::<String>()
     };
-    let legend =
-        "  * quoted from memory, not confirmed in that edition; ° with assumed inputs, see `codes` of summary.json\n";
+    let legend = format!("  {}\n", Text::new("run-seats-legend"));
     let of_girder = |ends: &[SeatReport]| {
         let skewed = ends.first().filter(|seat| seat.rotation_condition != 0.0);
         let condition = skewed.map(|seat| {
@@ -55,7 +87,7 @@ pub(super) fn table(seats: &[SeatReport]) -> String {
         ends.iter().map(of_seat).chain(condition).collect::<String>()
     };
     let girders = seats.chunk_by(|one, other| one.girder == other.girder).map(of_girder);
-    std::iter::once(head).chain(girders).chain([legend.to_owned()]).collect()
+    std::iter::once(head).chain(girders).chain([legend]).collect()
 }
 
 /// By how much the deck has to turn to come off a skewed seat.
@@ -64,9 +96,15 @@ fn turning(seat: &SeatReport) -> Option<String> {
     let angles = one.zero_rotation_deg.zip(other.zero_rotation_deg).zip(seat.middle_zero_rotation_deg);
     let ((first, second), middle) = angles.filter(|_| seat.rotation_condition != 0.0)?;
     Some(format!(
-        "    turned about G nothing remains at the {} corner from {first:.2}°, at the {} from {second:.2}°, in the middle from \
-         {middle:.2}°\n",
-        one.angle, other.angle,
+        "    {}\n",
+        said!(
+            "run-seats-turned",
+            "one" => angle(one),
+            "first" => format!("{first:.2}"),
+            "other" => angle(other),
+            "second" => format!("{second:.2}"),
+            "middle" => format!("{middle:.2}")
+        )
     ))
 }
 
@@ -75,6 +113,6 @@ fn row(DemandReport { demand, met, .. }: &DemandReport) -> String {
     let marks =
         [(!demand.confirmed, "*"), (assumed, "°")].map(|(marked, mark)| if marked { mark } else { "" }).concat();
     let [needed, there, used] = [demand.required, demand.provided, demand.used].map(|metres| 1e3 * metres);
-    let verdict = if *met { "" } else { "  too short" };
+    let verdict = if *met { String::new() } else { format!("  {}", Text::new("too-short")) };
     format!("    {:<39} {needed:>8.1} {there:>8.1} {used:>8.1}{verdict}\n", format!("{} {marks}", demand.rule))
 }

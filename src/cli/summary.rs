@@ -1,6 +1,9 @@
 //! A run's summary as text; millimetres and degrees, since people read it.
 
-use super::{flexible, seats};
+use super::{columns, flexible, seats};
+use crate::language::{Text, said};
+use crate::scene::FrictionLaw;
+use crate::scene::keys::word_told;
 use crate::scene::shown::{escaped, shown};
 use crate::tables::{DeviceReport, LostReport, OutsideReport, OverlapReport, PierReport, Report, VerdictReport};
 
@@ -10,11 +13,14 @@ const MOST_LISTED: usize = 10;
 /// The summary, one fact a line.
 pub(super) fn text(report: &Report) -> String {
     let lines = [head(report), answer(report), accuracy(report), effort(report)].concat();
-    let lines = lines.into_iter().map(|(label, value)| format!("  {label:<22} {value}\n"));
-    std::iter::once(format!("{}: {} of {} s\n", name(&report.scene), plain(report.end), report.duration))
-        .chain(lines)
-        .chain([seats::table(&report.seats)])
-        .collect()
+    let lines = lines.into_iter().map(|(label, value)| format!("  {} {value}\n", columns::left(&label, 22)));
+    std::iter::once(format!(
+        "{}\n",
+        said!("run-head", "name" => name(&report.scene), "end" => plain(report.end), "duration" => report.duration)
+    ))
+    .chain(lines)
+    .chain([seats::table(&report.seats)])
+    .collect()
 }
 
 /// A scene's name, on one line.
@@ -26,16 +32,25 @@ pub(super) fn name(scene: &str) -> String {
 
 type Line = (String, String);
 
-fn line(label: &str, value: String) -> Line {
-    (label.to_owned(), value)
+fn line(label: impl Into<String>, value: String) -> Line {
+    (label.into(), value)
 }
 
 fn head(report: &Report) -> Vec<Line> {
     let gave_up = report.gave_up.iter();
-    let model = (report.model == "impact").then(|| line("model", "impact (rigid bodies, impulses)".to_owned()));
-    let outside = outside_words(&report.outside_domain).map(|words| line("outside the domain", words));
-    let gave_up =
-        gave_up.map(|stop| line(stop.cause.verb(), format!("at {} s, {}: {}", plain(stop.t), stop.place, stop.reason)));
+    let model = (report.model == "impact").then(|| line(Text::new("run-model"), Text::new("run-impact").into()));
+    let outside = outside_words(&report.outside_domain).map(|words| line(Text::new("run-outside"), words));
+    let gave_up = gave_up.map(|stop| {
+        line(
+            stop.cause.verb(),
+            said!(
+                "run-gave-up-at",
+                "t" => plain(stop.t),
+                "place" => stop.place.as_str(),
+                "reason" => stop.reason.as_str()
+            ),
+        )
+    });
     let lost = report.lost_supports.iter().take(MOST_LISTED).map(lost);
     model
         .into_iter()
@@ -51,85 +66,114 @@ fn head(report: &Report) -> Vec<Line> {
 fn lost(lost: &LostReport) -> Line {
     let LostReport { bearing, t, place: [x, y, _] } = lost;
     line(
-        "support lost",
-        format!("{} at {t:.6} s, at ({x:.4}, {y:.4}) m: later samples are without it", escaped(bearing)),
+        Text::new("run-support-lost"),
+        said!(
+            "run-lost-at",
+            "bearing" => escaped(bearing),
+            "t" => format!("{t:.6}"),
+            "x" => format!("{x:.4}"),
+            "y" => format!("{y:.4}")
+        ),
     )
 }
 
 /// What the run did to a pier.
 fn pier(pier: &PierReport) -> Line {
     let [along, across] = pier.periods;
-    let yielded = pier.yielded_at.map_or(String::new(), |t| format!("; it yields from {t:.4} s on"));
-    let value = format!(
-        "T {along:.3} s along, {across:.3} s across; drift {} mm at {:.4} s, base shear {} at {:.4} s{yielded}",
-        millimetres(pier.drift),
-        pier.drift_t,
-        force(pier.shear),
-        pier.shear_t
+    let yielded = pier.yielded_at.map_or(String::new(), |t| said!("run-pier-yields", "t" => format!("{t:.4}")));
+    let value = said!(
+        "run-pier-numbers",
+        "along" => format!("{along:.3}"),
+        "across" => format!("{across:.3}"),
+        "drift" => millimetres(pier.drift),
+        "td" => format!("{:.4}", pier.drift_t),
+        "shear" => force(pier.shear),
+        "ts" => format!("{:.4}", pier.shear_t),
+        "yielded" => yielded
     );
-    line(&format!("pier {}", escaped(&pier.name)), value)
+    line(said!("run-pier", "name" => escaped(&pier.name)), value)
+}
+
+/// A kind of device by its word in the scene's file.
+pub(super) fn device_kind(word: &'static str) -> &'static str {
+    let words = match word {
+        "restrainer" => Text::new("kind-restrainer"),
+        "bumper" => Text::new("kind-bumper"),
+        "damper" => Text::new("kind-damper"),
+        "stopper" => Text::new("kind-stopper"),
+        other => return other,
+    };
+    words.as_str()
 }
 
 /// What the run did to a device.
 fn device(device: &DeviceReport) -> Line {
-    let label = format!("{} {}", device.kind, escaped(&device.name));
-    let Some(first) = device.first else { return line(&label, "its force never sets in".to_owned()) };
+    let label = said!("run-device", "kind" => device_kind(device.kind), "name" => escaped(&device.name));
+    let Some(first) = device.first else { return line(label, Text::new("run-device-never").into()) };
     let [least, greatest] = device.deformation.map(|length| format!("{:.3}", 1e3 * length));
-    let part = device.part_of_strength.map_or(String::new(), |part| format!(", {:.0} % of its strength", 100.0 * part));
-    let yields = device.yielded_at.map_or(String::new(), |t| format!("; it yields from {t:.4} s on"));
-    let breaks = device.broke_at.map_or(String::new(), |t| format!("; it breaks at {t:.4} s"));
-    let value = format!(
-        "{} at {:.4} s{part}; moves {least} to {greatest} mm; acts {} times from {first:.4} s on{yields}{breaks}",
-        force(device.force),
-        device.t,
-        device.times
+    let part = device
+        .part_of_strength
+        .map_or(String::new(), |part| said!("run-device-part", "part" => format!("{:.0}", 100.0 * part)));
+    let yields = device.yielded_at.map_or(String::new(), |t| said!("run-device-yields", "t" => format!("{t:.4}")));
+    let breaks = device.broke_at.map_or(String::new(), |t| said!("run-device-breaks", "t" => format!("{t:.4}")));
+    let value = said!(
+        "run-device-of",
+        "force" => force(device.force),
+        "t" => format!("{:.4}", device.t),
+        "part" => part,
+        "least" => least,
+        "greatest" => greatest,
+        "times" => device.times,
+        "first" => format!("{first:.4}"),
+        "yields" => yields,
+        "breaks" => breaks
     );
-    line(&label, value)
+    line(label, value)
 }
 
 /// Bodies that are inside each other where no contact carries it, a line for every two.
 fn overlaps(all: &[OverlapReport]) -> Vec<Line> {
     let of = |o: &OverlapReport| {
         let [one, other] = &o.bodies;
-        let value = format!(
-            "{} and {}, without contact: from {:.4} s, {} mm deep at {:.4} s",
-            escaped(one),
-            escaped(other),
-            o.t,
-            millimetres(o.depth),
-            o.deepest_at
+        let value = said!(
+            "run-overlap-of",
+            "one" => escaped(one),
+            "other" => escaped(other),
+            "t" => format!("{:.4}", o.t),
+            "depth" => millimetres(o.depth),
+            "td" => format!("{:.4}", o.deepest_at)
         );
-        line("overlap", value)
+        line(Text::new("run-overlap"), value)
     };
     let more = all.len().saturating_sub(MOST_LISTED);
-    let more = (more > 0).then(|| line("overlap", format!("{more} more")));
+    let more = (more > 0).then(|| line(Text::new("run-overlap"), said!("run-overlap-more", "more" => more)));
     all.iter().take(MOST_LISTED).map(of).chain(more).collect()
 }
 
 /// Contacts that left the sense of their law.
 fn law_sense(report: &Report) -> Vec<Line> {
     let deep = report.too_deep.iter().map(|deep| {
-        let value = format!(
-            "{} in {}: {} mm at {:.4} s, more than a tenth of the shortest side ({} mm)",
-            escaped(&deep.node),
-            escaped(&deep.face),
-            millimetres(deep.depth),
-            deep.t,
-            millimetres(deep.allowed)
+        let value = said!(
+            "run-too-deep-of",
+            "node" => escaped(&deep.node),
+            "face" => escaped(&deep.face),
+            "depth" => millimetres(deep.depth),
+            "t" => format!("{:.4}", deep.t),
+            "allowed" => millimetres(deep.allowed)
         );
-        line("too deep", value)
+        line(Text::new("run-too-deep"), value)
     });
     let dropped = report.dropped.iter().map(|dropped| {
-        let value = format!(
-            "{} times with {:.2e} J in the springs, {:.1e} of the largest energy; {} from {} at {:.4} s the most",
-            dropped.count,
-            dropped.energy,
-            dropped.share,
-            escaped(&dropped.node),
-            escaped(&dropped.face),
-            dropped.t
+        let value = said!(
+            "run-left-face-of",
+            "count" => dropped.count,
+            "energy" => format!("{:.2e}", dropped.energy),
+            "share" => format!("{:.1e}", dropped.share),
+            "node" => escaped(&dropped.node),
+            "face" => escaped(&dropped.face),
+            "t" => format!("{:.4}", dropped.t)
         );
-        line("left a face", value)
+        line(Text::new("run-left-face"), value)
     });
     deep.take(MOST_LISTED).chain(dropped).collect()
 }
@@ -148,51 +192,55 @@ fn outside_words(outside: &[OutsideReport]) -> Option<String> {
     };
     let listed: Vec<String> = outside.iter().take(MOST_LISTED).map(of).collect();
     let more = outside.len() - listed.len();
-    let more = if more > 0 { format!(" and {more} more") } else { String::new() };
+    let more = if more > 0 { format!(" {}", said!("run-outside-more", "more" => more)) } else { String::new() };
     (!outside.is_empty()).then(|| format!("{}{more}", listed.join(", ")))
 }
 
 fn answer(report: &Report) -> Vec<Line> {
     let n = &report.numbers;
     let peak = match n.peak_time {
-        Some(_) if n.peak_impulse.is_some() && n.peak_force == 0.0 => "none that lasts".to_owned(),
-        Some(_) if n.peak_impulse.is_some() => format!("{} of a single corner, lasting", force(n.peak_force)),
-        Some(t) => format!("{} of a single corner at {t:.6} s", force(n.peak_force)),
-        None => "no contact".to_owned(),
+        Some(_) if n.peak_impulse.is_some() && n.peak_force == 0.0 => Text::new("run-none-lasting").into(),
+        Some(_) if n.peak_impulse.is_some() => said!("run-force-lasting", "force" => force(n.peak_force)),
+        Some(t) => said!("run-force-at", "force" => force(n.peak_force), "t" => format!("{t:.6}")),
+        None => Text::new("run-no-contact").into(),
     };
     let mut lines = vec![
-        line("largest displacement", format!("{:.4} mm", n.max_displacement * 1e3)),
-        line("largest rotation", format!("{:.4}°", n.max_rotation.to_degrees())),
-        line("largest contact force", peak),
+        line(Text::new("run-displacement"), format!("{:.4} mm", n.max_displacement * 1e3)),
+        line(Text::new("run-rotation"), format!("{:.4}°", n.max_rotation.to_degrees())),
+        line(Text::new("run-force"), peak),
     ];
     if let (Some(impulse), Some(t)) = (n.peak_impulse, n.peak_time) {
-        lines.push(line("largest impulse", format!("{} N·s at {t:.6} s", short(impulse))));
+        lines.push(line(
+            Text::new("run-impulse"),
+            said!("run-impulse-at", "impulse" => short(impulse), "t" => format!("{t:.6}")),
+        ));
     }
     lines.extend([
-        line("hits", format!("{} ({} touches of single contacts)", n.hits, n.touches)),
+        line(Text::new("run-hits"), said!("run-hits-of", "hits" => n.hits, "touches" => n.touches)),
         line(
-            "time in stick, slip",
-            format!("{} s, {} s, summed over contacts", short(n.stick_time), short(n.slip_time)),
+            Text::new("run-stick-slip"),
+            said!("run-stick-slip-of", "stick" => short(n.stick_time), "slip" => short(n.slip_time)),
         ),
     ]);
     lines.extend(report.pairs.iter().map(|pair| {
-        let value = format!("law {}, {} touches, peak {}", pair.law, pair.touches, force(pair.peak_force));
-        line(&format!("pair {}", pair.name), value)
+        let law = word_told(FrictionLaw::WORDS, pair.law);
+        let value = said!("run-pair-of", "law" => law, "touches" => pair.touches, "peak" => force(pair.peak_force));
+        line(said!("run-pair", "name" => pair.name.as_str()), value)
     }));
     lines.extend(report.backfill.iter().map(|soil| {
-        let value = format!(
-            "pushed {} mm at {:.4} s with {}, {:.0} % of its ultimate force; a gap of {} mm stays",
-            millimetres(soil.push),
-            soil.t,
-            force(soil.force),
-            100.0 * soil.force / soil.ultimate,
-            millimetres(soil.remaining_gap)
+        let value = said!(
+            "run-soil-of",
+            "push" => millimetres(soil.push),
+            "t" => format!("{:.4}", soil.t),
+            "force" => force(soil.force),
+            "share" => format!("{:.0}", 100.0 * soil.force / soil.ultimate),
+            "gap" => millimetres(soil.remaining_gap)
         );
-        line(&format!("soil {}", escaped(&soil.abutment)), value)
+        line(said!("run-soil", "name" => escaped(&soil.abutment)), value)
     }));
     lines.extend(report.piers.iter().map(pier));
     lines.extend(report.devices.iter().map(device));
-    let verdict = |v: &VerdictReport| line(&escaped(&v.girder), v.words.clone());
+    let verdict = |v: &VerdictReport| line(escaped(&v.girder), v.told.clone());
     lines.extend(report.verdicts.iter().map(verdict));
     lines.extend(flexible::lines(&report.flexible, report.degree_check.as_ref()));
     lines.extend(report.seats.iter().flat_map(seats::lines));
@@ -202,25 +250,33 @@ fn answer(report: &Report) -> Vec<Line> {
 fn accuracy(report: &Report) -> Vec<Line> {
     let ledger = &report.ledger;
     let share = if ledger.scale > 0.0 { ledger.residual.abs() / ledger.scale } else { 0.0 };
-    let unbalanced = if report.balances { "" } else { ": beyond its bound" };
+    let unbalanced = if report.balances { String::new() } else { Text::new("run-unbalanced").into() };
     let error = match report.estimated_error {
-        Some(error) => format!("{error:.2e} m (against a hundredth of the tolerance {:e})", report.tolerance),
-        None => "not asked for".to_owned(),
+        Some(error) => {
+            said!("run-error-of", "error" => format!("{error:.2e}"), "tolerance" => format!("{:e}", report.tolerance))
+        }
+        None => Text::new("run-error-not").into(),
     };
     vec![
-        line("estimated error", error),
+        line(Text::new("run-error"), error),
         line(
-            "ledger residual",
-            format!("{:.2e} J, {share:.1e} of the largest energy{unbalanced}", ledger.residual + 0.0),
+            Text::new("run-ledger"),
+            said!(
+                "run-ledger-of",
+                "residual" => format!("{:.2e}", ledger.residual + 0.0),
+                "share" => format!("{share:.1e}"),
+                "unbalanced" => unbalanced
+            ),
         ),
     ]
 }
 
 fn effort(report: &Report) -> Vec<Line> {
     let timed = report.run_time.zip(report.times_real_time);
-    let time =
-        timed.map(|(time, factor)| line("run time", format!("{} s, {} × real time", short(time), times(factor))));
-    time.into_iter().chain([line("digest", report.digest.clone())]).collect()
+    let time = timed.map(|(time, factor)| {
+        line(Text::new("run-time-taken"), said!("run-time-of", "time" => short(time), "times" => times(factor)))
+    });
+    time.into_iter().chain([line(Text::new("run-digest"), report.digest.clone())]).collect()
 }
 
 /// A force, in kN where newtons would be many.

@@ -23,11 +23,16 @@ macro_rules! files {
     };
 }
 
+/// A page in a browser has no command line.
+const PAGE: bool = cfg!(target_arch = "wasm32");
+
 /// The tables of a language, each with the name of its file.
 pub(super) const fn tables(language: Language) -> &'static [(&'static str, &'static str)] {
     match language {
-        Language::English => files!["en.ftl", "en.complaints.ftl"],
-        Language::Japanese => files!["ja.ftl", "ja.keys.ftl", "ja.complaints.ftl"],
+        Language::English if PAGE => files!["en.ftl", "en.complaints.ftl"],
+        Language::English => files!["en.ftl", "en.complaints.ftl", "en.command.ftl"],
+        Language::Japanese if PAGE => files!["ja.ftl", "ja.keys.ftl", "ja.complaints.ftl"],
+        Language::Japanese => files!["ja.ftl", "ja.keys.ftl", "ja.complaints.ftl", "ja.command.ftl", "ja.help.ftl"],
     }
 }
 

@@ -58,6 +58,13 @@ impl fmt::Display for Text {
     }
 }
 
+/// In files texts are English.
+impl serde::Serialize for Text {
+    fn serialize<S: serde::Serializer>(&self, serializer: S) -> Result<S::Ok, S::Error> {
+        serializer.serialize_str(Language::English.within(|| self.as_str()))
+    }
+}
+
 impl From<Text> for String {
     fn from(text: Text) -> Self {
         text.as_str().to_owned()

@@ -8,6 +8,7 @@ mod headless;
 mod identify;
 mod interrupted;
 mod killed;
+mod languages;
 #[cfg(feature = "render")]
 mod measure;
 mod motion;

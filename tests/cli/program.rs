@@ -13,10 +13,11 @@ pub(crate) struct Said {
     pub(crate) err: String,
 }
 
-/// The program, ready for arguments; no display, so that nothing opens a window by mistake.
+/// The program, ready for arguments, in English; no display, so that nothing opens a window by mistake.
 pub(crate) fn program() -> Command {
     let mut command = Command::new(env!("CARGO_BIN_EXE_girderbench"));
     command.env_remove("DISPLAY").env_remove("WAYLAND_DISPLAY").env_remove("WAYLAND_SOCKET");
+    command.env("LC_ALL", "C");
     command
 }
 

@@ -1,6 +1,7 @@
 //! Tables of texts: every language has the same keys, the code uses each, and a text takes no value that English lacks.
 //!
-//! What keys of the scene file mean (`*.keys.ftl`) stands in English with the keys: `scene::keys` has the test of that.
+//! What keys of the scene file mean (`*.keys.ftl`) and flags of the command line do (`*.help.ftl`) stands in English with them:
+//! `scene::keys` and `cli::help` have the tests of that.
 
 use std::collections::{BTreeMap, BTreeSet};
 use std::fs;
@@ -8,8 +9,8 @@ use std::path::Path;
 
 use girderbench::language::{Language, Text};
 
-/// The tables that every language has: of the window, of complaints.
-const TABLES: [&str; 2] = ["", ".complaints"];
+/// The tables that every language has: of the window, of complaints, of the command line.
+const TABLES: [&str; 3] = ["", ".complaints", ".command"];
 
 /// The lines of each key of a language's tables.
 fn table(language: Language) -> BTreeMap<String, String> {

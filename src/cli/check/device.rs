@@ -1,7 +1,8 @@
 //! What `check` says of a device: its points, its law, the deformations at which it yields and breaks.
 
 use super::super::digits::{list, six};
-use super::super::summary::name;
+use super::super::summary::{device_kind, name};
+use crate::language::{Text, said};
 use crate::scene::device::{Ends, Joint};
 use crate::scene::{Bumper, Damper, Device, DeviceId, Restrainer, Scene, Stopper};
 
@@ -19,13 +20,17 @@ pub(super) fn texts(scene: &Scene) -> impl Iterator<Item = String> + '_ {
 
 fn points(id: DeviceId, ends: &Ends<'_>, joint: &Joint) -> String {
     let [first, second] = joint.points.map(|point| list(&point.to_array()));
-    let to = ends.to.map_or_else(|| "the ground".to_owned(), name);
+    let to = ends.to.map_or_else(|| Text::new("check-ground").into(), name);
     let length = six(joint.length());
-    format!(
-        "{} {}: {} at {first} m to {to} at {second} m, {length} m apart",
-        id.kind.label(),
-        name(ends.name),
-        name(ends.girder)
+    said!(
+        "check-device",
+        "kind" => device_kind(id.kind.label()),
+        "name" => name(ends.name),
+        "girder" => name(ends.girder),
+        "first" => first,
+        "to" => to,
+        "second" => second,
+        "length" => length
     )
 }
 
@@ -40,10 +45,10 @@ fn law(device: &Device, joint: &Joint) -> String {
 
 fn restrainer(cable: &Restrainer, joint: &Joint) -> String {
     let stiffness = cable.stiffness(joint).unwrap_or(f64::NAN);
-    let taut = format!("taut at {} mm, K = {} N/m", six(cable.slack * 1e3), six(stiffness));
+    let taut = said!("check-cable", "slack" => six(cable.slack * 1e3), "stiffness" => six(stiffness));
     let yields = cable.yield_force.map(|force| {
         let [at, after] = [force / stiffness * 1e3, cable.post_yield_stiffness.unwrap_or(0.0)].map(six);
-        format!(", yields at {} N ({at} mm beyond), then K₂ = {after} N/m", six(force))
+        said!("check-cable-yields", "force" => six(force), "at" => at, "after" => after)
     });
     let breaks = cable.break_elongation.map(|elongation| {
         let elastic = stiffness * elongation;
@@ -51,7 +56,7 @@ fn restrainer(cable: &Restrainer, joint: &Joint) -> String {
         let force = cable
             .yield_force
             .map_or(elastic, |yields| elastic.min(yields + after * (elongation - yields / stiffness).max(0.0)));
-        format!(", breaks at {} mm beyond ({} N)", six(elongation * 1e3), six(force))
+        said!("check-cable-breaks", "elongation" => six(elongation * 1e3), "force" => six(force))
     });
     [Some(taut), yields, breaks].into_iter().flatten().collect()
 }
@@ -63,13 +68,15 @@ fn bumper(rubber: &Bumper, joint: &Joint) -> String {
     let lines = match (rubber.stiffness, points.as_slice()) {
         (Some(stiffness), _) => format!("K = {} N/m", six(stiffness)),
         (None, points) => {
-            let each: Vec<String> =
-                points.iter().map(|[d, f]| format!("{} N at {} mm", six(*f), six(d * 1e3))).collect();
+            let each: Vec<String> = points
+                .iter()
+                .map(|[d, f]| said!("check-bumper-point", "force" => six(*f), "depth" => six(d * 1e3)))
+                .collect();
             each.join(", ")
         }
     };
     let [gap, damping] = [gap * 1e3, rubber.damping].map(six);
-    format!("pushes towards {}, from {gap} mm on; {lines}, c = {damping} N·s/m", list(&normal.to_array()))
+    said!("check-bumper", "normal" => list(&normal.to_array()), "gap" => gap, "lines" => lines, "damping" => damping)
 }
 
 fn viscous(damper: &Damper) -> String {
@@ -77,11 +84,11 @@ fn viscous(damper: &Damper) -> String {
     let [slow, fast] = RATES.map(|v| six(coefficient * v.powf(exponent)));
     let [c, alpha] = [coefficient, exponent].map(six);
     let form = match damper.brace_stiffness {
-        Some(brace) => format!("brace K_b = {} N/m in series", six(brace)),
-        None if exponent < 1.0 => format!("regularised at {} m/s", six(regularisation)),
-        None => "linear".to_owned(),
+        Some(brace) => said!("check-brace", "brace" => six(brace)),
+        None if exponent < 1.0 => said!("check-regularised", "speed" => six(regularisation)),
+        None => Text::new("check-linear").into(),
     };
-    format!("F = {c} |v|^{alpha} N: {slow} N at 0.1 m/s, {fast} N at 1 m/s; {form}")
+    said!("check-damper", "c" => c, "alpha" => alpha, "slow" => slow, "fast" => fast, "form" => form)
 }
 
 fn stopper(key: &Stopper, joint: &Joint) -> String {
@@ -89,15 +96,22 @@ fn stopper(key: &Stopper, joint: &Joint) -> String {
     let sides: Vec<String> = key.stops().iter().map(|(sign, gap)| six(sign * gap * 1e3)).collect();
     let mm = |force: f64| six(force / key.stiffness * 1e3);
     let fails = match (key.break_force, key.yield_force, key.break_displacement) {
-        (Some(force), ..) => format!(", breaks at {} N ({} mm)", six(force), mm(force)),
-        (None, Some(force), None) => format!(", yields at {} N ({} mm)", six(force), mm(force)),
+        (Some(force), ..) => said!("check-stop-breaks", "force" => six(force), "at" => mm(force)),
+        (None, Some(force), None) => said!("check-stop-yields", "force" => six(force), "at" => mm(force)),
         (None, Some(force), Some(after)) => {
-            format!(", yields at {} N ({} mm), breaks {} mm on", six(force), mm(force), six(after * 1e3))
+            said!("check-stop-yields-breaks", "force" => six(force), "at" => mm(force), "after" => six(after * 1e3))
         }
         (None, None, _) => String::new(),
     };
     let along = list(&direction.to_array());
-    format!("stops at {} mm along {along}, K = {} N/m{fails}", sides.join(" and "), six(key.stiffness))
+    let both = |one, other| said!("found-both", "one" => one, "other" => other);
+    said!(
+        "check-stopper",
+        "sides" => sides.into_iter().reduce(both).unwrap_or_default(),
+        "along" => along,
+        "stiffness" => six(key.stiffness),
+        "fails" => fails
+    )
 }
 
 #[cfg(test)]

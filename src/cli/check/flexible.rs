@@ -5,6 +5,7 @@ use std::f64::consts::TAU;
 use crate::cli::digits::six;
 use crate::dynamics::model::flexible::Flexible;
 use crate::dynamics::{Body, Model};
+use crate::language::{Text, said};
 
 /// How many frequencies are listed.
 const LISTED: usize = 4;
@@ -18,28 +19,41 @@ pub(super) fn texts(model: &Model) -> Vec<String> {
 fn text(body: &Body, flexible: &Flexible) -> String {
     let section = &flexible.section;
     let degree = match &flexible.girder {
-        None => format!("rigid: elastic part below {:e}", flexible.tolerance),
+        None => said!("check-flexible-rigid", "tol" => format!("{:e}", flexible.tolerance)),
         Some(made) => {
             let first: Vec<String> = made.modes.frequencies().take(LISTED).map(|omega| six(omega / TAU)).collect();
-            format!("degree {}, {} modes from {} Hz", made.modes.degree, made.count(), first.join(", "))
+            said!(
+                "check-flexible-degree",
+                "degree" => made.modes.degree,
+                "count" => made.count(),
+                "frequencies" => first.join(", ")
+            )
         }
     };
     let twice = if flexible.softness.kappa < 2.0 && flexible.softness.kappa > 0.5 {
-        "\n  K is about E A / a₀: where it stands for the girder's own flexibility (64), that counts twice"
+        format!("\n  {}", Text::new("check-flexible-twice"))
     } else {
-        ""
+        String::new()
     };
     format!(
-        "elastic {}: A = {} m², I_z = {} m⁴, E A = {} N, E I_z = {} N·m², k_s G A = {} N\n  c = {} m/s, a₀/c = {} ms, κ = {}, κ_e = {}: {degree}{twice}\n",
-        body.name,
-        six(section.area),
-        six(section.second_moment),
-        six(section.axial),
-        six(section.bending),
-        six(section.shear),
-        six(flexible.beam.wave_speed()),
-        six(flexible.beam.transit_time() * 1e3),
-        six(flexible.softness.kappa),
-        six(flexible.softness.end),
+        "{}\n  {}\n",
+        said!(
+            "check-flexible",
+            "name" => body.name.as_str(),
+            "area" => six(section.area),
+            "second" => six(section.second_moment),
+            "axial" => six(section.axial),
+            "bending" => six(section.bending),
+            "shear" => six(section.shear)
+        ),
+        said!(
+            "check-flexible-b",
+            "speed" => six(flexible.beam.wave_speed()),
+            "transit" => six(flexible.beam.transit_time() * 1e3),
+            "kappa" => six(flexible.softness.kappa),
+            "kappae" => six(flexible.softness.end),
+            "degree" => degree,
+            "twice" => twice
+        )
     )
 }

@@ -6,6 +6,7 @@ use super::supports;
 use crate::cli::digits::{list, six};
 use crate::dynamics::Body;
 use crate::dynamics::model::bearing::{Bearing, BearingQuantities};
+use crate::language::{Text, said};
 use crate::scene::shown::escaped;
 use crate::scene::{Direction, Girder, Initial, Kind, Push, ResolvedBearing, Scene, Seat, Setting};
 
@@ -14,7 +15,10 @@ pub(super) fn text(scene: &Scene, girder: &Girder, body: &Body) -> String {
     let (kind, setting) = (scene.kind, scene.setting());
     let own = bearings_of(girder, body, setting);
     let shape = shape(girder, body);
-    let place = format!("  at {} m, heading {}°\n", list(&girder.position), six(girder.heading_deg));
+    let place = format!(
+        "  {}\n",
+        said!("check-girder-place", "place" => list(&girder.position), "heading" => six(girder.heading_deg))
+    );
     let rotation = rotation(girder);
     [shape, place, start(&girder.initial), push(&girder.push), held(&girder.held), seats(girder.seat)]
         .into_iter()
@@ -40,9 +44,18 @@ fn shape(girder: &Girder, body: &Body) -> String {
     ]
     .map(six);
     format!(
-        "girder {}: {length} × {width} × {thickness} m, {mass} kg, β = {skew}° (skew_US {complement}°), \
-         i = {gyration} m\n",
-        girder.name
+        "{}\n",
+        said!(
+            "check-girder",
+            "name" => girder.name.as_str(),
+            "length" => length,
+            "width" => width,
+            "thickness" => thickness,
+            "mass" => mass,
+            "skew" => skew,
+            "complement" => complement,
+            "gyration" => gyration
+        )
     )
 }
 
@@ -56,14 +69,18 @@ fn start(initial: &Initial) -> String {
         String::new()
     } else {
         let [pitch, roll, pitch_rate, roll_rate] = [pitch, roll, pitch_rate, roll_rate].map(six);
-        format!(", pitched by {pitch}° at {pitch_rate}°/s, rolled by {roll}° at {roll_rate}°/s")
+        said!("check-tilted", "pitch" => pitch, "pitchrate" => pitch_rate, "roll" => roll, "rollrate" => roll_rate)
     };
     format!(
-        "  starts displaced by {} m, turned by {}°, at {} m/s, {}°/s{tilted}\n",
-        list(&initial.displacement),
-        six(initial.rotation_deg),
-        list(&initial.velocity),
-        six(initial.spin_deg_s)
+        "  {}\n",
+        said!(
+            "check-starts",
+            "place" => list(&initial.displacement),
+            "turn" => six(initial.rotation_deg),
+            "velocity" => list(&initial.velocity),
+            "spin" => six(initial.spin_deg_s),
+            "tilted" => tilted
+        )
     )
 }
 
@@ -75,7 +92,7 @@ fn push(push: &Push) -> String {
         [0.0, 0.0, z] => six(z),
         all => list(&all),
     };
-    format!("  pushed by {} N and {moments} N·m\n", list(&push.force))
+    format!("  {}\n", said!("check-pushed", "force" => list(&push.force), "moments" => moments))
 }
 
 fn held(directions: &[Direction]) -> String {
@@ -90,32 +107,42 @@ fn held(directions: &[Direction]) -> String {
         Direction::Pitch => "pitch",
         Direction::Yaw => "yaw",
     };
-    format!("  held in {}\n", directions.iter().map(name).collect::<Vec<_>>().join(", "))
+    format!("  {}\n", said!("check-held", "ways" => directions.iter().map(name).collect::<Vec<_>>().join(", ")))
 }
 
 fn seats(seat: Seat) -> String {
     let ends = [("+x", seat.plus), ("-x", seat.minus)];
-    let of_end = |(end, length): (&str, Option<f64>)| Some(format!("{} m under {end}", six(length?)));
+    let of_end = |(end, length): (&str, Option<f64>)| Some(said!("check-seat", "length" => six(length?), "end" => end));
     let given: Vec<_> = ends.into_iter().filter_map(of_end).collect();
-    let wider = seat.side.map_or(String::new(), |side| format!(", {} m wider than the deck at either side", six(side)));
-    if given.is_empty() { String::new() } else { format!("  seats: {}{wider}\n", given.join(", ")) }
+    let wider = seat.side.map_or(String::new(), |side| said!("check-seat-wider", "side" => six(side)));
+    if given.is_empty() {
+        String::new()
+    } else {
+        format!("  {}\n", said!("check-seats", "given" => given.join(", "), "wider" => wider))
+    }
 }
 
 /// (3), (4): what the bearings make of the girder, in its own axes.
 fn bearings(q: &BearingQuantities, count: usize) -> String {
     if count == 0 {
-        return "  no bearings\n".to_owned();
+        return format!("  {}\n", Text::new("check-no-bearings"));
     }
     let three = |[x, y, theta]: [f64; 3]| format!("{x:.5}, {y:.5}, {theta:.5}");
     let two = |[x, y]: [f64; 2]| format!("{}, {} mm", micrometres(x), micrometres(y));
     format!(
-        "  {count} bearings: ω_x, ω_y, ω_θ = {} rad/s ({} Hz); h_x, h_y, h_θ = {}\n  \
-         eccentricities of stiffness ε_x, ε_y = {}, of dashpots η_x, η_y = {}\n",
-        three(q.omega),
-        three(q.omega.map(|omega| omega / TAU)),
-        three(q.damping_ratio),
-        two(q.stiffness_eccentricity),
-        two(q.damping_eccentricity)
+        "  {}\n  {}\n",
+        said!(
+            "check-bearings",
+            "count" => count,
+            "omega" => three(q.omega),
+            "hertz" => three(q.omega.map(|omega| omega / TAU)),
+            "damping" => three(q.damping_ratio)
+        ),
+        said!(
+            "check-bearings-b",
+            "stiffness" => two(q.stiffness_eccentricity),
+            "dashpots" => two(q.damping_eccentricity)
+        )
     )
 }
 
@@ -151,7 +178,15 @@ fn vertical(body: &Body, bearings: &[Bearing], kind: Kind) -> String {
     let (stiffness, damping) = (sum(|b| b.stiffness.z), sum(|b| b.damping.z));
     let omega = (stiffness / body.mass).sqrt();
     let ratio = if omega > 0.0 { damping / (2.0 * body.mass * omega) } else { 0.0 };
-    format!("  vertical: ω_z = {omega:.5} rad/s ({:.5} Hz), h_z = {ratio:.5}\n", omega / TAU)
+    format!(
+        "  {}\n",
+        said!(
+            "check-vertical",
+            "omega" => format!("{omega:.5}"),
+            "hertz" => format!("{:.5}", omega / TAU),
+            "ratio" => format!("{ratio:.5}")
+        )
+    )
 }
 
 /// A length in mm to the micrometre; adding 0 turns −0 into 0.
@@ -162,6 +197,6 @@ fn micrometres(length: f64) -> f64 {
 /// Condition (6), written for β < 90°; the mirrored girder turns as easily, a straight one never.
 fn rotation(girder: &Girder) -> String {
     let number = girder.prism().rotation_number().abs();
-    let can = if number >= 1.0 { "it can rotate" } else { "it cannot rotate by itself" };
-    format!("  condition (6): a0 sin 2β / (2 b0) = {number:.3}: {can}\n")
+    let can = if number >= 1.0 { Text::new("check-can-rotate") } else { Text::new("check-cannot-rotate") };
+    format!("  {}\n", said!("check-condition", "number" => format!("{number:.3}"), "can" => can))
 }

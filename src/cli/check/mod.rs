@@ -14,9 +14,12 @@ use super::domain;
 use super::failure::Failure;
 use super::summary::name;
 use crate::dynamics::{Model, Pair};
+use crate::language::{Text, said};
+use crate::scene::keys::word_told;
 use crate::scene::shown::escaped;
 use crate::scene::{
-    Between, Heading, Kind, ModelKind, Motion, NormalName, RecordMotion, STANDARD_GRAVITY, Scene, seating,
+    Between, Calibration, FrictionLaw, Heading, Kind, ModelKind, Motion, NormalName, RecordMotion, STANDARD_GRAVITY,
+    Scene, Sharing, SolverMethod, SweepRate, Tension, ViewPreset, seating,
 };
 use crate::sim;
 
@@ -58,12 +61,7 @@ fn off_their_seats(scene: &Scene, console: &mut Console) {
             .map(|n| (n + 1).to_string())
             .collect();
         if !off.is_empty() {
-            console.note(&format!(
-                "warning: {}: bearings {} stand beyond the front edge of their seats as placed: make seat_m longer, or place them nearer \
-                 to the ends",
-                escaped(&girder.name),
-                off.join(", ")
-            ));
+            console.note(&said!("warning-off-seats", "girder" => escaped(&girder.name), "bearings" => off.join(", ")));
         }
     }
 }
@@ -73,16 +71,16 @@ fn unjoined(scene: &Scene, model: &Model, console: &mut Console) {
     let found = sim::unjoined(scene, model);
     for unjoined in found.iter().take(MOST_UNJOINED) {
         let [one, other] = unjoined.bodies.map(|body| escaped(body.name(scene)));
-        console.note(&format!(
-            "warning: {one} and {other}: {} mm apart as placed, and they move by up to {} mm without contact: no contact is \
-             defined between the two, so that they can pass through each other; give `between = \"all\"` in [contact] (contact \
-             model), place them farther apart or hold them stiffer, or see `overlap` in the summary of `girderbench run`",
-            six(unjoined.apart * 1e3),
-            six(unjoined.reach * 1e3)
+        console.note(&said!(
+            "warning-unjoined",
+            "one" => one,
+            "other" => other,
+            "apart" => six(unjoined.apart * 1e3),
+            "reach" => six(unjoined.reach * 1e3)
         ));
     }
     if let Some(more) = found.len().checked_sub(MOST_UNJOINED).filter(|more| *more > 0) {
-        console.note(&format!("warning: {more} more such pairs"));
+        console.note(&said!("warning-more-unjoined", "more" => more));
     }
 }
 
@@ -90,10 +88,10 @@ fn text(scene: &Scene, model: &Model) -> String {
     let girders = scene.girders.iter().zip(&model.bodies).map(|(g, body)| girder::text(scene, g, body));
     let pairs = model.pairs.iter().enumerate().map(|(number, pair)| pair_text(pair, &nodes(model, number)));
     let elsewhere = match scene.contact.between {
-        Between::All => "bodies touch where they meet",
-        Between::Ends => "nothing can touch",
+        Between::All => Text::new("check-touch-anywhere"),
+        Between::Ends => Text::new("check-touch-nowhere"),
     };
-    let none = model.pairs.is_empty().then(|| format!("no facing ends: {elsewhere}\n"));
+    let none = model.pairs.is_empty().then(|| format!("{}\n", said!("check-no-pairs", "elsewhere" => elsewhere)));
     let soil = scene.abutments.iter().filter_map(|abutment| backfill::text(scene, abutment));
     std::iter::once(head(scene))
         .chain(girders)
@@ -109,32 +107,33 @@ fn text(scene: &Scene, model: &Model) -> String {
 
 /// Values that were not given.
 fn assumed(scene: &Scene) -> impl Iterator<Item = String> {
-    scene
-        .assumed_numbers()
-        .into_iter()
-        .map(|(path, value)| format!("assumed: {} = {}\n", escaped(&path), escaped(&value)))
+    scene.assumed_numbers().into_iter().map(|(path, value)| {
+        format!("{}\n", said!("check-assumed", "path" => escaped(&path), "value" => escaped(&value)))
+    })
 }
 
 /// What holds for the scene as a whole.
 fn head(scene: &Scene) -> String {
     let kind = match scene.kind {
-        Kind::Planar => "planar".to_owned(),
-        Kind::Spatial => format!("spatial, gravity {} m/s²", six(scene.gravity)),
+        Kind::Planar => Text::new("check-planar").into(),
+        Kind::Spatial => said!("check-spatial", "gravity" => six(scene.gravity)),
     };
     format!(
-        "{}: {kind}, {} s\nground: {}\nsolver: {}, tolerance {}\nview: {}\n",
-        name(&scene.name),
-        six(scene.duration),
-        motion_words(&scene.motion),
-        scene.solver.method.label(),
-        six(scene.solver.tolerance),
-        scene.view.camera.label()
+        "{}\n{}\n{}\n{}\n",
+        said!("check-head", "name" => name(&scene.name), "kind" => kind, "duration" => six(scene.duration)),
+        said!("check-head-b", "motion" => motion_words(&scene.motion)),
+        said!(
+            "check-head-c",
+            "method" => word_told(SolverMethod::WORDS, scene.solver.method.label()),
+            "tolerance" => six(scene.solver.tolerance)
+        ),
+        said!("check-head-d", "camera" => word_told(ViewPreset::WORDS, scene.view.camera.label()))
     )
 }
 
 fn motion_words(motion: &Motion) -> String {
     match motion {
-        Motion::None => "it stands still".to_owned(),
+        Motion::None => Text::new("check-still").into(),
         Motion::Sine(sine) => {
             let amplitude = sine.amplitude_si();
             let [si, g] = [amplitude, amplitude / STANDARD_GRAVITY].map(six);
@@ -143,18 +142,33 @@ fn motion_words(motion: &Motion) -> String {
                 0.0 => String::new(),
                 a => {
                     let phase = sine.vertical_phase_deg.unwrap_or(sine.phase_deg);
-                    format!(", vertical {} m/s² of phase {}°", six(a), six(phase))
+                    said!("check-sine-vertical", "level" => six(a), "phase" => six(phase))
                 }
             };
-            format!("sine {si} m/s² ({g} g) at {frequency} Hz, phase {phase}°, angle {angle}°{vertical}")
+            said!(
+                "check-sine",
+                "si" => si,
+                "g" => g,
+                "frequency" => frequency,
+                "phase" => phase,
+                "angle" => angle,
+                "vertical" => vertical
+            )
         }
         Motion::Record(record) => recorded(record),
         Motion::Sweep(sweep) => {
             let [amplitude, from, to, length, angle] =
                 [sweep.amplitude_g, sweep.from_hz, sweep.to_hz, sweep.length, sweep.angle_deg].map(six);
-            let (rate, interval) = (sweep.rate.label(), six(sweep.sweep().interval()));
-            format!(
-                "{rate} sweep {amplitude} g from {from} to {to} Hz in {length} s, angle {angle}°, samples {interval} s apart"
+            let (rate, interval) = (word_told(SweepRate::WORDS, sweep.rate.label()), six(sweep.sweep().interval()));
+            said!(
+                "check-sweep",
+                "rate" => rate,
+                "amplitude" => amplitude,
+                "from" => from,
+                "to" => to,
+                "length" => length,
+                "angle" => angle,
+                "interval" => interval
             )
         }
         Motion::Synthetic(quake) => {
@@ -163,11 +177,17 @@ fn motion_words(motion: &Motion) -> String {
             let [_, across, vertical] = quake.factors().map(six);
             let target = quake.deviation(0).map(|off| {
                 let pairs = quake.target.as_ref().map_or(0, Vec::len);
-                format!(", matched to a spectrum of {pairs} periods, {:.1} % off in the mean", 100.0 * off)
+                said!("check-matched", "pairs" => pairs, "off" => format!("{:.1}", 100.0 * off))
             });
-            format!(
-                "synthetic earthquake of seed {seed}: {peak} g, {length} s, angle {angle}°, across × {across}, vertical × {vertical}{}",
-                target.unwrap_or_default()
+            said!(
+                "check-synthetic",
+                "seed" => seed,
+                "peak" => peak,
+                "length" => length,
+                "angle" => angle,
+                "across" => across,
+                "vertical" => vertical,
+                "target" => target.unwrap_or_default()
             )
         }
     }
@@ -181,42 +201,53 @@ fn recorded(record: &RecordMotion) -> String {
     let direction = if record.components.is_empty() {
         let vertical = match record.vertical_scale {
             0.0 => String::new(),
-            scale => format!(", vertical scale {}", six(scale)),
+            scale => said!("check-vertical-scale", "scale" => six(scale)),
         };
-        format!("angle {}°{vertical}", six(record.angle_deg))
+        said!("check-angle", "angle" => six(record.angle_deg), "vertical" => vertical)
     } else {
         let each = |n: usize| match record.heading(n) {
-            Some(Heading::Up) => "up".to_owned(),
-            Some(Heading::InPlan(angle)) => format!("{}° from x", six(angle)),
-            None => "nowhere".to_owned(),
+            Some(Heading::Up) => Text::new("check-up").into(),
+            Some(Heading::InPlan(angle)) => said!("check-from-x", "angle" => six(angle)),
+            None => Text::new("check-nowhere").into(),
         };
         let all: Vec<String> = (0..record.components.len()).map(each).collect();
-        format!("{} components: {}", all.len(), all.join(", "))
+        said!("check-components", "count" => all.len(), "all" => all.join(", "))
     };
     let steps: Vec<String> = record.processing.in_words().into_iter().map(|step| format!(", {step}")).collect();
-    format!("record of {count} samples × {dt} s ({length} s), {peak} g, scale {scale}, {direction}{}", steps.concat())
+    said!(
+        "check-record",
+        "count" => count,
+        "dt" => dt,
+        "length" => length,
+        "peak" => peak,
+        "scale" => scale,
+        "direction" => direction,
+        "steps" => steps.concat()
+    )
 }
 
 fn pair_text(pair: &Pair, nodes: &str) -> String {
     let c = &pair.contact;
-    format!(
-        "pair {}: gap {} mm along the axis, law {}, sharing {}, tension {}\n{}  \
-         K = {} N/m, e_n = {}, e_t = {}, C_n = {} N·s/m, C_t = {} N·s/m (65), μ_s = {}, μ_k = {}\n  \
-         nodes: {nodes}\n",
-        pair.name,
-        six(pair.gap * 1e3),
-        c.law.label(),
-        c.sharing.label(),
-        c.tension.label(),
-        normal_law(pair),
+    let rules = said!(
+        "check-pair",
+        "pair" => pair.name.as_str(),
+        "gap" => six(pair.gap * 1e3),
+        "law" => word_told(FrictionLaw::WORDS, c.law.label()),
+        "sharing" => word_told(Sharing::WORDS, c.sharing.label()),
+        "tension" => word_told(Tension::WORDS, c.tension.label())
+    );
+    let dashpots = pair.law.dashpots();
+    let numbers = format!(
+        "K = {} N/m, e_n = {}, e_t = {}, C_n = {} N·s/m, C_t = {} N·s/m (65), μ_s = {}, μ_k = {}",
         short(c.stiffness),
         six(c.restitution_normal),
         six(c.restitution_tangential),
-        short(pair.law.dashpots().normal),
-        short(pair.law.dashpots().tangential),
+        short(dashpots.normal),
+        short(dashpots.tangential),
         six(c.mu_static),
         six(c.mu_kinetic)
-    )
+    );
+    format!("{rules}\n{}  {numbers}\n  {}\n", normal_law(pair), said!("check-nodes", "nodes" => nodes))
 }
 
 /// Normal law and the restitution that comes back, where that is not `e_n` by (65).
@@ -226,11 +257,14 @@ fn normal_law(pair: &Pair) -> String {
         return String::new();
     }
     format!(
-        "  normal law {}, calibration {}: a free head-on hit at {} m/s returns e = {}\n",
-        c.normal_law.label(),
-        c.calibration.label(),
-        six(c.design_speed),
-        six(returned)
+        "  {}\n",
+        said!(
+            "check-normal-law",
+            "law" => word_told(NormalName::WORDS, c.normal_law.label()),
+            "calibration" => word_told(Calibration::WORDS, c.calibration.label()),
+            "speed" => six(c.design_speed),
+            "e" => six(returned)
+        )
     )
 }
 
@@ -242,5 +276,9 @@ fn short(value: f64) -> String {
 /// `deck.corner1 on wall, …`
 fn nodes(model: &Model, pair: usize) -> String {
     let sites = &model.contacts[model.pairs[pair].contacts.clone()];
-    sites.iter().map(|site| format!("{} on {}", site.node, site.face_name)).collect::<Vec<_>>().join(", ")
+    sites
+        .iter()
+        .map(|site| said!("check-node", "node" => site.node.as_str(), "face" => site.face_name.to_string()))
+        .collect::<Vec<_>>()
+        .join(", ")
 }

@@ -4,6 +4,7 @@ use std::f64::consts::TAU;
 
 use crate::cli::digits::six;
 use crate::geometry::End;
+use crate::language::{Text, said};
 use crate::scene::shown::escaped;
 use crate::scene::{ResolvedPier, Scene};
 
@@ -14,20 +15,15 @@ pub(super) fn texts(scene: &Scene) -> impl Iterator<Item = String> + '_ {
         let [x, y] = [resolved.top.x, resolved.top.y].map(six);
         let two = |[along, across]: [f64; 2]| format!("{}, {}", six(along), six(across));
         let [f_along, f_across, _] = resolved.frequencies().map(|omega| omega / TAU);
-        format!(
-            "pier {}: at {x}, {y} m, {} kg, height {} m; {}\n  k along, across = {} N/m, c = {} N·s/m; alone f = {} Hz, T = {} \
-             s{}{}\n",
-            escaped(&pier.name),
-            six(resolved.mass),
-            six(resolved.height),
-            standing(scene, number),
-            two(resolved.stiffness),
-            two(resolved.damping),
-            two([f_along, f_across]),
-            two([1.0 / f_along, 1.0 / f_across]),
-            turning(&resolved),
-            yielding(&resolved)
-        )
+        format!("{}\n  {}\n", said!(
+            "check-pier",
+            "name" => escaped(&pier.name),
+            "x" => x,
+            "y" => y,
+            "mass" => six(resolved.mass),
+            "height" => six(resolved.height),
+            "standing" => standing(scene, number)
+        ), said!("check-pier-b", "stiffness" => two(resolved.stiffness), "damping" => two(resolved.damping), "frequency" => two([f_along, f_across]), "period" => two([1.0 / f_along, 1.0 / f_across]), "turning" => turning(&resolved), "yielding" => yielding(&resolved)))
     })
 }
 
@@ -39,23 +35,23 @@ fn standing(scene: &Scene, number: usize) -> String {
     };
     let ends: Vec<String> = scene.girders.iter().flat_map(of_girder).collect();
     if ends.is_empty() {
-        "no end of a girder stands on it alone".to_owned()
+        Text::new("check-pier-alone").into()
     } else {
-        format!("{} on it", ends.join(", "))
+        said!("check-pier-ends", "ends" => ends.join(", "))
     }
 }
 
 fn turning(pier: &ResolvedPier) -> String {
     let [.., omega] = pier.frequencies();
     pier.turn_stiffness.map_or_else(
-        || ", does not turn".to_owned(),
-        |k| format!(", turns with k_θ = {} N·m/rad, {} Hz", six(k), six(omega / TAU)),
+        || Text::new("check-pier-rigid").into(),
+        |k| said!("check-pier-turns", "stiffness" => six(k), "frequency" => six(omega / TAU)),
     )
 }
 
 fn yielding(pier: &ResolvedPier) -> String {
     pier.yielding.map_or_else(String::new, |base| {
         let [along, across] = base.force.map(six);
-        format!("\n  its base yields at {along}, {across} N, with {} of k after", six(base.ratio))
+        format!("\n  {}", said!("check-pier-yields", "along" => along, "across" => across, "ratio" => six(base.ratio)))
     })
 }

@@ -1,7 +1,9 @@
 //! What `check` says of bearings that yield, slide or can lose their support: the numbers in force, and which of them are assumed.
 
 use crate::cli::digits::six;
-use crate::scene::{Bearings, DeckBearings, Girder, Kind, ResolvedBearing, Setting, seating};
+use crate::language::{Text, said};
+use crate::scene::keys::word_told;
+use crate::scene::{BearingKind, Bearings, DeckBearings, Girder, Kind, ResolvedBearing, Setting, seating};
 
 /// Amplitudes at which the effective numbers of a deck's bearings are given, full scale \[m\].
 const AMPLITUDES: [f64; 2] = [0.1, 0.2];
@@ -25,11 +27,8 @@ fn yields(supports: &[ResolvedBearing]) -> String {
     let force: f64 = yielding.iter().map(|(y, _)| y.force).sum();
     let stiffness = |axis: usize| six(yielding.iter().map(|(_, k)| k[axis]).sum::<f64>());
     format!(
-        "  {} of them yield: Q = {} N, k_x, k_y before = {}, {} N/m; frequencies are those after yield\n",
-        yielding.len(),
-        six(force),
-        stiffness(0),
-        stiffness(1)
+        "  {}\n",
+        said!("check-yield", "count" => yielding.len(), "force" => six(force), "x" => stiffness(0), "y" => stiffness(1))
     )
 }
 
@@ -37,13 +36,20 @@ fn yields(supports: &[ResolvedBearing]) -> String {
 fn slides(supports: &[ResolvedBearing]) -> String {
     let sliding: Vec<_> = supports.iter().filter_map(|b| b.sliding).collect();
     let Some(first) = sliding.first() else { return String::new() };
-    let radius = if first.curvature > 0.0 { format!("R = {} m", six(first.curvature.recip())) } else { "flat".into() };
+    let radius = if first.curvature > 0.0 {
+        format!("R = {} m", six(first.curvature.recip()))
+    } else {
+        Text::new("check-flat").into()
+    };
     format!(
-        "  {} of them slide: μ = {}, {radius} (of the first), friction there at {} m; N follows their vertical force, \
-         frequencies are without N/R\n",
-        sliding.len(),
-        six(first.friction),
-        six(first.displacement)
+        "  {}\n",
+        said!(
+            "check-slide",
+            "count" => sliding.len(),
+            "friction" => six(first.friction),
+            "radius" => radius,
+            "displacement" => six(first.displacement)
+        )
     )
 }
 
@@ -57,21 +63,32 @@ fn deck(deck: &DeckBearings, girder: &Girder, setting: Setting) -> String {
             whole.equivalent_damping(amplitude),
         ]
         .map(six);
-        format!("at {amplitude} m k_eff = {stiffness} N/m, T_eff = {period} s, h_eq = {damping}")
+        said!(
+            "check-effective",
+            "amplitude" => amplitude,
+            "stiffness" => stiffness,
+            "period" => period,
+            "damping" => damping
+        )
     };
     let beyond = AMPLITUDES.into_iter().filter(|amplitude| *amplitude > whole.yielding.displacement);
     let effective: Vec<String> = beyond.map(at).collect();
     let assumed: Vec<String> =
         deck.assumed().into_iter().map(|(key, number)| format!("{key} = {}", six(number))).collect();
-    let assumed = if assumed.is_empty() { String::new() } else { format!("; assumed: {}", assumed.join(", ")) };
+    let assumed =
+        if assumed.is_empty() { String::new() } else { said!("check-assumed-of", "numbers" => assumed.join(", ")) };
     format!(
-        "  {} together: k₁, k₂ = {}, {} N/m, Q = {} N, u_y = {} m{assumed}\n  {}\n",
-        deck.kind.label(),
-        six(whole.first_stiffness()),
-        six(whole.stiffness),
-        six(whole.yielding.force),
-        six(whole.yielding.displacement),
-        effective.join("; ")
+        "  {}\n  {}\n",
+        said!(
+            "check-together",
+            "kind" => word_told(BearingKind::WORDS, deck.kind.label()),
+            "first" => six(whole.first_stiffness()),
+            "second" => six(whole.stiffness),
+            "force" => six(whole.yielding.force),
+            "yields" => six(whole.yielding.displacement),
+            "assumed" => assumed
+        ),
+        said!("check-together-b", "effective" => effective.join("; "))
     )
 }
 
@@ -83,15 +100,11 @@ fn rooms(girder: &Girder, supports: &[ResolvedBearing], setting: Setting) -> Str
     }
     let least = rooms.iter().flat_map(|room| [-room.from, room.to]).fold(f64::INFINITY, f64::min);
     let then = match setting.kind {
-        Kind::Spatial => format!("the run stops when a corner has dropped by {} m", six(girder.drop())),
+        Kind::Spatial => said!("check-then-drops", "drop" => six(girder.drop())),
         Kind::Planar => match girder.after_unseating.unwrap_or_default() {
-            crate::scene::AfterUnseating::Stop => "the run then stops".to_owned(),
-            crate::scene::AfterUnseating::Continue => "the run goes on without it, and says so".to_owned(),
+            crate::scene::AfterUnseating::Stop => Text::new("check-then-stops").into(),
+            crate::scene::AfterUnseating::Continue => Text::new("check-then-goes-on").into(),
         },
     };
-    format!(
-        "  {} of them lose their support, the first beyond {} m square to the ends: {then}\n",
-        rooms.len(),
-        six(least)
-    )
+    format!("  {}\n", said!("check-rooms", "count" => rooms.len(), "least" => six(least), "then" => then))
 }

@@ -1,0 +1,200 @@
+# What the command line prints, in English; every language has the same keys and values.
+
+## what run and check print
+run-head = { $name }: { $end } of { $duration } s
+run-model = model
+run-impact = impact (rigid bodies, impulses)
+run-outside = outside the domain
+run-support-lost = support lost
+run-too-deep = too deep
+run-left-face = left a face
+run-displacement = largest displacement
+run-rotation = largest rotation
+run-force = largest contact force
+run-impulse = largest impulse
+run-hits = hits
+run-stick-slip = time in stick, slip
+run-error = estimated error
+run-ledger = ledger residual
+run-time-taken = run time
+run-digest = digest
+run-overlap = overlap
+run-gave-up-at = at { $t } s, { $place }: { $reason }
+run-lost-at = { $bearing } at { $t } s, at ({ $x }, { $y }) m: later samples are without it
+run-pier-yields = ; it yields from { $t } s on
+run-pier-numbers = T { $along } s along, { $across } s across; drift { $drift } mm at { $td } s, base shear { $shear } at { $ts } s{ $yielded }
+run-pier = pier { $name }
+run-overlap-of = { $one } and { $other }, without contact: from { $t } s, { $depth } mm deep at { $td } s
+run-overlap-more = { $more } more
+run-too-deep-of = { $node } in { $face }: { $depth } mm at { $t } s, more than a tenth of the shortest side ({ $allowed } mm)
+run-left-face-of = { $count } times with { $energy } J in the springs, { $share } of the largest energy; { $node } from { $face } at { $t } s the most
+run-outside-more = and { $more } more
+run-none-lasting = none that lasts
+run-force-lasting = { $force } of a single corner, lasting
+run-force-at = { $force } of a single corner at { $t } s
+run-no-contact = no contact
+run-impulse-at = { $impulse } N·s at { $t } s
+run-hits-of = { $hits } ({ $touches } touches of single contacts)
+run-stick-slip-of = { $stick } s, { $slip } s, summed over contacts
+run-pair-of = law { $law }, { $touches } touches, peak { $peak }
+run-pair = pair { $name }
+run-soil-of = pushed { $push } mm at { $t } s with { $force }, { $share } % of its ultimate force; a gap of { $gap } mm stays
+run-soil = soil { $name }
+run-unbalanced = : beyond its bound
+run-error-of = { $error } m (against a hundredth of the tolerance { $tolerance })
+run-error-not = not asked for
+run-ledger-of = { $residual } J, { $share } of the largest energy{ $unbalanced }
+run-time-of = { $time } s, { $times } × real time
+run-seat = seat { $girder }{ $end }
+run-seat-lost = the whole end is off from { $t } s
+run-seat-along = {" "}({ $length } along the axis)
+run-seat-of = placed { $placed } mm{ $along }, least { $least }, used { $used }, at { $t } s
+run-corner = corner { $corner } ({ $angle })
+run-corner-off = { $which } comes off at { $t } s, { $at } m along the edge; { $share } % of the end stay seated at the least
+run-corner-side = { $which } leaves the seat over its side at { $t } s
+run-needed = needed
+run-there = there
+run-used = used
+run-seats-head = seats, square to the edge [mm]
+run-seats-legend = * quoted from memory, not confirmed in that edition; ° with assumed inputs, see `codes` of summary.json
+run-seats-turned = turned about G nothing remains at the { $one } corner from { $first }°, at the { $other } from { $second }°, in the middle from { $middle }°
+run-polynomials = polynomials
+run-flexible = flexible { $girder }
+run-flexible-rigid = elastic part below { $tol } (κ_e = { $kappa }): rigid
+run-flexible-of = κ = { $kappa }, κ_e = { $kappae }, degree { $degree }, { $count } modes from { $frequencies } Hz, a₀/c = { $transit } ms
+run-strength-of = passes { $strength } MPa: the girder is no longer elastic there
+run-strength = strength
+run-left-out = left out
+run-warning = warning
+run-hardest = hardest hit
+run-not-negligible = not negligible: { $names }
+run-returned = , returned e = { $e }
+run-hit-of = at { $t } s for { $time } ms{ $restitution }; { $ringing } J left ringing
+run-section-forces = mid-span |N| to { $axial } MN at { $t } s (strain differs by { $difference }), |M| to { $moment } MN·m; fibre to { $stress } MPa at s = { $s } m
+run-degrees = degree { $one } against { $other }: force { $force }, impulse { $impulse }, ends { $ends }, N at mid-span { $section }
+warning = warning: { $what }
+warning-more-outside = warning: { $more } more quantities outside the domain
+note-record-cut = note: the record lasts { $length } s, and the run ends at { $end } s: duration_s
+warning-untrusted = do not trust this answer: heed the other warnings, or lower solver.tolerance
+warning-balance = warning: { $name }: { $balance }: { $remedy }
+failed-gave-up = the run of { $scene } { $ended } at t = { $t } s, { $place }: { $reason }
+failed-interrupted = interrupted: { $kept }
+failed = error: { $failure }
+failed-no-pictures = this build has no pictures: build it with `cargo build --release --features render`
+failed-standard-output = standard output: the answer cannot be written ({ $error }): redirect it to where there is space
+run-removed = removed, of an earlier answer: { $names }
+run-written = written to { $folder }: { $names }
+failed-cells = --sample: { $samplehz }: { $table } would have { $cells } cells, more than { $most }: give at most { $less } samples a second, or a shorter run
+failed-trajectory = the trajectory
+report-written-to = written to { $file }
+open-headless = { $why }: writing pictures and tables to { $folder } instead
+open-no-window = this build has no window (feature gui)
+failed-threads = --threads { $count }: they cannot be started ({ $error }): give fewer
+wrong-out-before = --out stands before a command: give it after, where the command has one
+wrong-one-of = give one of { $words }
+wrong-no-number = give a number
+wrong-no-count = give a whole number of at least 1
+wrong-not-above = give a number above 0
+wrong-below = give a number of 0 or above
+warning-off-seats = warning: { $girder }: bearings { $bearings } stand beyond the front edge of their seats as placed: make seat_m longer, or place them nearer to the ends
+warning-unjoined = warning: { $one } and { $other }: { $apart } mm apart as placed, and they move by up to { $reach } mm without contact: no contact is defined between the two, so that they can pass through each other; give `between = "all"` in [contact] (contact model), place them farther apart or hold them stiffer, or see `overlap` in the summary of `girderbench run`
+warning-more-unjoined = warning: { $more } more such pairs
+check-touch-anywhere = bodies touch where they meet
+check-touch-nowhere = nothing can touch
+check-no-pairs = no facing ends: { $elsewhere }
+check-assumed = assumed: { $path } = { $value }
+check-planar = planar
+check-spatial = spatial, gravity { $gravity } m/s²
+check-head = { $name }: { $kind }, { $duration } s
+check-head-b = ground: { $motion }
+check-head-c = solver: { $method }, tolerance { $tolerance }
+check-head-d = view: { $camera }
+check-still = it stands still
+check-sine-vertical = , vertical { $level } m/s² of phase { $phase }°
+check-sine = sine { $si } m/s² ({ $g } g) at { $frequency } Hz, phase { $phase }°, angle { $angle }°{ $vertical }
+check-sweep = { $rate } sweep { $amplitude } g from { $from } to { $to } Hz in { $length } s, angle { $angle }°, samples { $interval } s apart
+check-matched = , matched to a spectrum of { $pairs } periods, { $off } % off in the mean
+check-synthetic = synthetic earthquake of seed { $seed }: { $peak } g, { $length } s, angle { $angle }°, across × { $across }, vertical × { $vertical }{ $target }
+check-vertical-scale = , vertical scale { $scale }
+check-angle = angle { $angle }°{ $vertical }
+check-up = up
+check-from-x = { $angle }° from x
+check-nowhere = nowhere
+check-components = { $count } components: { $all }
+check-record = record of { $count } samples × { $dt } s ({ $length } s), { $peak } g, scale { $scale }, { $direction }{ $steps }
+check-pair = pair { $pair }: gap { $gap } mm along the axis, law { $law }, sharing { $sharing }, tension { $tension }
+check-nodes = nodes: { $nodes }
+check-normal-law = normal law { $law }, calibration { $calibration }: a free head-on hit at { $speed } m/s returns e = { $e }
+check-node = { $node } on { $face }
+check-girder-place = at { $place } m, heading { $heading }°
+check-girder = girder { $name }: { $length } × { $width } × { $thickness } m, { $mass } kg, β = { $skew }° (skew_US { $complement }°), i = { $gyration } m
+check-tilted = , pitched by { $pitch }° at { $pitchrate }°/s, rolled by { $roll }° at { $rollrate }°/s
+check-starts = starts displaced by { $place } m, turned by { $turn }°, at { $velocity } m/s, { $spin }°/s{ $tilted }
+check-pushed = pushed by { $force } N and { $moments } N·m
+check-held = held in { $ways }
+check-seat = { $length } m under { $end }
+check-seat-wider = , { $side } m wider than the deck at either side
+check-seats = seats: { $given }{ $wider }
+check-no-bearings = no bearings
+check-bearings = { $count } bearings: ω_x, ω_y, ω_θ = { $omega } rad/s ({ $hertz } Hz); h_x, h_y, h_θ = { $damping }
+check-bearings-b = eccentricities of stiffness ε_x, ε_y = { $stiffness }, of dashpots η_x, η_y = { $dashpots }
+check-vertical = vertical: ω_z = { $omega } rad/s ({ $hertz } Hz), h_z = { $ratio }
+check-can-rotate = it can rotate
+check-cannot-rotate = it cannot rotate by itself
+check-condition = condition (6): a0 sin 2β / (2 b0) = { $number }: { $can }
+check-yield = { $count } of them yield: Q = { $force } N, k_x, k_y before = { $x }, { $y } N/m; frequencies are those after yield
+check-flat = flat
+check-slide = { $count } of them slide: μ = { $friction }, { $radius } (of the first), friction there at { $displacement } m; N follows their vertical force, frequencies are without N/R
+check-effective = at { $amplitude } m k_eff = { $stiffness } N/m, T_eff = { $period } s, h_eq = { $damping }
+check-assumed-of = ; assumed: { $numbers }
+check-together = { $kind } together: k₁, k₂ = { $first }, { $second } N/m, Q = { $force } N, u_y = { $yields } m{ $assumed }
+check-together-b = { $effective }
+check-then-drops = the run stops when a corner has dropped by { $drop } m
+check-then-stops = the run then stops
+check-then-goes-on = the run goes on without it, and says so
+check-rooms = { $count } of them lose their support, the first beyond { $least } m square to the ends: { $then }
+check-pier = pier { $name }: at { $x }, { $y } m, { $mass } kg, height { $height } m; { $standing }
+check-pier-b = k along, across = { $stiffness } N/m, c = { $damping } N·s/m; alone f = { $frequency } Hz, T = { $period } s{ $turning }{ $yielding }
+check-pier-alone = no end of a girder stands on it alone
+check-pier-ends = { $ends } on it
+check-pier-rigid = , does not turn
+check-pier-turns = , turns with k_θ = { $stiffness } N·m/rad, { $frequency } Hz
+check-pier-yields = its base yields at { $along }, { $across } N, with { $ratio } of k after
+check-soil-number = { $name } { $value }{ $unit }{ $assumed }
+check-soil-no-base = no base friction
+check-soil-base = base slides with
+check-soil-base-from = { $from } from { $displacement } m on
+check-soil-fuse = , fuse of { $stiffness } N/m that breaks at { $force } N
+check-soil-mass = mass
+check-soil = backfill { $abutment }: { $law }, { $k }, { $ultimate }, { $unloading }{ $envelope }; skew factor { $factor }
+check-soil-b = wall of { $mass }, { $base }{ $fuse }
+check-flexible-rigid = rigid: elastic part below { $tol }
+check-flexible-degree = degree { $degree }, { $count } modes from { $frequencies } Hz
+check-flexible-twice = K is about E A / a₀: where it stands for the girder's own flexibility (64), that counts twice
+check-flexible = elastic { $name }: A = { $area } m², I_z = { $second } m⁴, E A = { $axial } N, E I_z = { $bending } N·m², k_s G A = { $shear } N
+check-flexible-b = c = { $speed } m/s, a₀/c = { $transit } ms, κ = { $kappa }, κ_e = { $kappae }: { $degree }{ $twice }
+check-ground = the ground
+check-device = { $kind } { $name }: { $girder } at { $first } m to { $to } at { $second } m, { $length } m apart
+check-cable = taut at { $slack } mm, K = { $stiffness } N/m
+check-cable-yields = , yields at { $force } N ({ $at } mm beyond), then K₂ = { $after } N/m
+check-cable-breaks = , breaks at { $elongation } mm beyond ({ $force } N)
+check-bumper-point = { $force } N at { $depth } mm
+check-bumper = pushes towards { $normal }, from { $gap } mm on; { $lines }, c = { $damping } N·s/m
+check-brace = brace K_b = { $brace } N/m in series
+check-regularised = regularised at { $speed } m/s
+check-linear = linear
+check-damper = F = { $c } |v|^{ $alpha } N: { $slow } N at 0.1 m/s, { $fast } N at 1 m/s; { $form }
+check-stop-breaks = , breaks at { $force } N ({ $at } mm)
+check-stop-yields = , yields at { $force } N ({ $at } mm)
+check-stop-yields-breaks = , yields at { $force } N ({ $at } mm), breaks { $after } mm on
+check-stopper = stops at { $sides } mm along { $along }, K = { $stiffness } N/m{ $fails }
+run-device = { $kind } { $name }
+run-device-never = its force never sets in
+run-device-part = , { $part } % of its strength
+run-device-yields = ; it yields from { $t } s on
+run-device-breaks = ; it breaks at { $t } s
+run-device-of = { $force } at { $t } s{ $part }; moves { $least } to { $greatest } mm; acts { $times } times from { $first } s on{ $yields }{ $breaks }
+kind-restrainer = restrainer
+kind-bumper = bumper
+kind-damper = damper
+kind-stopper = stopper

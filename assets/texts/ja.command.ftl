@@ -1,0 +1,200 @@
+# コマンドの表示（日本語）。キーと値の名前は en.command.ftl と同じ。
+
+## run と check の表示
+run-head = { $name }：{ $duration } s のうち { $end } s
+run-model = モデル
+run-impact = 衝撃（剛体、力積）
+run-outside = 検証範囲外
+run-support-lost = 支えの喪失
+run-too-deep = 深い食い込み
+run-left-face = 面からの逸脱
+run-displacement = 最大変位
+run-rotation = 最大回転角
+run-force = 最大接触力
+run-impulse = 最大力積
+run-hits = 衝突
+run-stick-slip = 固着と滑りの時間
+run-error = 推定誤差
+run-ledger = 収支の残差
+run-time-taken = 計算時間
+run-digest = ダイジェスト
+run-overlap = 重なり
+run-gave-up-at = { $t } s、{ $place }：{ $reason }
+run-lost-at = { $bearing }：{ $t } s、({ $x }, { $y }) m。以後の値はこの支承なし
+run-pier-yields = 。{ $t } s から降伏
+run-pier-numbers = T 橋軸 { $along } s、直角 { $across } s。変位 { $drift } mm（{ $td } s）、基部せん断力 { $shear }（{ $ts } s）{ $yielded }
+run-pier = 橋脚 { $name }
+run-overlap-of = { $one } と { $other }、接触なし：{ $t } s から、最大 { $depth } mm（{ $td } s）
+run-overlap-more = ほか { $more } 件
+run-too-deep-of = { $face } への { $node }：{ $t } s に { $depth } mm、最短辺の十分の一（{ $allowed } mm）を超える
+run-left-face-of = { $count } 回、ばねのエネルギー { $energy } J、最大エネルギーの { $share }。最大は { $t } s に { $face } から { $node }
+run-outside-more = 、ほか { $more } 件
+run-none-lasting = 続くものなし
+run-force-lasting = 単独の隅角部に { $force }（持続）
+run-force-at = 単独の隅角部に { $force }（{ $t } s）
+run-no-contact = 接触なし
+run-impulse-at = { $impulse } N·s（{ $t } s）
+run-hits-of = { $hits } 回（接触点ごとには { $touches } 回）
+run-stick-slip-of = { $stick } s、{ $slip } s（全接触の和）
+run-pair-of = 摩擦則は{ $law }、接触 { $touches } 回、最大 { $peak }
+run-pair = 組 { $name }
+run-soil-of = { $t } s に { $push } mm 押され { $force }、終局の力の { $share } %。{ $gap } mm の隙間が残る
+run-soil = 背面土 { $name }
+run-unbalanced = （限度を超える）
+run-error-of = { $error } m（許容誤差 { $tolerance } の 1/100 の計算と比べて）
+run-error-not = 求めていない
+run-ledger-of = { $residual } J、最大エネルギーの { $share }{ $unbalanced }
+run-time-of = { $time } s、実時間の { $times } 倍
+run-seat = 桁かかり { $girder }{ $end }
+run-seat-lost = 桁端全体が { $t } s から外れる
+run-seat-along = （橋軸方向 { $length }）
+run-seat-of = 初期 { $placed } mm{ $along }、最小 { $least }、使用 { $used }、{ $t } s
+run-corner = 隅角部 { $corner }（{ $angle }）
+run-corner-off = { $which }が { $t } s に外れる、縁に沿って { $at } m。最小でも端の { $share } % が載っている
+run-corner-side = { $which }が { $t } s に側方へ外れる
+run-needed = 必要
+run-there = 実際
+run-used = 使用
+run-seats-head = 桁かかり（縁に直角） [mm]
+run-seats-legend = * 記憶による引用、その版では未確認。° 仮定の入力を含む、summary.json の codes
+run-seats-turned = G まわりの回転で桁かかりがなくなる角：{ $one }の隅角部 { $first }°、{ $other }の隅角部 { $second }°、中央 { $middle }°
+run-polynomials = 多項式
+run-flexible = 弾性 { $girder }
+run-flexible-rigid = 弾性分は { $tol } 未満（κ_e = { $kappa }）：剛体
+run-flexible-of = κ = { $kappa }、κ_e = { $kappae }、次数 { $degree }、{ $count } モード { $frequencies } Hz から、a₀/c = { $transit } ms
+run-strength-of = { $strength } MPa を超える：そこではもう弾性ではない
+run-strength = 強度
+run-left-out = 省略した項
+run-warning = 警告
+run-hardest = 最大の衝突
+run-not-negligible = 無視できない：{ $names }
+run-returned = 、反発 e = { $e }
+run-hit-of = { $t } s、接触 { $time } ms{ $restitution }。振動に { $ringing } J
+run-section-forces = 中央の |N| 最大 { $axial } MN（{ $t } s、ひずみの差 { $difference }）、|M| 最大 { $moment } MN·m。縁応力 最大 { $stress } MPa（s = { $s } m）
+run-degrees = 次数 { $one } と { $other }：力 { $force }、力積 { $impulse }、端 { $ends }、中央の N { $section }
+warning = 警告：{ $what }
+warning-more-outside = 警告：ほか { $more } 件が検証範囲外
+note-record-cut = 注記：記録は { $length } s 続くが、計算は { $end } s で終わる：duration_s
+warning-untrusted = この結果を信用しない：ほかの警告に従うか、solver.tolerance を下げる
+warning-balance = 警告：{ $name }：{ $balance }：{ $remedy }
+failed-gave-up = { $scene } の計算は t = { $t } s で{ $ended }、{ $place }：{ $reason }
+failed-interrupted = 中断：{ $kept }
+failed = エラー：{ $failure }
+failed-no-pictures = このビルドは図を描けない：`cargo build --release --features render` でビルドする
+failed-standard-output = 標準出力：結果を書けない（{ $error }）：空きのある所へ向ける
+run-removed = 前の結果から削除：{ $names }
+run-written = { $folder } に書いた：{ $names }
+failed-cells = --sample：{ $samplehz }：{ $table } は { $cells } 個の値となり { $most } を超える：毎秒 { $less } 行以下とするか、計算を短くする
+failed-trajectory = 軌跡の表
+report-written-to = { $file } に書いた
+open-headless = { $why }：代わりに図と表を { $folder } に書く
+open-no-window = このビルドには画面がない（gui 機能）
+failed-threads = --threads { $count }：始められない（{ $error }）：少なくする
+wrong-out-before = コマンドの前に --out がある：そのコマンドに --out があれば後に書く
+wrong-one-of = 次のどれかを与える：{ $words }
+wrong-no-number = 数を与える
+wrong-no-count = 1 以上の整数を与える
+wrong-not-above = 0 より大きい数を与える
+wrong-below = 0 以上の数を与える
+warning-off-seats = 警告：{ $girder }：支承 { $bearings } は初期配置で桁かかりの前縁の外にある：seat_m を長くするか、端に近づける
+warning-unjoined = 警告：{ $one } と { $other }：初期の間隔 { $apart } mm、接触なしに { $reach } mm まで動く：両者の間に接触が定義されていないので、通り抜けうる。[contact] に `between = "all"` を与える（接触モデル）、離して置く、硬く支える、または `girderbench run` の summary の `overlap` を見る
+warning-more-unjoined = 警告：このような組がほか { $more } 件
+check-touch-anywhere = 物体は出会う所で接触する
+check-touch-nowhere = 接触しうるものはない
+check-no-pairs = 向かい合う端なし：{ $elsewhere }
+check-assumed = 仮定：{ $path } = { $value }
+check-planar = 平面
+check-spatial = 立体、重力加速度 { $gravity } m/s²
+check-head = { $name }：{ $kind }、{ $duration } s
+check-head-b = 地動：{ $motion }
+check-head-c = 解法：{ $method }、許容誤差 { $tolerance }
+check-head-d = 視点：{ $camera }
+check-still = 静止
+check-sine-vertical = 、上下 { $level } m/s² 位相 { $phase }°
+check-sine = 正弦波 { $si } m/s² ({ $g } g)、{ $frequency } Hz、位相 { $phase }°、入力角 { $angle }°{ $vertical }
+check-sweep = スイープ（{ $rate }）{ $amplitude } g、{ $from } ～ { $to } Hz、{ $length } s、入力角 { $angle }°、刻み { $interval } s
+check-matched = 、{ $pairs } 周期のスペクトルに適合、平均の差 { $off } %
+check-synthetic = 模擬地震動（種 { $seed }）：{ $peak } g、{ $length } s、入力角 { $angle }°、直交 × { $across }、上下 × { $vertical }{ $target }
+check-vertical-scale = 、上下の倍率 { $scale }
+check-angle = 入力角 { $angle }°{ $vertical }
+check-up = 上向き
+check-from-x = x から { $angle }°
+check-nowhere = 方向なし
+check-components = { $count } 成分：{ $all }
+check-record = 記録 { $count } 点 × { $dt } s（{ $length } s）、{ $peak } g、倍率 { $scale }、{ $direction }{ $steps }
+check-pair = 組 { $pair }：遊間 { $gap } mm（橋軸方向）、摩擦則は{ $law }、剛性は{ $sharing }、引張は{ $tension }
+check-nodes = 節点：{ $nodes }
+check-normal-law = 法線則 { $law }、較正 { $calibration }：{ $speed } m/s の自由な正面衝突は e = { $e } を返す
+check-node = { $face } への { $node }
+check-girder-place = 位置 { $place } m、方位 { $heading }°
+check-girder = 桁 { $name }：{ $length } × { $width } × { $thickness } m、{ $mass } kg、β = { $skew }°（米国式斜角 { $complement }°）、i = { $gyration } m
+check-tilted = 、縦傾斜 { $pitch }°（{ $pitchrate }°/s）、横傾斜 { $roll }°（{ $rollrate }°/s）
+check-starts = 初期変位 { $place } m、回転 { $turn }°、速度 { $velocity } m/s、{ $spin }°/s{ $tilted }
+check-pushed = 外力 { $force } N、{ $moments } N·m
+check-held = 拘束：{ $ways }
+check-seat = { $end } 端 { $length } m
+check-seat-wider = 、桁の両側より { $side } m 広い
+check-seats = 桁かかり：{ $given }{ $wider }
+check-no-bearings = 支承なし
+check-bearings = 支承 { $count } 個：ω_x, ω_y, ω_θ = { $omega } rad/s（{ $hertz } Hz）、h_x, h_y, h_θ = { $damping }
+check-bearings-b = 偏心：剛性 ε_x, ε_y = { $stiffness }、ダッシュポット η_x, η_y = { $dashpots }
+check-vertical = 鉛直：ω_z = { $omega } rad/s（{ $hertz } Hz）、h_z = { $ratio }
+check-can-rotate = 回転しうる
+check-cannot-rotate = 自らは回転しない
+check-condition = 条件 (6)：a0 sin 2β / (2 b0) = { $number }：{ $can }
+check-yield = うち { $count } 個が降伏：Q = { $force } N、降伏前の k_x, k_y = { $x }, { $y } N/m。振動数は降伏後の値
+check-flat = 平ら
+check-slide = うち { $count } 個がすべり：μ = { $friction }、{ $radius }（最初のもの）、{ $displacement } m で摩擦が全て現れる。N は鉛直力に従い、振動数は N/R を除く
+check-effective = { $amplitude } m で k_eff = { $stiffness } N/m、T_eff = { $period } s、h_eq = { $damping }
+check-assumed-of = 。仮定：{ $numbers }
+check-together = { $kind } 全体：k₁, k₂ = { $first }, { $second } N/m、Q = { $force } N、u_y = { $yields } m{ $assumed }
+check-together-b = { $effective }
+check-then-drops = 隅角部が { $drop } m 落ちたら計算を止める
+check-then-stops = そこで計算を止める
+check-then-goes-on = その支承なしに計算を続け、そう述べる
+check-rooms = うち { $count } 個は支えを失いうる、最初は桁端に直角に { $least } m：{ $then }
+check-pier = 橋脚 { $name }：位置 { $x }, { $y } m、{ $mass } kg、高さ { $height } m。{ $standing }
+check-pier-b = k 橋軸, 直角 = { $stiffness } N/m、c = { $damping } N·s/m。単独で f = { $frequency } Hz、T = { $period } s{ $turning }{ $yielding }
+check-pier-alone = 単独で支える桁端なし
+check-pier-ends = 支える桁端 { $ends }
+check-pier-rigid = 、回転しない
+check-pier-turns = 、回転 k_θ = { $stiffness } N·m/rad、{ $frequency } Hz
+check-pier-yields = 基部の降伏 { $along }, { $across } N、降伏後は k の { $ratio } 倍
+check-soil-number = { $name } { $value }{ $unit }{ $assumed }
+check-soil-no-base = 底面の摩擦なし
+check-soil-base = 底面の滑り
+check-soil-base-from = { $from }（{ $displacement } m から）
+check-soil-fuse = 、ヒューズ { $stiffness } N/m、{ $force } N で破断
+check-soil-mass = 質量
+check-soil = 背面土 { $abutment }：{ $law }、{ $k }、{ $ultimate }、{ $unloading }{ $envelope }。斜角の係数 { $factor }
+check-soil-b = 壁 { $mass }、{ $base }{ $fuse }
+check-flexible-rigid = 剛体：弾性分は { $tol } 未満
+check-flexible-degree = 次数 { $degree }、{ $count } モード、{ $frequencies } Hz から
+check-flexible-twice = K は E A / a₀ に近い：桁自身のたわみ性 (64) を表す値なら二重になる
+check-flexible = 弾性 { $name }：A = { $area } m²、I_z = { $second } m⁴、E A = { $axial } N、E I_z = { $bending } N·m²、k_s G A = { $shear } N
+check-flexible-b = c = { $speed } m/s、a₀/c = { $transit } ms、κ = { $kappa }、κ_e = { $kappae }：{ $degree }{ $twice }
+check-ground = 地盤
+check-device = { $kind } { $name }：{ $girder } の { $first } m と { $to } の { $second } m、距離 { $length } m
+check-cable = { $slack } mm で張る、K = { $stiffness } N/m
+check-cable-yields = 、{ $force } N で降伏（さらに { $at } mm）、その後 K₂ = { $after } N/m
+check-cable-breaks = 、さらに { $elongation } mm で破断（{ $force } N）
+check-bumper-point = { $depth } mm で { $force } N
+check-bumper = { $normal } の向きに押す、{ $gap } mm から。{ $lines }、c = { $damping } N·s/m
+check-brace = 直列の K_b = { $brace } N/m
+check-regularised = { $speed } m/s で正則化
+check-linear = 線形
+check-damper = F = { $c } |v|^{ $alpha } N：0.1 m/s で { $slow } N、1 m/s で { $fast } N。{ $form }
+check-stop-breaks = 、{ $force } N（{ $at } mm）で破断
+check-stop-yields = 、{ $force } N（{ $at } mm）で降伏
+check-stop-yields-breaks = 、{ $force } N（{ $at } mm）で降伏、さらに { $after } mm で破断
+check-stopper = { $along } の向きの { $sides } mm で止める、K = { $stiffness } N/m{ $fails }
+run-device = { $kind } { $name }
+run-device-never = 力が働かない
+run-device-part = （強度の { $part } %）
+run-device-yields = 。{ $t } s から降伏
+run-device-breaks = 。{ $t } s に破断
+run-device-of = { $force }（{ $t } s）{ $part }。変位 { $least } ～ { $greatest } mm、{ $first } s から { $times } 回働く{ $yields }{ $breaks }
+kind-restrainer = 落橋防止ケーブル
+kind-bumper = 緩衝ゴム
+kind-damper = ダンパー
+kind-stopper = 変位制限構造

@@ -1,0 +1,69 @@
+//! The language of what the command line says: as asked for, else as the system has it; English stays as it was.
+
+use super::program::{call, program, said};
+
+#[test]
+fn a_run_and_a_check_are_in_the_language_that_is_asked_for() {
+    for args in [["--lang", "ja", "check", "deck-30m"], ["check", "deck-30m", "--lang", "ja"]] {
+        let check = call(&args);
+        assert_eq!(check.status, Some(0), "{args:?}: {}", check.err);
+        for words in ["立体、重力加速度", "地動：", "条件 (6)", "摩擦則はリターンマッピング"]
+        {
+            assert!(check.out.contains(words), "{args:?}: {words}: {}", check.out);
+        }
+    }
+    let run = call(&["run", "skew45-abutment", "--until", "1", "--lang=ja"]);
+    for words in ["最大変位", "最大接触力", "衝突", "収支の残差"] {
+        assert!(run.out.contains(words), "{words}: {}", run.out);
+    }
+    let digest = |out: &str| out.lines().last().and_then(|line| line.split(' ').next_back()).map(str::to_owned);
+    let english = call(&["run", "skew45-abutment", "--until", "1"]);
+    assert_eq!(digest(&run.out), digest(&english.out), "the answer is the same");
+    assert!(english.out.contains("largest displacement"), "{}", english.out);
+}
+
+#[test]
+fn help_is_in_the_language_that_is_asked_for() {
+    for args in [["run", "--help", "--lang", "ja"], ["--lang", "ja", "run", "-h"]] {
+        let help = call(&args);
+        assert_eq!(help.status, Some(0), "{args:?}: {}", help.err);
+        for words in ["使い方：", "オプション", "要約を表示し、表をフォルダーに書く", "--digest"]
+        {
+            assert!(help.out.contains(words), "{args:?}: {words}: {}", help.out);
+        }
+    }
+    assert!(call(&["run", "--help"]).out.contains("Usage: girderbench run"), "English as it stands with the flags");
+}
+
+#[test]
+fn the_systems_language_is_spoken_where_none_is_asked_for() {
+    let of = |locale: &str| {
+        let mut command = program();
+        command.env("LC_ALL", locale).args(["check", "skew45-abutment", "--set", "girder.deck.mass_kg=-1"]);
+        said(&command.output().expect("the program starts"))
+    };
+    let (english, other, japanese) = (of("C"), of("fr_FR.UTF-8"), of("ja_JP.UTF-8"));
+    assert_eq!(english.err, other.err, "English where the system's is none of ours");
+    let line = "error: skew45-abutment: girder.deck.mass_kg: found -1; give a number greater than 0\n";
+    assert!(english.err.ends_with(line) || english.err.contains("give a number greater than 0"), "{}", english.err);
+    assert!(japanese.err.contains("0 より大きい数を与える"), "{}", japanese.err);
+    assert_eq!((english.status, japanese.status), (Some(2), Some(2)), "the same status");
+}
+
+#[test]
+fn a_scene_that_is_wrong_in_many_ways_is_complained_about_in_japanese() {
+    let folder = tempfile::tempdir().expect("a folder");
+    let scene = folder.path().join("broken.toml");
+    let text = "format = 1\nname = \"x\"\nduration_s = 1.0\n[[girder]]\nname = \"deck\"\nlength_m = 30.0\nwidth_m = 10.0\n\
+                thickness_m = 1.5\nmass_kg = 6e5\nskew_deg = 200.0\nbearings = { frequency_hz = 0.8, damping_ratio = 0.1 }\n\
+                [[abutment]]\nname = \"deck\"\nfaces = \"nobody\"\n[contact]\nmu_static = 0.1\nmu_kinetic = 0.3\n";
+    std::fs::write(&scene, text).expect("written");
+    let said = call(&["check", scene.to_str().expect("UTF-8"), "--lang", "ja"]);
+    assert_eq!(said.status, Some(2), "{}", said.out);
+    let lines: Vec<&str> = said.err.lines().collect();
+    assert!(lines.len() > 3, "every complaint: {}", said.err);
+    for line in lines {
+        assert!(line.contains("。") && !line.contains("found") && !line.contains("give"), "{line}");
+        assert!(!line.contains(['\u{2068}', '\u{2069}']), "no marks around values: {line}");
+    }
+}
