@@ -9,20 +9,20 @@ help-of-help = この説明を表示する
 help-of-version = 版を表示する
 
 ## 全体
-help = 衝突し、固着し、滑り、回転する橋桁
+help-about = 衝突し、固着し、滑り、回転する橋桁
 help-long = 衝突し、固着し、滑り、回転する橋桁。コマンドを与えなければ作業画面を開く。表示装置がなければ、最初のシーンの図と表を書く。
 help-out = 表示装置がないときに図と表を書くフォルダー
 help-lang = 表示の言語、en または ja。与えなければシステムの言語、作業画面では前回そこで選んだ言語
 
 ## open
-help-open = シーンを作業画面で開く
+help-open-about = シーンを作業画面で開く
 help-open-scene = シーンのファイル、または例題の名前
 help-open-sets = シーンの値を変える。例：`--set motion.angle_deg=45 --set girder.deck.skew_deg=60`
 help-open-until = シーンの `duration_s` によらず、この時刻まで計算する [s]
 help-open-tolerance = シーンの `solver.tolerance` によらない、1ステップの局所誤差
 
 ## run
-help-run = シーンを計算する：要約を表示し、表をフォルダーに書く
+help-run-about = シーンを計算する：要約を表示し、表をフォルダーに書く
 help-run-scene = シーンのファイル、または例題の名前（一覧は `girderbench presets`）
 help-run-sample = 表の毎秒の行数 [Hz]
 help-run-threads = 計算に使うスレッドの数（スイープの各計算、組のない物体ごと）。省くと `RAYON_NUM_THREADS`、なければプロセッサごとに1つ
@@ -30,21 +30,21 @@ help-run-out = trajectory.csv、contacts.csv、events.csv、summary.json をこ�
 help-run-digest = 結果全体のハッシュだけを表示する
 
 ## report
-help-report = シーンを計算し、人に渡す1ページの報告書を書く：シーン、仮定、運動、最大の衝突、桁かかりと基準、誤差
+help-report-about = シーンを計算し、人に渡す1ページの報告書を書く：シーン、仮定、運動、最大の衝突、桁かかりと基準、誤差
 help-report-out = 報告書。図をすべて含む1つの HTML ファイル
 
 ## check
-help-check = シーンを検査し、読み取った内容を表示する
+help-check-about = シーンを検査し、読み取った内容を表示する
 
 ## compare
-help-compare = 2つの結果を計算または読み込み、どこで分かれるかを表示する
+help-compare-about = 2つの結果を計算または読み込み、どこで分かれるかを表示する
 help-compare-a = シーンのファイル、例題、または `run --out` が書いたフォルダー
 help-compare-b = 同じ
 help-compare-sample = 計算する結果の毎秒の行数 [Hz]。省くと 100
 help-compare-within = 2つの量が分かれたとみなす差、最大値に対する比
 
 ## motion
-help-motion = 地震動の記録の内容を示す：形式、単位、最大値、継続時間。図と応答スペクトル
+help-motion-about = 地震動の記録の内容を示す：形式、単位、最大値、継続時間。図と応答スペクトル
 help-motion-files = 記録のファイル：PEER AT2、K-NET、COSMOS、CSMIP Volume 2、1列、CSV
 help-motion-channel = 各ファイルのこの成分だけ（1 から数える）
 help-motion-dt = 時間刻み、ファイルに書かれていないとき [s]
@@ -60,7 +60,7 @@ help-motion-peak_g = 最大値をこれに合わせる [g]
 help-motion-scale = ほかの処理の後ですべての値に掛ける倍率
 
 ## plot
-help-plot = 計算の量を時刻または互いに対して図示する（履歴ループなど）。`--y` がなければ量の名前の一覧
+help-plot-about = 計算の量を時刻または互いに対して図示する（履歴ループなど）。`--y` がなければ量の名前の一覧
 help-plot-y = 縦軸の量、例：`deck.bearing1.force-x`。何度でも与えられる
 help-plot-x = 横軸の量、例：`deck.bearing1.x`。省くと時刻
 help-plot-sample = 毎秒の点の数 [Hz]
@@ -68,7 +68,7 @@ help-plot-out = plot.csv、plot.svg、plot.png をこのフォルダーに書く
 help-plot-list = 計算の量の名前だけをすべて表示する
 
 ## identify
-help-identify = 測定した変位（自由減衰、既知の地動、スイープ）から固有振動数と減衰定数を求める。--fit では衝突する桁の遊間、反発係数、摩擦係数を求める
+help-identify-about = 測定した変位（自由減衰、既知の地動、スイープ）から固有振動数と減衰定数を求める。--fit では衝突する桁の遊間、反発係数、摩擦係数を求める
 help-identify-file = 時刻と地盤に対する変位の CSV の表。--response では振動数と振幅の表
 help-identify-column = 変位の列の名前。1列だけなら省ける
 help-identify-unit = 変位の単位、見出しに書かれていないとき（`x_mm` のように）：m, cm, mm, um
@@ -90,7 +90,7 @@ help-identify-frequency = 固有振動数を既知とし、論文の共振時の
 help-identify-out = 図、表、JSON をこのフォルダーに書く
 
 ## measure
-help-measure = 標点の写真から物体の運動を求める：時刻に対する x、y、回転角
+help-measure-about = 標点の写真から物体の運動を求める：時刻に対する x、y、回転角
 help-measure-pictures = 名前の順に並べた PNG の写真のフォルダー、または写真そのもの
 help-measure-layout = 何にどこで標点を付けたかを書いた TOML。省くと写真と同じ場所の `marks.toml`、それもなければ最初の写真のすべての標点を1つの物体のものとする
 help-measure-fps = 配置の記述によらない毎秒の写真の数。配置がなければ 30 [Hz]
@@ -103,8 +103,8 @@ help-measure-run = `girderbench run --out` がこのフォルダーに書いた�
 help-measure-out = 表、JSON、図をこのフォルダーに書く
 
 ## study
-help-study = プログラムを測る：誤差に対する計算量、規模に対する計算量、乱数によるシーン、論文の実験、動画
-help-study-accuracy = 誤差に対する計算量を測る：すべての解法をすべての問題で
+help-study-about = プログラムを測る：誤差に対する計算量、規模に対する計算量、乱数によるシーン、論文の実験、動画
+help-study-accuracy-about = 誤差に対する計算量を測る：すべての解法をすべての問題で
 help-study-accuracy-problems = 問題。名前がなければすべて
 help-study-accuracy-out = README.md、results.csv、図をこのフォルダーに書く
 help-study-accuracy-methods = 解法、コンマ区切り。名前がなければすべて
@@ -112,9 +112,9 @@ help-study-accuracy-repeat = 準備の1回の後に時間を測る回数。最�
 help-study-accuracy-quick = 設定を減らしスイープを短くする：何分もではなく1分
 help-study-accuracy-date = ページに書く測定の日
 help-study-accuracy-machine = ページに書く計算機の名前
-help-study-camera = 標点の動画の精度を測る：標点の大きさ、解像度、露光時間、雑音、量子化に対する誤差
+help-study-camera-about = 標点の動画の精度を測る：標点の大きさ、解像度、露光時間、雑音、量子化に対する誤差
 help-study-camera-out = camera.md、camera.csv、図をこのフォルダーに書く
-help-study-experiment = 論文の実験を計算する：表2のすべての条件を両モデルで、図と所見を1ページに
+help-study-experiment-about = 論文の実験を計算する：表2のすべての条件を両モデルで、図と所見を1ページに
 help-study-experiment-out = report.html、findings.md、maps/、results/ をこのフォルダーに書く。すでにある結果は計算し直さない
 help-study-experiment-only = これらだけ、コンマ区切り：条件（`skew60_-15_0.40g`）、straight、skew60、skew45、pair の全体、または maps
 help-study-experiment-record = 地震動、`girderbench motion` が読む記録のファイル。なければ模擬地震動
@@ -122,12 +122,12 @@ help-study-experiment-channel = ファイルのどの成分か（1 から数え�
 help-study-experiment-dt = 時間刻み、ファイルに書かれていないとき（1つの記録） [s]
 help-study-experiment-unit = 数値の単位、ファイルに書かれていないとき（1つの記録）：g、gal (cm/s2)、m/s2
 help-study-experiment-record_scale = 地震動の倍率。論文には書かれていない
-help-study-laws = 法線方向の接触則を比べる：1回の衝突、10 秒間、食い込みに対する力
+help-study-laws-about = 法線方向の接触則を比べる：1回の衝突、10 秒間、食い込みに対する力
 help-study-laws-out = laws.md、laws.csv、図をこのフォルダーに書く
-help-study-size = 規模に対する計算量を測る：1 から 1000 本の桁の列
+help-study-size-about = 規模に対する計算量を測る：1 から 1000 本の桁の列
 help-study-size-out = size.md、size.csv、図をこのフォルダーに書く
 help-study-size-quick = 100 本までの列だけ
-help-study-stability = 広い範囲の乱数によるシーン：どの計算も終わり、収支が合い、見落としがなく、収束するか
+help-study-stability-about = 広い範囲の乱数によるシーン：どの計算も終わり、収支が合い、見落としがなく、収束するか
 help-study-stability-seeds = 種の数
 help-study-stability-from = 最初の種
 help-study-stability-inside = シーンが検証範囲内にある種だけをとる
@@ -137,7 +137,7 @@ help-study-stability-events = シーンを十分長いとみなすイベント�
 help-study-stability-patience = 1つの種の計算に許すプロセッサ時間の上限 [s]
 
 ## sweep
-help-sweep = キーの多くの値でシーンを計算する：データセットと分布図
+help-sweep-about = キーの多くの値でシーンを計算する：データセットと分布図
 help-sweep-long = キーの多くの値でシーンを計算する：データセットと分布図。終わった計算はその都度フォルダーに残り、途中でどう止まっても同じコマンドで続きから計算する。量の一覧と、計算機に分ける方法は docs/sweep.md にある。
 help-sweep-vary = --set と同じ書き方のキーとその値：並び `a,b,c`、等間隔 `LO..HI:N`、等比 `LO..HI:N:log`、またはその組合せ。何度も与えると全ての組合せを計算する
 help-sweep-measure = 各計算から残す量、コンマ区切り。使える量は下にある
@@ -145,7 +145,7 @@ help-sweep-out = スイープのフォルダー：sweep.csv、sweep.parquet、�
 help-sweep-shard = N 個に分けた I 番目だけを計算する。これなしで同じコマンドを実行すると、フォルダーにある全部をまとめる
 
 ## waves
-help-waves = シーンを計算し、たわむ桁の断面力を時刻と位置に対して描く：波の伝播と反射が見える
+help-waves-about = シーンを計算し、たわむ桁の断面力を時刻と位置に対して描く：波の伝播と反射が見える
 help-waves-girder = 桁の名前。省くと最初のたわむ桁
 help-waves-force = 描くもの：axial（軸力 N）、shear（せん断力 Q）、moment（曲げモーメント M）、stress（縁応力）
 help-waves-from = 図の始まりの時刻 [s]。省くと最大の衝突の少し前
@@ -153,10 +153,10 @@ help-waves-to = 終わりの時刻 [s]。省くとその衝突から波が数回
 help-waves-out = 図と表のフォルダー
 
 ## presets
-help-presets = プログラムに付属するシーンの一覧
+help-presets-about = プログラムに付属するシーンの一覧
 
 ## render
-help-render = シーンの計算の図を描く
+help-render-about = シーンの計算の図を描く
 help-render-at = 時刻 [s]、または `peak`：接触力が最大の時刻。何度でも与えられる
 help-render-frames = 動画：静止した視点から等間隔にこの数の図、1 から番号を付ける
 help-render-marks = 桁と振動台の白い標点を真上から見た動画とその配置、`girderbench measure` 用

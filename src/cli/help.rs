@@ -78,7 +78,7 @@ fn note(command: &Command, key: &str, keys: &mut BTreeMap<String, String>) {
             keys.entry(text).or_insert(key);
         }
     };
-    add(command.get_about().map(ToString::to_string), key.to_owned());
+    add(command.get_about().map(ToString::to_string), format!("{key}-about"));
     add(command.get_long_about().map(ToString::to_string), format!("{key}-long"));
     for arg in command.get_arguments().filter(|arg| !arg.is_hide_set()) {
         let key = format!("{key}-{}", arg.get_id());

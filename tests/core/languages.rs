@@ -63,6 +63,27 @@ fn every_language_has_every_text_and_no_value_of_its_own() {
 }
 
 #[test]
+fn a_key_stands_in_one_table() {
+    for language in Language::ALL {
+        let mut tables = BTreeMap::new();
+        for file in fs::read_dir(Path::new(env!("CARGO_MANIFEST_DIR")).join("assets/texts")).expect("a folder") {
+            let path = file.expect("a file").path();
+            let name = path.file_name().expect("a name").to_string_lossy().into_owned();
+            if !name.starts_with(&format!("{}.", language.code())) {
+                continue;
+            }
+            let text = fs::read_to_string(&path).expect("a table");
+            let begins = |line: &&str| line.starts_with(|c: char| c.is_ascii_alphabetic());
+            for key in text.lines().filter(begins).filter_map(|line| Some(line.split_once('=')?.0.trim())) {
+                let other = tables.insert(key.to_owned(), name.clone());
+                assert_eq!(other, None, "{key} of {name} stands there too");
+            }
+        }
+        assert!(tables.len() > 1000, "{}: read", language.code());
+    }
+}
+
+#[test]
 fn the_code_uses_every_text() {
     let code = code(&Path::new(env!("CARGO_MANIFEST_DIR")).join("src"));
     let english = table(Language::English);

@@ -95,7 +95,7 @@ fn pipeline(device: &Device, layout: &BindGroupLayout, format: TextureFormat) ->
     })
 }
 
-#[cfg(test)]
+#[cfg(all(test, feature = "ui-tests"))]
 mod tests {
     #[test]
     fn the_shader_is_valid() {
