@@ -65,6 +65,14 @@ wrong-law-parameter = a head-on hit would return less than e = { $least }, or ne
 wrong-impact-in-space = the impact model knows planar scenes only: make it "contact", or kind = "planar"
 wrong-impact-elastic = the impact model knows rigid girders only: make it "contact", or leave out [girder.elastic]
 found-model-elastic = "{ $model }" with an elastic girder, { $girder }
+wrong-impact-wave = the impact model knows one ground only: make it "contact", or leave out [wave], delay_s and motion_factor
+found-model-wave = "{ $model }" on ground that does not move as one
+found-soil-wave = soil on ground that moves otherwise
+wrong-soil-wave = a wall before soil moves along one direction of the ground of reference: leave out the soil, or what moves its ground otherwise
+found-foot-wave = a foot that moves otherwise, up and down as well
+wrong-foot-wave = a pier moves in plan alone: leave out the vertical part of [motion], or what moves its ground otherwise
+found-slider-wave = a slider on ground that moves otherwise
+wrong-slider-wave = in space a slider goes by the force of its own spring on the ground of reference: use a planar scene, or other bearings
 wrong-stiffness-twice = K = E A / L comes from young_modulus_pa, area_m2 and contact_length_m: give either those or stiffness_n_per_m
 wrong-no-amplitude = give the amplitude: amplitude_g, or amplitude_m_s2
 wrong-elastic-in-space = elastic girders are known in planar scenes only so far: set kind = "planar", or leave it out
@@ -84,8 +92,8 @@ wrong-turn-stiffness-missing = it belongs to turn_stiffness_n_m_per_rad: give th
 wrong-slider-on-pier = in space a slider goes by the force of its own spring on the ground: put it there, or use a planar scene
 found-slider-on-pier = a slider on a pier
 wrong-no-pier = the scene has none: add a [[pier]]
-wrong-piers = piers: { $names }
-wrong-no-such-pier = no pier has this name; { $known }, or leave it out for the ground
+wrong-piers = there are { $names }
+wrong-no-such-pier = no pier or abutment has this name; { $known }, or leave it out for the ground
 wrong-nameless = give it a name
 wrong-name = tables and --set could not tell it apart: use letters, digits, - and _, and single spaces inside
 wrong-name-twice = another body has this name, or a device: girders, abutments, piers and devices need a name each

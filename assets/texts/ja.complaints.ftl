@@ -65,6 +65,14 @@ wrong-law-parameter = 正面衝突が e = { $least } より小さい値を返す
 wrong-impact-in-space = 衝撃モデルは平面シーンだけを扱う。"contact" とするか、kind = "planar" とする
 wrong-impact-elastic = 衝撃モデルは剛な桁だけを扱う。"contact" とするか、[girder.elastic] を外す
 found-model-elastic = "{ $model }" と弾性の桁 { $girder }
+wrong-impact-wave = 衝撃モデルは一様に動く地盤だけを扱う。"contact" とするか、[wave]、delay_s、motion_factor を外す
+found-model-wave = 一様に動かない地盤での "{ $model }"
+found-soil-wave = 基準と異なって動く地盤の背面土
+wrong-soil-wave = 背面土の前の壁は基準の地盤の一方向にだけ動く。背面土か、地盤の動きの違いを外す
+found-foot-wave = 上下にも基準と異なって動く橋脚の下端
+wrong-foot-wave = 橋脚は平面内だけで動く。[motion] の上下成分か、地盤の動きの違いを外す
+found-slider-wave = 基準と異なって動く地盤の上のすべり支承
+wrong-slider-wave = 立体のすべり支承は基準の地盤に立つ自身のばねの力で決まる。平面シーンとするか、ほかの支承とする
 wrong-stiffness-twice = K = E A / L は young_modulus_pa、area_m2、contact_length_m から決まる。それらか stiffness_n_per_m の一方を与える
 wrong-no-amplitude = 振幅を与える：amplitude_g、または amplitude_m_s2
 wrong-elastic-in-space = 弾性の桁は今のところ平面シーンだけ。kind = "planar" とするか、これを外す
@@ -84,8 +92,8 @@ wrong-turn-stiffness-missing = turn_stiffness_n_m_per_rad に伴う値。それ�
 wrong-slider-on-pier = 立体のすべり支承は地盤に立つ自身のばねの力で決まる。地盤に置くか、平面シーンとする
 found-slider-on-pier = 橋脚の上のすべり支承
 wrong-no-pier = シーンに橋脚がない：[[pier]] を加える
-wrong-piers = 橋脚：{ $names }
-wrong-no-such-pier = その名前の橋脚はない。{ $known }。外すと地盤となる
+wrong-piers = あるのは { $names }
+wrong-no-such-pier = その名前の橋脚も橋台もない。{ $known }。外すと地盤となる
 wrong-nameless = 名前を付ける
 wrong-name = 表と --set で区別できない。文字、数字、- と _、間の1つの空白だけを使う
 wrong-name-twice = 同じ名前の物体か装置がある。桁、橋台、橋脚、装置の名前はそれぞれ異なるものとする

@@ -40,26 +40,20 @@ pub(super) fn write_answer(
     } else {
         format!("{}\n", said!("run-removed", "names" => removed.join(", ")))
     };
-    Ok(written(folder, &names) + &of_earlier)
+    let written = said!("run-written", "folder" => folder.display().to_string(), "names" => names.join(", "));
+    Ok(format!("{written}\n{of_earlier}"))
 }
 
-/// Which files were written where, a line.
-fn written(folder: &Path, names: &[&str]) -> String {
-    format!("{}\n", said!("run-written", "folder" => folder.display().to_string(), "names" => names.join(", ")))
-}
-
-/// Writes files, as (file name, bytes), into a folder, and says so.
+/// Writes files, as (file name, bytes), into a folder.
 ///
 /// # Errors
 /// A folder or file that cannot be written; a signal meanwhile. Then nothing is written.
-pub(super) fn write_files(folder: &Path, files: &[(String, Vec<u8>)]) -> Result<String, Failure> {
+pub(super) fn write_files(folder: &Path, files: &[(String, Vec<u8>)]) -> Result<(), Failure> {
     let writing = Writing::begin();
     let mut set = FileSet::default();
     for (name, bytes) in files {
         set.add(&folder.join(name), bytes)?;
         writing.check()?;
     }
-    set.finish()?;
-    let names: Vec<&str> = files.iter().map(|(name, _)| name.as_str()).collect();
-    Ok(written(folder, &names))
+    Ok(set.finish()?)
 }

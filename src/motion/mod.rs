@@ -10,6 +10,7 @@ pub mod matching;
 pub mod oscillator;
 pub mod process;
 pub mod spectrum;
+pub mod support;
 pub mod sweep;
 pub mod synthetic;
 

@@ -6,8 +6,10 @@ use crate::language::{Text, said};
 use crate::motion::spectrum::{periods, spectrum};
 use crate::scene::STANDARD_GRAVITY;
 use crate::sim::History;
+use crate::sim::moving_ground::{MovedSupport, moved_supports};
 use crate::study::plot::COLORS;
 use crate::study::plot::chart::{Chart, Curve, Panel};
+use crate::study::plot::draw::escape;
 
 /// Samples of a history that is drawn, and of a ground motion whose spectrum is computed.
 const SAMPLES: u32 = 4000;
@@ -25,9 +27,22 @@ fn curve(name: &str, color: usize, points: Vec<[f64; 2]>) -> Curve {
     Curve { name: name.to_owned(), color: COLORS[color % COLORS.len()].to_owned(), dashes: "none", points }
 }
 
+/// Supports whose ground moves otherwise, a sentence each.
+fn supports(history: &History) -> String {
+    let sentence = |moved: MovedSupport| {
+        let name = escape(&moved.name);
+        let delay = format!("{:.4}", moved.motion.delay);
+        let [factor, largest, last] = [moved.motion.factor, moved.largest, moved.last].map(|v| format!("{v:.3}"));
+        said!("report-moved", "name" => name, "delay" => delay, "factor" => factor, "largest" => largest, "last" => last)
+    };
+    let sentences: Vec<String> = moved_supports(history.scene(), history.model()).into_iter().map(sentence).collect();
+    if sentences.is_empty() { String::new() } else { format!("<p>{}</p>\n", sentences.join("<br>\n")) }
+}
+
 /// Histories of the ground's acceleration and their spectra; in words where it is still.
 pub(super) fn section(history: &History) -> String {
     let ground = &history.model().ground;
+    let supports = supports(history);
     let samples: Vec<[f64; 3]> = times(history).map(|t| ground.acceleration(t).to_array()).collect();
     let axes: Vec<usize> = (0..3).filter(|&axis| samples.iter().any(|a| a[axis] != 0.0)).collect();
     if axes.is_empty() {
@@ -62,7 +77,7 @@ pub(super) fn section(history: &History) -> String {
     let spectrum = Chart { title: String::new(), x: Text::new("report-period").into(), panels: vec![spectrum] };
     let _ = writeln!(
         html,
-        "</table>\n<div class=\"picture\">{}</div>\n<div class=\"picture\">{}</div>\n<p>{}</p>",
+        "</table>\n{supports}<div class=\"picture\">{}</div>\n<div class=\"picture\">{}</div>\n<p>{}</p>",
         motion.to_svg(),
         spectrum.to_svg(),
         said!(

@@ -151,8 +151,14 @@ pub(super) fn assumptions(history: &History, report: &Report) -> String {
     } else {
         escape(&said!("report-assume-elastic", "girders" => bending.join(", ")))
     };
-    let mut items: Vec<String> =
-        vec![girders, Text::new("report-assume-contact").into(), Text::new("report-assume-seats").into()];
+    let one = history.model().moving.is_none();
+    let ground = if one { "report-one-ground" } else { "report-moving-supports" };
+    let mut items: Vec<String> = vec![
+        girders,
+        Text::new(ground).into(),
+        Text::new("report-assume-contact").into(),
+        Text::new("report-assume-seats").into(),
+    ];
     let numbers = [
         (Text::new("report-e-normal").as_str(), contact.restitution_normal, default.restitution_normal),
         (Text::new("report-e-tangential").as_str(), contact.restitution_tangential, default.restitution_tangential),

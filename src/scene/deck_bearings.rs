@@ -61,10 +61,10 @@ table! {
             "displacement square to the front edge of its seat, either way, at which a bearing loses its support, m";
         height: Option<f64> = "height_m" as "field-height", Range::Any, Fallback::Words("the underside, -thickness_m / 2"),
             "height above G in the girder's frame, m", in in_space;
-        on_minus_x: Option<String> = "on_minus_x", Range::Like("a pier"), Fallback::Words("the ground"),
-            "the pier under the bearings of the -x half";
-        on_plus_x: Option<String> = "on_plus_x", Range::Like("a pier"), Fallback::Words("the ground"),
-            "the pier under the bearings of the +x half";
+        on_minus_x: Option<String> = "on_minus_x", Range::Like("a pier or an abutment"), Fallback::Words("the ground"),
+            "the pier or abutment under the bearings of the -x half";
+        on_plus_x: Option<String> = "on_plus_x", Range::Like("a pier or an abutment"), Fallback::Words("the ground"),
+            "the pier or abutment under the bearings of the +x half";
     }
 }
 

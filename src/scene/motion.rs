@@ -6,7 +6,7 @@ use serde::{Deserialize, Deserializer, Serialize};
 
 use super::angle::sin_cos_deg;
 use super::keys::{Fallback, Key, Range, table};
-use super::record::RecordMotion;
+use super::record::{Heading, RecordMotion};
 use super::sweep::SweepMotion;
 use super::synthetic::SyntheticMotion;
 
@@ -86,6 +86,19 @@ impl Motion {
             Self::Record(record) => record.angle_deg,
             Self::Synthetic(synthetic) => synthetic.angle_deg,
             Self::Sweep(sweep) => sweep.angle_deg,
+        }
+    }
+
+    /// Whether the ground moves up and down.
+    pub fn is_vertical(&self) -> bool {
+        match self {
+            Self::None | Self::Sweep(_) => false,
+            Self::Sine(sine) => sine.vertical_si() != 0.0,
+            Self::Record(record) => {
+                let upwards = |n: usize| record.heading(n) == Some(Heading::Up);
+                record.vertical_scale != 0.0 || (0..record.components.len()).any(upwards)
+            }
+            Self::Synthetic(synthetic) => synthetic.factors()[2] != 0.0,
         }
     }
 

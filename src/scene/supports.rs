@@ -6,7 +6,7 @@ use super::{Bearings, Girder, Scene, placed};
 use crate::geometry::End;
 
 impl Bearings {
-    /// The name of the pier under each bearing of a girder, in the order of [`Bearings::resolve`]; `None` on the ground.
+    /// The name of the pier or abutment under each bearing of a girder, in the order of [`Bearings::resolve`]; `None` on the ground.
     pub fn piers(&self, girder: &Girder) -> Vec<Option<&str>> {
         match self {
             Self::Shared(shared) => {
@@ -30,7 +30,7 @@ impl Bearings {
         }
     }
 
-    /// The names of piers that it mentions, to be changed.
+    /// The names of piers and abutments that it mentions, to be changed.
     pub(super) fn pier_names(&mut self) -> Vec<&mut Option<String>> {
         match self {
             Self::Shared(shared) => vec![&mut shared.on_minus_x, &mut shared.on_plus_x],
@@ -65,6 +65,17 @@ impl Girder {
     }
 }
 
+/// What a bearing stands on.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Standing {
+    /// The ground.
+    Ground,
+    /// The pier of this number.
+    Pier(usize),
+    /// The abutment of this number.
+    Abutment(usize),
+}
+
 /// The end that a place in a girder's frame is nearer to, before skewing; `None` in the middle.
 fn end_of([x, y]: [f64; 2], shear: f64) -> Option<End> {
     let before = x - y * shear;
@@ -76,7 +87,7 @@ fn end_of([x, y]: [f64; 2], shear: f64) -> Option<End> {
 }
 
 impl Scene {
-    /// The names of piers that bearings mention, to be changed.
+    /// The names of piers and abutments that bearings mention, to be changed.
     pub(super) fn pier_names(&mut self) -> impl Iterator<Item = &mut Option<String>> {
         self.girders.iter_mut().filter_map(|girder| girder.bearings.as_mut()).flat_map(Bearings::pier_names)
     }
@@ -95,14 +106,32 @@ impl Scene {
         bearings.piers(girder).into_iter().map(|name| self.pier_named(name?)).collect()
     }
 
-    /// The pier that an end of a girder stands on: that of all bearings nearer to this end than to the other.
-    pub fn pier_under(&self, girder: &Girder, end: End) -> Option<usize> {
+    /// What each bearing of a girder stands on, in the order of [`Bearings::resolve`].
+    pub fn standing(&self, girder: &Girder) -> Vec<Standing> {
+        let Some(bearings) = &girder.bearings else { return Vec::new() };
+        let named = |name: &str| {
+            let abutment = || self.abutments.iter().position(|abutment| abutment.name == name);
+            self.pier_named(name).map(Standing::Pier).or_else(|| abutment().map(Standing::Abutment))
+        };
+        bearings.piers(girder).into_iter().map(|name| name.and_then(named).unwrap_or(Standing::Ground)).collect()
+    }
+
+    /// What all bearings nearer to an end of a girder than to the other stand on; `None` where they do not stand on one.
+    pub fn standing_under(&self, girder: &Girder, end: End) -> Option<Standing> {
         let shear = girder.prism().shear();
         let resolved = girder.bearings.as_ref()?.resolve(girder, self.setting());
-        let near = resolved.iter().zip(self.supports(girder));
-        let mut near = near.filter(|(b, _)| end_of([b.place.x, b.place.y], shear) == Some(end)).map(|(_, pier)| pier);
-        let first = near.next()??;
-        near.all(|pier| pier == Some(first)).then_some(first)
+        let near = resolved.iter().zip(self.standing(girder));
+        let mut near = near.filter(|(b, _)| end_of([b.place.x, b.place.y], shear) == Some(end)).map(|(_, on)| on);
+        let first = near.next()?;
+        near.all(|on| on == first).then_some(first)
+    }
+
+    /// The pier that an end of a girder stands on: that of all bearings nearer to this end than to the other.
+    pub fn pier_under(&self, girder: &Girder, end: End) -> Option<usize> {
+        match self.standing_under(girder, end)? {
+            Standing::Pier(number) => Some(number),
+            Standing::Ground | Standing::Abutment(_) => None,
+        }
     }
 
     /// Bearings that stand on a pier: number of the girder, and the bearing's place in the world \[m\].

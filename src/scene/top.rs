@@ -6,7 +6,7 @@ use super::keys::{Fallback, Key, Range};
 use super::motion::STANDARD_GRAVITY;
 use super::{
     Abutment, Bumper, Codes, ContactSettings, Damper, Girder, ImpactSettings, Kind, Limits, ModelSettings, Motion,
-    Pier, Restrainer, SolverSettings, Stopper, ViewSettings,
+    Pier, Restrainer, SolverSettings, Stopper, ViewSettings, Wave,
 };
 
 /// The version of the format that is read and written.
@@ -69,6 +69,9 @@ pub struct Scene {
     /// How the ground moves.
     #[serde(default)]
     pub motion: Motion,
+    /// How that motion travels; without it the ground moves as one.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub wave: Option<Wave>,
     /// How exactly it is to be computed.
     #[serde(default, skip_serializing_if = "is_default")]
     pub solver: SolverSettings,
@@ -105,6 +108,7 @@ impl Scene {
             contact: ContactSettings::default(),
             impact: ImpactSettings::default(),
             motion: Motion::default(),
+            wave: None,
             solver: SolverSettings::default(),
             limits: Limits::default(),
             codes: Codes::default(),
@@ -173,6 +177,7 @@ pub const TOP: &[Key] = &[
     Key::new("contact", Range::Free, Fallback::Words("as below"), "[contact] and [[contact.pair]]"),
     Key::new("impact", Range::Free, Fallback::Words("as below"), "[impact]"),
     Key::new("motion", Range::Free, Fallback::Words("still ground"), "[motion]"),
+    Key::new("wave", Range::Free, Fallback::Words("the ground moves as one"), "[wave]"),
     Key::new("solver", Range::Free, Fallback::Words("as below"), "[solver]"),
     Key::new("limits", Range::Free, Fallback::Words("none"), "[limits]"),
     Key::new("codes", Range::Free, Fallback::Words("as below"), "[codes]"),

@@ -5,14 +5,21 @@ use glam::DVec3;
 use super::History;
 use crate::dynamics::model::compiled_model::Backwall;
 
-/// A backwall and its soil at one instant.
+/// A backwall at one instant.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct WallNow {
     /// Displacement of the wall \[m\].
     pub displacement: DVec3,
-    /// Displacement of the soil's front \[m\].
-    pub soil: DVec3,
-    /// Resistance of the soil \[N\].
+    /// The soil behind it; `None` of an abutment that moves as one with its ground.
+    pub soil: Option<SoilNow>,
+}
+
+/// The soil behind a backwall at one instant.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct SoilNow {
+    /// Displacement of its front \[m\].
+    pub front: DVec3,
+    /// Its resistance \[N\].
     pub force: f64,
 }
 
@@ -34,12 +41,17 @@ pub struct BackfillReading {
 }
 
 impl History {
-    /// The backwall of an abutment and its soil at `t`, clamped to what was computed; `None` for one that stands.
+    /// The backwall of an abutment at `t`, clamped to what was computed; `None` for one that stands.
     pub fn wall(&self, abutment: usize, t: f64) -> Option<WallNow> {
         let Backwall { body, soil, inward } = (*self.model().walls.get(abutment)?)?;
-        let (soil, displacement) = (self.link(soil, t)?, self.motion(body, t).displacement);
+        let displacement = self.motion(body, t).displacement;
+        let Some(soil) = soil else {
+            return Some(WallNow { displacement, soil: None });
+        };
+        let soil = self.link(soil, t)?;
         // The soil's front is at the wall, or stays where the wall has left it.
-        Some(WallNow { displacement, soil: displacement + inward * soil.gap.max(0.0), force: -soil.force.dot(inward) })
+        let front = displacement + inward * soil.gap.max(0.0);
+        Some(WallNow { displacement, soil: Some(SoilNow { front, force: -soil.force.dot(inward) }) })
     }
 
     /// What the run did to the soil behind every backwall that moves.
@@ -49,6 +61,7 @@ impl History {
 
     fn backfill_of(&self, abutment: usize) -> Option<BackfillReading> {
         let Backwall { body, soil, inward } = (*self.model().walls.get(abutment)?)?;
+        let soil = soil?;
         let ultimate = self.scene().abutments.get(abutment)?.soil(self.scene())?.ultimate;
         let push = |t: f64| self.motion(body, t).displacement.dot(inward);
         // The push on the envelope grows until the phase ends.

@@ -53,7 +53,9 @@ impl History {
     /// places over the deepest penetration at `times` and of weights lifted by a girder's size, which bearings carry.
     pub fn residual_bound(&self, scale: f64, times: &[f64]) -> f64 {
         let model = self.model();
-        let lifted: f64 = model.bodies.iter().map(|b| b.mass * model.gravity * b.radius).sum();
+        let carried =
+            (0..model.bodies.len()).filter(|&body| !model.moves_as_given(body)).map(|body| &model.bodies[body]);
+        let lifted: f64 = carried.map(|b| b.mass * model.gravity * b.radius).sum();
         let lifted = lifted / scale.max(f64::MIN_POSITIVE);
         PER_TOLERANCE * model.tolerance + ROUNDING + PLACES * (self.shallowness(times) + lifted)
     }

@@ -38,9 +38,11 @@ pub(super) struct Books {
     /// Per body: work of the ground, work of pushes, losses in bearings and in the body itself.
     pub(super) bodies: Vec<Account<4>>,
     /// Per contact: losses in the normal dashpot, the tangential dashpot, friction.
-    pub(super) contacts: Vec<Account<3>>,
+    pub(super) contacts: Vec<Account<4>>,
     /// Per device: the loss in it.
-    pub(super) devices: Vec<Account<1>>,
+    pub(super) devices: Vec<Account<2>>,
+    /// Whether each of these is a bearing.
+    pub(super) bearings: Vec<bool>,
     /// Per stretch of lasting contact of the impact model: the loss in friction.
     pub(super) lasting: Vec<Account<1>>,
     pub(super) initial: f64,

@@ -12,6 +12,7 @@ use crate::dynamics::impact2d::LastingInterval;
 use crate::dynamics::penalty3d::contact_state::Contact;
 use crate::dynamics::trajectory::stored_path::StoredMotion;
 use crate::motion::Ground;
+use glam::DVec3;
 
 /// Quadrature cells per look in free flight.
 const PER_LOOK: f64 = 0.25;
@@ -34,6 +35,7 @@ impl Books {
             lasting: history.impact().map_or(Vec::new(), |record| {
                 record.lasting.iter().map(|interval| lasting_account(history, interval)).collect()
             }),
+            bearings: bearings(history),
             initial: 0.0,
         };
         let start = books.stored(history, 0.0);
@@ -58,15 +60,17 @@ impl Books {
             ledger.loss_girder += own;
         }
         for (contact, account) in self.contacts.iter().enumerate() {
-            let [normal, tangential, friction] =
+            let [normal, tangential, friction, given] =
                 account.at(t, |a, b| integrate(a, b, |s| contact_powers(history, contact, s)));
             ledger.loss_normal += normal;
             ledger.loss_tangential += tangential;
             ledger.loss_friction += friction;
+            ledger.work_ground += given;
         }
         for (link, account) in self.devices.iter().enumerate() {
-            let [loss] = account.at(t, |a, b| integrate(a, b, |s| [history.link_power(link, s)]));
-            let entry = if is_bearing(history, link) { &mut ledger.loss_bearing } else { &mut ledger.loss_device };
+            let [loss, given] = account.at(t, |a, b| integrate(a, b, |s| device_powers(history, link, s)));
+            ledger.work_ground += given;
+            let entry = if self.bearings[link] { &mut ledger.loss_bearing } else { &mut ledger.loss_device };
             *entry += loss;
             ledger.jump_device += history.link_logs[link].released(t);
         }
@@ -99,16 +103,19 @@ impl Books {
             }
         }
         for link in 0..history.link_logs.len() {
-            let entry = if is_bearing(history, link) { &mut ledger.bearing } else { &mut ledger.device };
+            let entry = if self.bearings[link] { &mut ledger.bearing } else { &mut ledger.device };
             *entry += history.link_energy(link, t);
         }
         ledger
     }
 }
 
-/// Whether a link is a bearing between a girder and a pier.
-fn is_bearing(history: &History, link: usize) -> bool {
-    history.model().links[link].device.is_linear()
+/// Whether each link is a girder's bearing, or the elastic part of a pier's column.
+fn bearings(history: &History) -> Vec<bool> {
+    let model = history.model();
+    let mut bearings: Vec<bool> = model.links.iter().map(|link| link.device.is_linear()).collect();
+    model.supports.iter().flatten().flatten().for_each(|&link| bearings[link] = true);
+    bearings
 }
 
 fn jumps(history: &History, t: f64, ledger: &mut Ledger) {
@@ -180,7 +187,7 @@ fn cut(ground: &Ground, from: f64, until: f64, cells: f64) -> Vec<(f64, f64)> {
     borders.windows(2).map(|w| (w[0], w[1])).filter(|(a, b)| b > a).collect()
 }
 
-fn contact_account(history: &History, contact: usize) -> Account<3> {
+fn contact_account(history: &History, contact: usize) -> Account<4> {
     let mut account = Account::new();
     let site = &history.model().contacts[contact];
     let states: Vec<(f64, Contact)> = history.logs[contact].states().collect();
@@ -194,13 +201,13 @@ fn contact_account(history: &History, contact: usize) -> Account<3> {
             account.add(w[0], w[1], integrate(w[0], w[1], |t| contact_powers(history, contact, t)));
         }
         // An idle cell after the last, so that what follows is not integrated again.
-        account.add(until, until, [0.0; 3]);
+        account.add(until, until, [0.0; 4]);
     }
     account
 }
 
-/// Loss in a device while its force acts, step by step.
-fn device_account(history: &History, link: usize) -> Account<1> {
+/// Loss in a device while its force acts, and work of the ground that it is on where that moves as given, step by step.
+fn device_account(history: &History, link: usize) -> Account<2> {
     let mut account = Account::new();
     let model = history.model();
     let phases = history.link_logs[link].phases();
@@ -211,9 +218,9 @@ fn device_account(history: &History, link: usize) -> Account<1> {
         }
         let bodies = model.links[link].bodies.into_iter().flatten();
         for w in step_borders(history, bodies, *from, until).windows(2).filter(|w| w[1] > w[0]) {
-            account.add(w[0], w[1], integrate(w[0], w[1], |t| [history.link_power(link, t)]));
+            account.add(w[0], w[1], integrate(w[0], w[1], |t| device_powers(history, link, t)));
         }
-        account.add(until, until, [0.0]);
+        account.add(until, until, [0.0; 2]);
     }
     account
 }
@@ -254,7 +261,31 @@ fn energies(history: &History, body: usize, t: f64) -> [f64; 4] {
     [kinetic, bearing, model.bodies[body].own_strain(&state), gravity]
 }
 
-/// Powers lost in the normal dashpot, the tangential dashpot and friction \[W\].
-fn contact_powers(history: &History, contact: usize, t: f64) -> [f64; 3] {
-    history.acting(contact, t).map_or([0.0; 3], |(closed, action)| closed.law.dissipated_powers(&action.forces))
+/// Powers lost in the normal dashpot, the tangential dashpot and friction, and that of the ground where one side moves as given
+/// \[W\].
+fn contact_powers(history: &History, contact: usize, t: f64) -> [f64; 4] {
+    let Some((closed, action)) = history.acting(contact, t) else { return [0.0; 4] };
+    let [normal, tangential, friction] = closed.law.dissipated_powers(&action.forces);
+    let site = &history.model().contacts[contact];
+    let given = given_power(history, [(site.node_body, action.force), (site.face_body, -action.force)], t);
+    [normal, tangential, friction, given]
+}
+
+/// Power lost in a device, and that of the ground where one end moves as given \[W\].
+fn device_powers(history: &History, link: usize, t: f64) -> [f64; 2] {
+    let bodies = history.model().links[link].bodies;
+    let given = if bodies.into_iter().flatten().any(|body| history.model().moves_as_given(body)) {
+        let force = history.link(link, t).map_or(DVec3::ZERO, |now| now.force);
+        given_power(history, [(bodies[0], force), (bodies[1], -force)], t)
+    } else {
+        0.0
+    };
+    [history.link_power(link, t), given]
+}
+
+/// Power of bodies that move as given against the forces on them \[W\].
+fn given_power(history: &History, pushed: [(Option<usize>, DVec3); 2], t: f64) -> f64 {
+    let given = pushed.into_iter().filter_map(|(body, force)| Some((body?, force)));
+    let given = given.filter(|(body, _)| history.model().moves_as_given(*body));
+    given.map(|(body, force)| -force.dot(history.motion(body, t).velocity)).sum()
 }

@@ -10,6 +10,8 @@ use crate::scene::ResolvedPier;
 /// A pier at one instant.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct PierNow {
+    /// Displacement of its cap against the ground of reference, world \[m\].
+    pub place: DVec3,
     /// Displacement of its cap against its foot, world \[m\].
     pub displacement: DVec3,
     /// Rotation of its cap in plan \[rad\].
@@ -40,12 +42,23 @@ pub struct PierReading {
 impl History {
     /// A pier at `t`, clamped to what was computed; `None` where the scene has no such pier.
     pub fn pier(&self, number: usize, t: f64) -> Option<PierNow> {
-        let Pier { body, yielding } = *self.model().piers.get(number)?;
+        let Pier { body, yielding, column: ref links } = *self.model().piers.get(number)?;
         let (own, motion) = (&self.model().bodies[body], self.motion(body, t));
         let (place, rate) = (motion.displacement.with_z(motion.theta), motion.velocity.with_z(motion.spin.z));
         let column = (own.planar.stiffness * place + own.planar.damping * rate).with_z(0.0);
-        let base = yielding.and_then(|link| self.link(link, t)).map_or(DVec3::ZERO, |base| -base.force);
-        Some(PierNow { displacement: place.with_z(0.0), theta: place.z, shear: column + base.with_z(0.0) })
+        // What yields, and the column on a foot that moves, act on the cap first.
+        let linked = yielding.into_iter().chain(links.clone()).filter_map(|link| self.link(link, t));
+        let linked: DVec3 = linked.map(|link| -link.force).sum();
+        let place = place.with_z(0.0);
+        let displacement = place - self.foot(number, t).with_z(0.0);
+        Some(PierNow { place, displacement, theta: motion.theta, shear: column + linked.with_z(0.0) })
+    }
+
+    /// Displacement of a pier's foot against the ground of reference \[m\].
+    fn foot(&self, number: usize, t: f64) -> DVec3 {
+        let foot = self.model().piers[number].column.clone().next();
+        let foot = foot.and_then(|link| self.model().links[link].bodies[1]);
+        foot.map_or(DVec3::ZERO, |body| self.motion(body, t).displacement)
     }
 
     /// What the run did to every pier.
@@ -55,7 +68,7 @@ impl History {
 
     /// What the run did to the pier of this number in the model.
     pub fn pier_reading(&self, number: usize) -> PierReading {
-        let Pier { body, yielding } = self.model().piers[number];
+        let Pier { body, yielding, .. } = self.model().piers[number];
         let resolved: ResolvedPier = self.scene().pier(number);
         let times = touches::looks(self, body);
         let largest = |of: &dyn Fn(&PierNow) -> f64| {

@@ -185,6 +185,15 @@ impl Quantity {
         let pier = |body: usize| model.piers.iter().position(|pier| pier.body == body);
         for (i, body) in model.bodies.iter().enumerate() {
             let name = &body.name;
+            // Ground under bearings is nobody; an abutment that moves with its ground has a place alone.
+            if model.foundations.iter().any(|foundation| foundation.body == i) {
+                continue;
+            }
+            if model.moves_as_given(i) {
+                let of_body = OF_GIRDER.into_iter().filter(|(_, what)| matches!(what, OfGirder::X | OfGirder::Y));
+                all.extend(of_body.map(|(of, what)| (format!("{name}.{of}"), Self::Girder(i, what))));
+                continue;
+            }
             if let Some(number) = pier(i) {
                 // It moves in plan.
                 let of_body = OF_GIRDER.into_iter().filter(|(_, what)| *what != OfGirder::Z);

@@ -161,23 +161,23 @@ fn is_zero(energy: &f64) -> bool {
 pub struct Ledger {
     /// Kinetic energy, relative to the ground.
     pub kinetic: f64,
-    /// Strain energy of the bearings.
+    /// Stored in the bearings.
     pub bearing: f64,
     /// Potential of gravity, relative to the placed pose (spatial).
     pub gravity: f64,
     /// Strain energy of the contacts.
     pub contact: f64,
-    /// Energy stored in devices.
+    /// Energy stored in devices, the soil behind backwalls and the bases of piers that yield.
     #[serde(skip_serializing_if = "is_zero")]
     pub device: f64,
     /// Strain energy of elastic girders.
     #[serde(skip_serializing_if = "is_zero")]
     pub girder: f64,
-    /// Work of the ground's inertia forces.
+    /// Work of the ground: of inertia forces, and of supports that move against the ground of reference.
     pub work_ground: f64,
     /// Work of given pushes.
     pub work_push: f64,
-    /// Lost in the bearings' dashpots.
+    /// Lost in the bearings: in dashpots, in yield, in sliding.
     pub loss_bearing: f64,
     /// Lost in elastic girders.
     #[serde(skip_serializing_if = "is_zero")]

@@ -7,6 +7,7 @@
 use glam::{DMat3, DVec3};
 
 use super::report::Extreme;
+use super::seat_on::SeatOn;
 use super::{History, Motion, touches};
 use crate::dynamics::locate::root::root;
 use crate::geometry::{End, Prism};
@@ -32,8 +33,8 @@ pub struct Ledge {
     pub half_end: f64,
     /// By how much the seat is wider than the end at either side, along the edge; `None` where the scene does not give it \[m\].
     pub side: Option<f64>,
-    /// Number among the bodies of the pier that it is on; `None` on the ground.
-    pub pier: Option<usize>,
+    /// What it is fixed to.
+    pub on: SeatOn,
 }
 
 impl Ledge {
@@ -53,8 +54,6 @@ impl Ledge {
         let [from, to] = Prism::end_corners(end).map(|corner| body.prism.plan_corners()[corner]);
         let way = (to - from) / body.prism.end_length();
         let normal = way.perp() * -end.sign();
-        let scene = history.scene();
-        let pier = scene.pier_under(&scene.girders[girder], end);
         Self {
             end,
             length: 0.0,
@@ -63,7 +62,7 @@ impl Ledge {
             along: body.axes * way.extend(0.0),
             half_end: 0.5 * body.prism.end_length(),
             side: None,
-            pier: pier.and_then(|number| history.model().piers.get(number)).map(|pier| pier.body),
+            on: SeatOn::of(history, girder, end),
         }
     }
 
@@ -198,8 +197,8 @@ pub fn seated_share([one, other]: [f64; 2]) -> f64 {
 struct Over {
     girder: usize,
     motion: Motion,
-    /// Number among the bodies and motion of the pier; `None` on the ground.
-    pier: Option<(usize, Motion)>,
+    /// Displacement and rotation of what the seat is fixed to, and where the axis of that is; `None` on the ground of reference.
+    under: Option<(DVec3, f64, DVec3)>,
 }
 
 impl Over {
@@ -208,7 +207,7 @@ impl Over {
     }
 
     fn of((girder, motion): (usize, Motion), history: &History, ledge: &Ledge, t: f64) -> Self {
-        Self { girder, motion, pier: ledge.pier.map(|pier| (pier, history.motion(pier, t))) }
+        Self { girder, motion, under: ledge.on.at(history, t) }
     }
 
     /// Displacement of a corner at the underside from where it was placed, seen from the seat \[m\]: on a pier with cap at
@@ -217,13 +216,12 @@ impl Over {
         let body = &history.model().bodies[self.girder];
         let here = body.prism.corners()[corner];
         let shift = self.motion.displacement + self.motion.attitude * here - body.axes * here;
-        let Some((pier, cap)) = self.pier else { return shift };
-        let lever = body.home + body.axes * here - history.model().bodies[pier].home;
-        let (apart, half) = (shift - cap.displacement, (0.5 * cap.theta).sin());
+        let Some((moved, theta, axis)) = self.under else { return shift };
+        let lever = body.home + body.axes * here - axis;
+        let (apart, half) = (shift - moved, (0.5 * theta).sin());
         // Rᵀ l − l without loss at small rotations.
-        let turned_back =
-            DVec3::new(lever.y, -lever.x, 0.0) * cap.theta.sin() - lever.with_z(0.0) * (2.0 * half * half);
-        DMat3::from_rotation_z(-cap.theta) * apart + turned_back
+        let turned_back = DVec3::new(lever.y, -lever.x, 0.0) * theta.sin() - lever.with_z(0.0) * (2.0 * half * half);
+        DMat3::from_rotation_z(-theta) * apart + turned_back
     }
 }
 

@@ -69,7 +69,7 @@ pub(super) fn bodies(input: &ViewInput<'_>, moment: &Moment, palette: &Palette) 
         if let Some(block) = walls::block(input.scene, i, moment.wall(i)) {
             let block = if moment.piers.is_empty() { block } else { piers::to_the_ground(&block, level) };
             let solid = solidity(&block, &girders, input.camera);
-            let whole = moment.wall(i).is_none();
+            let whole = moment.wall(i).is_none_or(|wall| wall.soil.is_none());
             out.add_abutment(
                 input,
                 (i, &block, whole),
@@ -89,7 +89,7 @@ pub(super) fn bodies(input: &ViewInput<'_>, moment: &Moment, palette: &Palette) 
             out.add(input, &seat, &format!("{} seat", girder.name), palette.abutment, palette.edge, false);
         }
         if input.overlays.bearings {
-            for (k, pad) in pads(input, girder, (motion, moment), level).iter().enumerate() {
+            for (k, pad) in pads(input, (i, girder), (motion, moment), level).iter().enumerate() {
                 out.add(
                     input,
                     pad,
@@ -241,7 +241,12 @@ fn solid(block: &Block, name: &str, color: Rgba) -> Solid {
 }
 
 /// A girder's bearings: pads that stand where they were placed, or on the pier that moves, and follow the girder with their top.
-fn pads(input: &ViewInput<'_>, girder: &Girder, (motion, moment): (&Motion, &Moment), level: f64) -> Vec<Block> {
+fn pads(
+    input: &ViewInput<'_>,
+    (number, girder): (usize, &Girder),
+    (motion, moment): (&Motion, &Moment),
+    level: f64,
+) -> Vec<Block> {
     let scene = input.scene;
     let on_seats = stands_on_seats(input);
     let supports = scene.supports(girder);
@@ -257,9 +262,11 @@ fn pads(input: &ViewInput<'_>, girder: &Girder, (motion, moment): (&Motion, &Mom
     bearing_places(girder)
         .into_iter()
         .zip(supports)
-        .map(|([x, y], pier)| {
+        .enumerate()
+        .map(|(k, ([x, y], pier))| {
             let at = DVec3::new(x, y, underside);
-            let foot = below(home.place + home.attitude * at, ([x, y], pier));
+            let moved = moment.feet.get(number).and_then(|feet| feet.get(k)).copied().unwrap_or_default();
+            let foot = below(home.place + home.attitude * at, ([x, y], pier)) + moved;
             let top = motion.place + motion.attitude * at;
             let (u, v) = (home.attitude * DVec3::X * half, home.attitude * DVec3::Y * half);
             // Seen from below, against the clock seen from above.

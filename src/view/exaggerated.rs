@@ -38,11 +38,14 @@ impl Moment {
             }
         }
         for wall in self.walls.iter_mut().flatten() {
-            (wall.displacement, wall.soil) = (wall.displacement * factor, wall.soil * factor);
+            wall.displacement *= factor;
+            wall.soil.iter_mut().for_each(|soil| soil.front *= factor);
         }
         for pier in &mut self.piers {
-            (pier.displacement, pier.theta) = (pier.displacement * factor, pier.theta * factor);
+            (pier.displacement, pier.foot, pier.theta) =
+                (pier.displacement * factor, pier.foot * factor, pier.theta * factor);
         }
+        self.feet.iter_mut().flatten().for_each(|foot| *foot *= factor);
         let moved = &self.motions;
         let place = |contact: usize, point: DVec3| {
             let site = &model.contacts[contact];

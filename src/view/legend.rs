@@ -126,7 +126,7 @@ fn rows(input: &ViewInput<'_>, moment: &Moment, grid: Option<f64>) -> Vec<Row> {
         rows.push(row(Sign::Device(true), Text::new("legend-device-acts")));
         rows.push(row(Sign::Device(false), Text::new("legend-device-idle")));
     }
-    if moment.walls.iter().any(Option::is_some) {
+    if moment.walls.iter().flatten().any(|wall| wall.soil.is_some()) {
         rows.push(row(Sign::None, Text::new("legend-soil")));
     }
     if !moment.overlaps.is_empty() {

@@ -9,6 +9,7 @@ use super::walls::{self, Wall};
 use crate::geometry::{End, Prism};
 use crate::scene::facing::{self, Side};
 use crate::scene::{FrictionLaw, Girder, Motion as GroundMotion, Scene, placed};
+use crate::sim::seat_on::SeatOn;
 use crate::sim::seats::{Ledge, corners_at};
 use crate::sim::{ContactNow, History, Hit, LinkNow, Motion, SolidId, State};
 
@@ -81,6 +82,8 @@ pub struct Moment {
     pub facings: Vec<Facing>,
     /// Closed contacts.
     pub contacts: Vec<ContactNow>,
+    /// Displacement of the ground under each bearing of each girder \[m\]; none where the ground moves as one.
+    pub feet: Vec<Vec<DVec3>>,
     /// Backwalls by abutment; `None` for those that stand, none where all do.
     pub walls: Vec<Option<Wall>>,
     /// Piers.
@@ -152,6 +155,7 @@ impl Moment {
                 .collect(),
             opened: just_opened(history, t, linger(scene), &contacts),
             contacts,
+            feet: history.ground_under_bearings(t),
             walls: walls::at(scene, Some((history, t))),
             piers: piers::at(scene, Some((history, t))),
             devices: history.links(t),
@@ -174,6 +178,7 @@ impl Moment {
             motions: scene.girders.iter().map(at_rest).collect(),
             facings: pairs.iter().map(|p| Facing { first: p.first, second: p.second }).collect(),
             contacts: Vec::new(),
+            feet: Vec::new(),
             walls: walls::at(scene, None),
             piers: piers::at(scene, None),
             devices: Vec::new(),
@@ -207,9 +212,10 @@ fn off_seat(history: &History, t: f64) -> Vec<OffSeat> {
         let body = &history.model().bodies[girder];
         let back = ledge.normal * ledge.placed();
         let edge = Prism::end_corners(end).map(|corner| body.home + body.axes * body.prism.corners()[corner] - back);
-        let edge = match ledge.pier {
-            Some(pier) => edge.map(|place| carried(history, pier, place, t)),
-            None => edge,
+        let edge = match ledge.on {
+            SeatOn::Pier(pier) => edge.map(|place| carried(history, pier, place, t)),
+            SeatOn::Moved(motion) => edge.map(|place| place + history.ground(motion, t)),
+            SeatOn::Ground => edge,
         };
         (remaining[0].min(remaining[1]) < 0.0).then_some(OffSeat { girder, end, edge, remaining })
     })

@@ -22,6 +22,8 @@ pub struct Pier {
     pub resolved: ResolvedPier,
     /// Displacement of its cap \[m\].
     pub displacement: DVec3,
+    /// Displacement of its foot \[m\].
+    pub foot: DVec3,
     /// Rotation of its cap in plan \[rad\].
     pub theta: f64,
     /// Height of a bearing on it \[m\].
@@ -32,8 +34,9 @@ pub struct Pier {
 pub(super) fn at(scene: &Scene, run: Option<(&History, f64)>) -> Vec<Pier> {
     let pier = |number: usize| {
         let now = run.and_then(|(history, t)| history.pier(number, t));
-        let (displacement, theta) = now.map_or((DVec3::ZERO, 0.0), |now| (now.displacement, now.theta));
-        Pier { resolved: scene.pier(number), displacement, theta, pad: pad(scene) }
+        let [displacement, foot] = now.map_or([DVec3::ZERO; 2], |now| [now.place, now.place - now.displacement]);
+        let theta = now.map_or(0.0, |now| now.theta);
+        Pier { resolved: scene.pier(number), displacement, foot, theta, pad: pad(scene) }
     };
     (0..scene.piers.len()).map(pier).collect()
 }
@@ -68,7 +71,7 @@ impl Pier {
     pub(super) fn footings(&self) -> Vec<Block> {
         let sides = self.column_sides().map(|side| FOOTING[1] * side);
         let height = (FOOTING[0] * self.resolved.cap[2]).min(0.2 * self.resolved.height);
-        self.places().map(|place| upright(sides, place, self.resolved.axes, height)).collect()
+        self.places().map(|place| upright(sides, place + self.foot, self.resolved.axes, height)).collect()
     }
 
     /// Strips that together are its columns, and their outlines at the foot and under the cap.
@@ -85,9 +88,10 @@ impl Pier {
         let (mut strips, mut lines) = (Vec::new(), Vec::new());
         let under_cap = self.resolved.top.z - self.pad - self.resolved.cap[2];
         for place in self.places() {
+            let top = self.moved(place).with_z(under_cap);
+            let place = place + self.foot;
             let corners: Vec<DVec3> =
                 outline.iter().map(|corner| place + self.resolved.axes * corner.extend(0.0)).collect();
-            let top = self.moved(place).with_z(under_cap);
             strips.extend(parted(&corners, top - place));
             let round = (0..corners.len()).map(|i| [corners[i], corners[(i + 1) % corners.len()]]);
             lines.extend(round.clone().chain(round.map(|edge| edge.map(|end| end + top - place))));

@@ -16,49 +16,56 @@ const FAILURE_RUN: f64 = 1.732;
 /// A backwall that moves, at one instant.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Wall {
-    /// Its thickness \[m\].
-    pub thickness: f64,
     /// Its displacement \[m\].
     pub displacement: DVec3,
-    /// Displacement of the soil's front \[m\].
-    pub soil: DVec3,
+    /// What is behind it; `None` of an abutment that moves as one with its ground.
+    pub soil: Option<Soil>,
+}
+
+/// The soil behind a backwall, at one instant.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Soil {
+    /// Thickness of the wall before it \[m\].
+    pub behind: f64,
+    /// Displacement of its front \[m\].
+    pub front: DVec3,
 }
 
 /// The backwalls of a scene by abutment, as placed or at `t` of a run; `None` for those that stand.
 pub(super) fn at(scene: &Scene, run: Option<(&History, f64)>) -> Vec<Option<Wall>> {
-    if scene.abutments.iter().all(|abutment| abutment.backfill.is_none()) {
-        return Vec::new();
-    }
     let wall = |(number, abutment): (usize, &Abutment)| {
-        let thickness = abutment.soil(scene)?.thickness;
         let now = run.and_then(|(history, t)| history.wall(number, t));
-        let [displacement, soil] = now.map_or([DVec3::ZERO; 2], |now| [now.displacement, now.soil]);
-        Some(Wall { thickness, displacement, soil })
+        let front = now.and_then(|now| now.soil).map_or(DVec3::ZERO, |soil| soil.front);
+        let soil = abutment.soil(scene).map(|soil| Soil { behind: soil.thickness, front });
+        let displacement = now.map_or(DVec3::ZERO, |now| now.displacement);
+        (now.is_some() || soil.is_some()).then_some(Wall { displacement, soil })
     };
-    scene.abutments.iter().enumerate().map(wall).collect()
+    let walls: Vec<Option<Wall>> = scene.abutments.iter().enumerate().map(wall).collect();
+    if walls.iter().all(Option::is_none) { Vec::new() } else { walls }
 }
 
 /// An abutment: the block that stands, or the wall alone where that moves.
 pub(super) fn block(scene: &Scene, number: usize, wall: Option<&Wall>) -> Option<Block> {
     let whole = abutment_block(scene, scene.abutments.get(number)?)?;
-    Some(match wall {
-        Some(wall) => parted(&whole, wall)[0],
-        None => whole,
+    let Some(wall) = wall else { return Some(whole) };
+    Some(match &wall.soil {
+        Some(soil) => parted(&whole, wall.displacement, soil)[0],
+        None => Block { face: whole.face.map(|corner| corner + wall.displacement), ..whole },
     })
 }
 
 /// The soil behind a wall that moves.
 pub(super) fn soil(scene: &Scene, number: usize, wall: &Wall) -> Option<Block> {
     let whole = abutment_block(scene, scene.abutments.get(number)?)?;
-    Some(parted(&whole, wall)[1])
+    Some(parted(&whole, wall.displacement, wall.soil.as_ref()?)[1])
 }
 
 /// Wall and soil of an abutment; a thin shallow block keeps half of its depth for the soil.
-fn parted(whole: &Block, wall: &Wall) -> [Block; 2] {
+fn parted(whole: &Block, displacement: DVec3, soil: &Soil) -> [Block; 2] {
     let inward = whole.sweep.normalize_or_zero();
-    let thickness = inward * wall.thickness.min(0.5 * whole.sweep.length());
-    let front = Block { face: whole.face.map(|corner| corner + wall.displacement), sweep: thickness };
-    let soil = thickness + wall.soil;
+    let thickness = inward * soil.behind.min(0.5 * whole.sweep.length());
+    let front = Block { face: whole.face.map(|corner| corner + displacement), sweep: thickness };
+    let soil = thickness + soil.front;
     [front, Block { face: whole.face.map(|corner| corner + soil), sweep: whole.sweep - soil }]
 }
 
@@ -94,8 +101,8 @@ mod tests {
     fn a_gap_opens_between_a_wall_that_came_back_and_its_soil() {
         let face = [[0.0, -1.0, 0.0], [0.0, 1.0, 0.0], [0.0, 1.0, 2.0], [0.0, -1.0, 2.0]].map(DVec3::from);
         let whole = Block { face, sweep: DVec3::X * 5.0 };
-        let wall = Wall { thickness: 0.5, displacement: DVec3::X * 0.1, soil: DVec3::X * 0.3 };
-        let [front, soil] = parted(&whole, &wall);
+        let soil = Soil { behind: 0.5, front: DVec3::X * 0.3 };
+        let [front, soil] = parted(&whole, DVec3::X * 0.1, &soil);
         assert_eq!(front.face[0].x, 0.1, "the face where the wall is");
         assert!((front.face[0] + front.sweep).x < soil.face[0].x, "a gap behind it");
         assert!(((soil.face[0] + soil.sweep).x - 5.0).abs() < 1e-12, "the far end stands");

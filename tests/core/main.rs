@@ -37,6 +37,7 @@ mod physics {
     mod hertz;
     mod long_runs;
     mod meeting;
+    mod moving_supports;
     mod normal_laws;
     mod overlap;
     mod piers;

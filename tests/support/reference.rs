@@ -158,6 +158,8 @@ fn wall(wall: &Value, girders: &[Girder]) -> Abutment {
     let body = usize::try_from(wall["body"].as_u64().expect("body")).expect("small");
     let label = text(&wall["end"]);
     Abutment {
+        delay: None,
+        motion_factor: None,
         backfill: None,
         name: format!("wall{label}"),
         faces: girders[body].name.clone(),

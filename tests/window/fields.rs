@@ -167,6 +167,7 @@ fn windows() -> Vec<Window> {
         show(corners, Some(Target::Abutment(0))),
         show(places, Some(Target::Girder(0))),
         show(soil, Some(Target::Abutment(0))),
+        show(with(&planar, &["wave.speed_m_per_s=500"]), None),
         show(viaduct.clone(), Some(Target::Girder(0))),
         show(viaduct.clone(), Some(Target::Pier(0))),
         show(with(&viaduct, &["pier.p1.frequency_hz=2"]), Some(Target::Pier(0))),

@@ -301,6 +301,8 @@ pub(in crate::app) fn free_ends(scene: &Scene) -> Vec<(usize, End)> {
 /// An abutment before an end of a girder, at the scene's own gap.
 pub(in crate::app) fn abutment_before(scene: &Scene, girder: usize, end: End) -> Abutment {
     Abutment {
+        delay: None,
+        motion_factor: None,
         backfill: None,
         name: free_name(scene, "abutment"),
         faces: scene.girders[girder].name.clone(),

@@ -54,6 +54,8 @@ fn new_pier(name: &str, deck: &Girder) -> Pier {
         (v / digit).round() * digit
     };
     Pier {
+        delay: None,
+        motion_factor: None,
         name: name.to_owned(),
         mass: round(CAP * deck.mass),
         position: None,

@@ -2,7 +2,7 @@
 
 use egui::{RichText, TextEdit, Ui};
 
-use super::{components, record_of, samples, target};
+use super::{components, record_of, samples, target, wave};
 use crate::app::command::{AngleCommand, Command, EditCommand, FileCommand, QuakeCommand, Wish};
 use crate::app::field::{
     CLICK, Change, Form, Look, Place, Without, act, choice_line, complain, slider_at, sliders, tag,
@@ -52,6 +52,7 @@ pub(in crate::app) fn show(ui: &mut Ui, form: Form<'_>, out: &mut Vec<Command>) 
         Motion::Sweep(sweep) => sliders(ui, &look, sweep, &[]),
     };
     if !matches!(form.scene.motion, Motion::None) {
+        wave::show(ui, form, out);
         windows(ui, out);
     }
     if let Some(change) = kind.or(change) {

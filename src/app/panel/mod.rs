@@ -25,4 +25,5 @@ pub(in crate::app) mod start;
 pub(in crate::app) mod status;
 mod target;
 pub(in crate::app) mod view_menu;
+mod wave;
 pub(in crate::app) mod whatif;

@@ -32,6 +32,7 @@ pub(in crate::app) fn name_of_edit(edit: &Edit, scene: &Scene) -> String {
         Edit::Rename(from, to) => Text::new("edit-rename").with(&values!["from" => from.as_str(), "to" => to.as_str()]),
         Edit::Contact(_) => Text::new("edit-contact").into(),
         Edit::Motion(_) => Text::new("edit-ground-motion").into(),
+        Edit::Wave(_) => Text::new("edit-wave").into(),
         Edit::Model(_) => Text::new("edit-model").into(),
         Edit::Impact(_) => Text::new("edit-impact-numbers").into(),
         Edit::Scene(other) => named("edit-open", &other.name),

@@ -57,6 +57,8 @@ pub(in crate::app) const MOTION_SECTION: Text = Text::new("motion-section");
 
 // Histories and spectrum of the ground motion.
 pub(in crate::app) const QUAKE: Text = Text::new("quake");
+pub(in crate::app) const WAVE_ADD: Text = Text::new("wave-add");
+pub(in crate::app) const WAVE_REMOVE: Text = Text::new("wave-remove");
 pub(in crate::app) const QUAKE_OPEN: Text = Text::new("quake-open");
 pub(in crate::app) const QUAKE_OPEN_HINT: Text = Text::new("quake-open-hint");
 pub(in crate::app) const QUAKE_STILL: Text = Text::new("quake-still");

@@ -4,6 +4,7 @@ mod backfill;
 mod device;
 mod flexible;
 mod girder;
+mod moving;
 mod pier;
 mod supports;
 
@@ -96,6 +97,7 @@ fn text(scene: &Scene, model: &Model) -> String {
     std::iter::once(head(scene))
         .chain(girders)
         .chain(flexible::texts(model))
+        .chain(moving::texts(scene, model))
         .chain(soil)
         .chain(pier::texts(scene))
         .chain(pairs)

@@ -11,7 +11,6 @@ use crate::cli::output::write_files;
 use crate::cli::plot_files::plot_files;
 use crate::files;
 use crate::identify::{Columns, Measured, Quantity};
-use crate::language::said;
 use crate::motion::format::RecordError;
 use crate::scene::Scene;
 use crate::scene::shown::escaped;
@@ -67,7 +66,9 @@ impl PoundingArgs {
         console.print(&text(request, &scene, &measured, &found));
         let Some(out) = request.out else { return Ok(()) };
         let files = written(request, &scene, &measured, &found)?;
-        console.print(&write_files(out, &files)?);
+        write_files(out, &files)?;
+        let names: Vec<&str> = files.iter().map(|(name, _)| name.as_str()).collect();
+        console.print(&format!("written to {}: {}\n", out.display(), names.join(", ")));
         Ok(())
     }
 
@@ -78,7 +79,7 @@ impl PoundingArgs {
             Some(name) => names.iter().position(|own| own == name),
             None => (names.len() == 1).then_some(0),
         };
-        found.ok_or_else(|| Failure::Input(said!("wrong-no-girder-flag", "names" => names.join(", "))))
+        found.ok_or_else(|| Failure::Input(format!("--girder: give one of {}", names.join(", "))))
     }
 }
 

@@ -12,7 +12,6 @@ use super::compute::compute_as_asked;
 use super::console::Console;
 use super::domain;
 use super::failure::Failure;
-use crate::language::Text;
 use crate::render::GpuError;
 use crate::sim::History;
 use crate::snapshot::{Instant, Studio};
@@ -48,7 +47,7 @@ fn reached(history: &History, at: Instant, console: &mut Console) -> Result<(), 
         Instant::At(t) => reaches(history, "--at", t),
         Instant::Peak => {
             if history.hardest().is_none() {
-                console.note(&Text::new("note-no-peak"));
+                console.note("nothing touches in this run: `--at peak` shows its start");
             }
             Ok(())
         }

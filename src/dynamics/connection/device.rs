@@ -23,9 +23,15 @@ pub trait Device: Connection<State = Phase, Motion = Separation> + std::fmt::Deb
     /// Whether a force acts in this phase.
     fn acts(&self, phase: &Phase) -> bool;
 
-    /// Whether it always acts, in one phase, with a force that is linear in displacement and rate of its points.
+    /// Stiffness and damping along its axes \[N/m, N·s/m\] where it always acts, in one phase, with a force that is linear in
+    /// displacement and rate of its points.
+    fn linear(&self) -> Option<[DVec3; 2]> {
+        None
+    }
+
+    /// Whether it is [`linear`](Self::linear).
     fn is_linear(&self) -> bool {
-        false
+        self.linear().is_some()
     }
 
     /// Whether, in a phase in which it acts, force and switching functions are linear with a constant in displacement and rate

@@ -50,7 +50,7 @@ impl ContactRun {
     /// Plans the next step of an island whose step ended without an event, and searches the pairs of its bodies again.
     fn continue_island(&mut self, number: usize, mut island: Box<Island>, t: f64) {
         let model = Arc::clone(&self.world.model);
-        if model.ground.next_kink(island.from) <= t {
+        if model.next_kink(island.from) <= t {
             island.rewind(&model, t);
         }
         let slots = island.slots.clone();

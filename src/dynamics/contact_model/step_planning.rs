@@ -26,7 +26,7 @@ pub(in crate::dynamics) fn plan(world: &mut World, schedule: &mut Schedule, numb
         world.islands[number] = Some(island);
         return;
     }
-    let cap = model.duration.min(model.ground.next_kink(from));
+    let cap = model.duration.min(model.next_kink(from));
     schedule.effort.steps += 1;
     let pace = island.pace();
     let going_on = pace.stiff && pace.step > 0.0;

@@ -49,8 +49,8 @@ impl Device for LinearBearing {
         true
     }
 
-    fn is_linear(&self) -> bool {
-        true
+    fn linear(&self) -> Option<[DVec3; 2]> {
+        Some([self.stiffness, self.damping])
     }
 
     fn gap(&self, _: &Phase, motion: &Separation) -> [f64; 2] {

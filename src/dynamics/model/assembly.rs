@@ -7,15 +7,17 @@ use crate::dynamics::model::bearing::{Bearing, PlanarBearings, Standing, carry};
 use crate::dynamics::model::body::{Body, BodyCoordinates};
 use crate::dynamics::model::compiled_model::{Backwall, Model};
 use crate::dynamics::model::met_solids::meetings;
+use crate::dynamics::model::moving_ground::MovingGround;
 use crate::dynamics::model::pair::{ContactSite, Pair};
 use crate::dynamics::model::rate_bounds::RateBounds;
 use crate::dynamics::model::rotation;
 use crate::dynamics::model::single_axis;
 use crate::dynamics::model::{backwall, contact_sites, edge_sites, flexible, pier, supports};
 use crate::motion::Ground;
+use crate::scene::Standing as On;
 use crate::scene::facing::{Facing, SolidId};
 use crate::scene::{
-    Direction, Girder, Kind, Motion, RecordMotion, Scene, SceneErrors, SyntheticMotion, facing, placed,
+    Direction, Girder, Kind, Motion, MovingSupports, RecordMotion, Scene, SceneErrors, SyntheticMotion, facing, placed,
 };
 
 /// What a run may keep as polynomials \[bytes\]: the steps of an hour of shaking of a few girders.
@@ -43,12 +45,14 @@ impl Model {
             body.straight = [0, 1].map(|axis| single_axis::is_decoupled(&body, &ground, axis));
             body
         };
-        let mut bodies: Vec<Body> = scene.girders.iter().map(|g| straight(body(scene, g))).collect();
+        let moving = MovingGround::of(scene, &ground);
+        let supports = moving.as_ref().map(|moving| &moving.supports);
+        let mut bodies: Vec<Body> = scene.girders.iter().map(|g| straight(body(scene, g, supports))).collect();
         supports::pressed(scene, &bodies)?;
         let flexible = flexible::add(scene, &facings, &mut bodies);
         let mut links = Vec::new();
-        let walls = backwall::add(scene, &mut bodies, &mut links)?;
-        bodies.extend(pier::bodies(scene));
+        let walls = backwall::add(scene, moving.as_ref(), &mut bodies, &mut links)?;
+        bodies.extend(pier::bodies(scene, supports));
         let mut pairs = Vec::with_capacity(facings.len());
         let mut contacts = Vec::with_capacity(facings.len() * if scene.kind == Kind::Planar { 4 } else { 8 });
         let met = facing::bodies_met(facings.iter().filter(|f| f.met).map(|f| (f.first, f.second)));
@@ -76,9 +80,11 @@ impl Model {
             memory: MEMORY,
             gravity: if scene.kind == Kind::Spatial { scene.gravity } else { 0.0 },
             ground,
+            moving,
             bodies,
             walls,
             piers: Vec::new(),
+            foundations: Vec::new(),
             flexible,
             pairs,
             contacts,
@@ -92,7 +98,7 @@ impl Model {
         };
         model.add_piers(scene);
         for (number, girder) in scene.girders.iter().enumerate() {
-            model.add_supports(number, girder, scene.setting(), &scene.supports(girder));
+            model.add_supports(number, girder, scene.setting(), &scene.standing(girder));
         }
         model.add_devices(scene);
         model.regroup();
@@ -153,7 +159,7 @@ fn recorded(record: &RecordMotion, direction: DVec3) -> Option<Ground> {
     Some(Ground::record(along / scale, dt, samples.iter().map(|a| a * scale)))
 }
 
-fn body(scene: &Scene, girder: &Girder) -> Body {
+fn body(scene: &Scene, girder: &Girder, moving: Option<&MovingSupports>) -> Body {
     let prism = girder.prism();
     let axes = placed::axes(girder);
     let resolved = girder.supports(scene.setting());
@@ -170,9 +176,18 @@ fn body(scene: &Scene, girder: &Girder) -> Body {
         Kind::Planar => Standing::default(),
         Kind::Spatial => carry(girder.mass * scene.gravity, &mut bearings, axes),
     };
-    // Bearings on piers are links; here they carry the weight alone.
-    for (bearing, _) in bearings.iter_mut().zip(scene.supports(girder)).filter(|(_, pier)| pier.is_some()) {
-        (bearing.stiffness, bearing.damping) = (DVec3::ZERO, DVec3::ZERO);
+    // Bearings on piers, and on ground that moves otherwise, are links; here they carry the weight alone.
+    let linked = |bearing: &Bearing, on: On| match on {
+        On::Pier(_) => true,
+        on => {
+            let place = || DVec3::from(girder.position) + axes * bearing.place;
+            moving.is_some_and(|moving| moving.under(on, place()).is_some())
+        }
+    };
+    for (bearing, on) in bearings.iter_mut().zip(scene.standing(girder)) {
+        if linked(bearing, on) {
+            (bearing.stiffness, bearing.damping) = (DVec3::ZERO, DVec3::ZERO);
+        }
     }
     let gyration2 = prism.inertia_per_mass().z_axis.z;
     let inertia = prism.inertia_per_mass() * girder.mass;

@@ -11,6 +11,7 @@ use crate::dynamics::model::bearing::{PlanarBearings, Standing};
 use crate::dynamics::model::body::{Body, BodyCoordinates};
 use crate::dynamics::model::compiled_model::Backwall;
 use crate::dynamics::model::coordinates::guided::Guided;
+use crate::dynamics::model::moving_ground::MovingGround;
 use crate::dynamics::model::rate_bounds::RateBounds;
 use crate::geometry::Prism;
 use crate::language::Text;
@@ -18,9 +19,10 @@ use crate::scene::{Abutment, BackfillLaw, ResolvedBackfill, Scene, SceneError, S
 
 /// The number among the bodies of an abutment's wall, behind the girders; `None` for one that stands.
 pub(super) fn number(scene: &Scene, abutment: usize) -> Option<usize> {
-    let moves = |abutment: &Abutment| abutment.soil(scene).is_some();
-    let before = || scene.abutments[..abutment].iter().filter(|wall| moves(wall)).count();
-    moves(&scene.abutments[abutment]).then(|| scene.girders.len() + before())
+    let supports = scene.moving_supports();
+    let own = |number: usize| supports.as_ref().and_then(|moving| moving.of_abutment(number)).is_some();
+    let moves = |number: &usize| scene.abutments[*number].soil(scene).is_some() || own(*number);
+    moves(&abutment).then(|| scene.girders.len() + (0..abutment).filter(moves).count())
 }
 
 /// Adds the walls of a scene that move to its bodies and links, and says which abutment's each is.
@@ -29,21 +31,31 @@ pub(super) fn number(scene: &Scene, abutment: usize) -> Option<usize> {
 /// Soil that unloads softer than it loads.
 pub(super) fn add(
     scene: &Scene,
+    moving: Option<&MovingGround>,
     bodies: &mut Vec<Body>,
     links: &mut Vec<Link>,
 ) -> Result<Vec<Option<Backwall>>, SceneErrors> {
-    let mut add = |abutment: &Abutment| {
-        let Some((soil, face)) = abutment.soil(scene).zip(placed::abutment_face(scene, abutment)) else {
-            return Ok(None);
-        };
+    let mut add = |(number, abutment): (usize, &Abutment)| {
+        let Some(face) = placed::abutment_face(scene, abutment) else { return Ok(None) };
         let frame = WallFrame::of(face);
-        let (wall, body) =
-            (Backwall { body: bodies.len(), soil: links.len(), inward: frame.inward }, frame.body(abutment, &soil));
+        let Some(soil) = abutment.soil(scene) else {
+            let own = moving.and_then(|moving| Some((moving, moving.supports.of_abutment(number)?)));
+            return Ok(own.map(|(moving, motion)| {
+                let wall = Backwall { body: bodies.len(), soil: None, inward: frame.inward };
+                let block = frame.block(placed::abutment_depth(scene, abutment));
+                bodies.push(moving.body(abutment.name.clone(), block, frame.corner, motion));
+                wall
+            }));
+        };
+        let (wall, body) = (
+            Backwall { body: bodies.len(), soil: Some(links.len()), inward: frame.inward },
+            frame.body(abutment, &soil),
+        );
         links.extend(frame.links(wall.body, &body, &soil).ok_or_else(|| complaint(abutment))?);
         bodies.push(body);
         Ok(Some(wall))
     };
-    scene.abutments.iter().map(&mut add).collect()
+    scene.abutments.iter().enumerate().map(&mut add).collect()
 }
 
 fn complaint(abutment: &Abutment) -> SceneErrors {
@@ -76,14 +88,14 @@ impl WallFrame {
         Self { corner: a, centre: 0.25 * (a + b + c + d), side, inward, length: along.length(), height: up.length() }
     }
 
+    /// A block of this depth behind the face \[m\].
+    fn block(&self, depth: f64) -> Prism {
+        Prism { length: depth, width: self.length, thickness: self.height, skew: std::f64::consts::FRAC_PI_2 }
+    }
+
     /// The wall, free to move into the soil and out of it; its frame stands at the face's first corner.
     fn body(&self, abutment: &Abutment, soil: &ResolvedBackfill) -> Body {
-        let prism = Prism {
-            length: soil.thickness,
-            width: self.length,
-            thickness: self.height,
-            skew: std::f64::consts::FRAC_PI_2,
-        };
+        let prism = self.block(soil.thickness);
         let radius = prism.corners().iter().map(|c| c.length()).fold(0.0, f64::max);
         let free = [true, true, false, false, false, false];
         let per_mass = prism.inertia_per_mass();

@@ -12,6 +12,7 @@ use glam::{DMat3, DQuat, DVec2, DVec3};
 use crate::contact::Frame;
 use crate::dynamics::model::bearing::{Bearing, BearingQuantities, PlanarBearings, Standing};
 use crate::dynamics::model::closed_form::ClosedForm;
+use crate::dynamics::model::ground_now::GroundNow;
 use crate::dynamics::model::motion_bounds::MotionBounds;
 use crate::dynamics::model::rate_bounds::RateBounds;
 use crate::dynamics::model::reference_pose::ReferencePose;
@@ -142,8 +143,8 @@ pub trait Coordinates: Debug + Send + Sync {
     /// Counts a state from where the body was placed that was counted from the reference pose of these numbers.
     fn restore(&self, numbers: &[f64], state: &mut [f64]);
 
-    /// Rate of a state under the contact forces on each section and the ground's acceleration \[m/s²\]; bearings and given pushes are the body's own.
-    fn slope(&self, body: &Body, now: Counted<'_>, contact: &[Wrench], ground: DVec3, out: &mut [f64]);
+    /// Rate of a state under the contact forces on each section and the ground's motion; bearings and given pushes are the body's own.
+    fn slope(&self, body: &Body, now: Counted<'_>, contact: &[Wrench], ground: GroundNow, out: &mut [f64]);
 
     /// Whether a state has parts of given length, which [`normalise`](Self::normalise) restores.
     fn has_unit_parts(&self) -> bool {
@@ -188,6 +189,11 @@ pub trait Coordinates: Debug + Send + Sync {
     /// The free motion under a ground motion, where it has a closed form; a body without one is integrated alone.
     fn free_motion(&self, _ground: &Ground) -> Option<Arc<dyn ClosedForm>> {
         None
+    }
+
+    /// The next time after `t` at which the rate of a state has a kink that the ground of reference has not \[s\].
+    fn next_kink(&self, _t: f64) -> f64 {
+        f64::INFINITY
     }
 
     /// Fastest circular frequency or decay rate of the free motion \[rad/s\].

@@ -8,29 +8,32 @@ use crate::dynamics::connection::Link;
 use crate::dynamics::model::body::Body;
 use crate::dynamics::model::flexible::Flexible;
 use crate::dynamics::model::meeting::Meeting;
+use crate::dynamics::model::moving_ground::{Foundation, MovingGround};
 use crate::dynamics::model::pair::{ContactSite, Pair};
 use crate::motion::Ground;
 use crate::scene::facing::{self, Side, SolidId};
 use crate::scene::{DeviceId, ImpactSettings, Kind};
 
-/// A backwall that moves.
+/// A backwall that moves: against the soil behind it, or with its ground.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Backwall {
     /// Its number among the bodies.
     pub body: usize,
-    /// Number of the link that is the soil behind it.
-    pub soil: usize,
+    /// Number of the link that is the soil behind it; `None` where it moves with its ground.
+    pub soil: Option<usize>,
     /// Unit vector into the soil, world axes.
     pub inward: DVec3,
 }
 
 /// A pier.
-#[derive(Clone, Copy, Debug, PartialEq)]
+#[derive(Clone, Debug, PartialEq)]
 pub struct Pier {
     /// Its number among the bodies.
     pub body: usize,
     /// Number of the link that is what yields of its base.
     pub yielding: Option<usize>,
+    /// Numbers of the links that are the elastic part of its column, on a foot that moves; none where the column is the body's own.
+    pub column: Range<usize>,
 }
 
 /// A scene, compiled.
@@ -52,12 +55,16 @@ pub struct Model {
     pub gravity: f64,
     /// Ground motion.
     pub ground: Ground,
-    /// Girders, as numbered in the scene; then backwalls that move; then piers.
+    /// How supports move against that ground, where they do.
+    pub moving: Option<MovingGround>,
+    /// Girders, as numbered in the scene; then backwalls that move; then piers; then ground that moves otherwise.
     pub bodies: Vec<Body>,
     /// For each abutment of the scene its backwall; `None` for one that stands.
     pub walls: Vec<Option<Backwall>>,
     /// Piers, as numbered in the scene.
     pub piers: Vec<Pier>,
+    /// Ground that moves otherwise than the ground of reference, but that of abutments, which is their backwall.
+    pub foundations: Vec<Foundation>,
     /// For each girder how it bends; `None` for one that the scene has rigid.
     pub flexible: Vec<Option<Flexible>>,
     /// Facing pairs.
@@ -94,7 +101,8 @@ pub struct ModelDevice {
 impl Model {
     /// The girders, as numbered in the scene.
     pub fn girders(&self) -> &[Body] {
-        &self.bodies[..self.bodies.len() - self.piers.len() - self.walls.iter().flatten().count()]
+        let others = self.foundations.len() + self.piers.len() + self.walls.iter().flatten().count();
+        &self.bodies[..self.bodies.len() - others]
     }
 
     /// The body that a side belongs to; `None` for an abutment that stands.

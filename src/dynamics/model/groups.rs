@@ -10,7 +10,7 @@ use crate::dynamics::model::body::BodyCoordinates;
 use crate::dynamics::model::compiled_model::{Model, ModelDevice};
 use crate::dynamics::model::coordinates::elastic::ElasticGirder;
 use crate::scene::device::Joint;
-use crate::scene::{Kind, Scene};
+use crate::scene::{Kind, Scene, Standing};
 
 /// Why a link cannot be put into a model.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, thiserror::Error)]
@@ -107,10 +107,11 @@ impl Model {
     fn add_law(&mut self, name: &str, joint: &Joint, law: Law) {
         let Law { suffix, axes, kinematics, device } = law;
         let first = self.bodies[joint.girder].home;
-        let second = joint.other.map_or(joint.points[1], |other| self.bodies[other].home);
+        let other = joint.other.or_else(|| self.ground_of(name, joint));
+        let second = other.map_or(joint.points[1], |other| self.bodies[other].home);
         self.add_link(Link {
             name: format!("{name}{suffix}"),
-            bodies: [Some(joint.girder), joint.other],
+            bodies: [Some(joint.girder), other],
             arms: [joint.points[0] - first, joint.points[1] - second],
             sections: [0; 2],
             homes: [first, second],
@@ -118,6 +119,17 @@ impl Model {
             kinematics,
             device,
         });
+    }
+
+    /// The body of the ground or abutment that the second point of a device is on, where that moves otherwise than the ground of
+    /// reference.
+    fn ground_of(&mut self, name: &str, joint: &Joint) -> Option<usize> {
+        let (on, place) = (joint.abutment.map_or(Standing::Ground, Standing::Abutment), joint.points[1]);
+        let motion = self.moving.as_ref()?.supports.under(on, place)?;
+        match joint.abutment {
+            Some(number) => self.walls.get(number)?.map(|wall| wall.body),
+            None => self.foundation(motion, (name, place)),
+        }
     }
 
     fn home_of(&self, end: &Anchor) -> DVec3 {

@@ -1,24 +1,28 @@
 //! Piers: bodies with mass on their columns, and the bearings between girders and them (`docs/physics.md#piers`).
 
+use std::ops::Range;
 use std::sync::Arc;
 
 use glam::DVec3;
 
-use crate::dynamics::connection::{Kinematics, Link};
-use crate::dynamics::devices::{Hysteresis, Play};
+use crate::dynamics::connection::{Device, Kinematics, Link};
+use crate::dynamics::devices::{Hysteresis, LinearBearing, Play};
 use crate::dynamics::model::bearing::{Bearing, PlanarBearings, Standing};
 use crate::dynamics::model::body::{Body, BodyCoordinates};
 use crate::dynamics::model::compiled_model::{Model, Pier};
 use crate::dynamics::model::rate_bounds::RateBounds;
 use crate::geometry::Prism;
-use crate::scene::{Kind, ResolvedPier, Scene};
+use crate::scene::{self, Kind, MovingSupports, ResolvedPier, Scene};
 
 /// The bodies of a scene's piers; their column is a bearing of the body, less what yields of it.
-pub(super) fn bodies(scene: &Scene) -> Vec<Body> {
-    scene.piers.iter().enumerate().map(|(number, pier)| body(&pier.name, &scene.pier(number))).collect()
+pub(super) fn bodies(scene: &Scene, moving: Option<&MovingSupports>) -> Vec<Body> {
+    let foot = |number: usize| moving.and_then(|moving| moving.of_pier(number));
+    let of = |(number, pier): (usize, &scene::Pier)| body(&pier.name, &scene.pier(number), foot(number).is_some());
+    scene.piers.iter().enumerate().map(of).collect()
 }
 
-fn body(name: &str, pier: &ResolvedPier) -> Body {
+/// A pier; its column is links where its foot moves otherwise than the ground of reference.
+fn body(name: &str, pier: &ResolvedPier, linked: bool) -> Body {
     let [length, width, thickness] = pier.cap;
     let prism = Prism { length, width, thickness, skew: std::f64::consts::FRAC_PI_2 };
     let radius = prism.corners().iter().map(|c| c.length()).fold(0.0, f64::max);
@@ -26,7 +30,7 @@ fn body(name: &str, pier: &ResolvedPier) -> Body {
     let mut inertia = prism.inertia_per_mass() * pier.mass;
     inertia.z_axis.z = pier.inertia;
     let free = [true, true, false, false, false, pier.turn_stiffness.is_some()];
-    let bearings = column(pier);
+    let bearings = if linked { Vec::new() } else { column(pier) };
     Body {
         name: name.to_owned(),
         coordinates: BodyCoordinates::Planar,
@@ -78,39 +82,58 @@ impl Model {
     pub(in crate::dynamics) fn add_piers(&mut self, scene: &Scene) {
         let from = self.bodies.len() - scene.piers.len();
         for number in 0..scene.piers.len() {
-            let body = from + number;
-            let yielding = self.add_base(body, &scene.pier(number));
-            self.piers.push(Pier { body, yielding });
+            let (body, resolved) = (from + number, scene.pier(number));
+            let foot = self.moving.as_ref().and_then(|moving| moving.supports.of_pier(number));
+            let foot = foot.and_then(|motion| self.foundation(motion, (&scene.piers[number].name, resolved.top)));
+            let column = foot.map_or(0..0, |foot| self.add_column([body, foot], &resolved));
+            let yielding = self.add_base([Some(body), foot], &resolved);
+            self.piers.push(Pier { body, yielding, column });
         }
     }
 
     /// The part of a pier's base that yields, on one circle where both directions are alike; its number among the links.
-    fn add_base(&mut self, body: usize, pier: &ResolvedPier) -> Option<usize> {
+    fn add_base(&mut self, bodies: [Option<usize>; 2], pier: &ResolvedPier) -> Option<usize> {
         let plays = pier.yielding?.part(pier.stiffness).map(|[stiffness, force]| Play { stiffness, force });
         let device = if plays[0] == plays[1] { Hysteresis::Circle(plays[0]) } else { Hysteresis::PerAxis(plays) };
-        let Body { name, home, axes, .. } = &self.bodies[body];
-        let link = Link {
-            name: format!("{name}.base"),
-            bodies: [Some(body), None],
-            arms: [DVec3::ZERO; 2],
-            sections: [0; 2],
-            homes: [*home; 2],
-            axes: *axes,
-            kinematics: Kinematics::Linear,
-            device: Arc::new(device),
-        };
-        self.add_link(link);
+        self.add_link(self.between(bodies, (pier, DVec3::ZERO), "base", Arc::new(device)));
         Some(self.links.len() - 1)
     }
 
-    /// A link between a place of a girder and the point of a pier below.
-    pub(super) fn bearing_link(
+    /// The elastic part of a column on a foot that moves; the numbers of its links.
+    fn add_column(&mut self, [body, foot]: [usize; 2], pier: &ResolvedPier) -> Range<usize> {
+        let from = self.links.len();
+        for Bearing { place, stiffness, damping, .. } in column(pier) {
+            let spring = Arc::new(LinearBearing { stiffness, damping });
+            self.add_link(self.between([Some(body), Some(foot)], (pier, place), "column", spring));
+        }
+        from..self.links.len()
+    }
+
+    /// A link between a place of a pier, in its own axes \[m\], and its foot below.
+    fn between(
         &self,
-        name: String,
-        bodies: [usize; 2],
-        place: DVec3,
-        device: Arc<dyn crate::dynamics::connection::Device>,
+        bodies: [Option<usize>; 2],
+        (pier, place): (&ResolvedPier, DVec3),
+        what: &str,
+        device: Arc<dyn Device>,
     ) -> Link {
+        let arm = pier.axes * place;
+        let foot = bodies[1].map_or(pier.top + arm, |foot| self.bodies[foot].home);
+        let name = bodies[0].map_or("", |body| self.bodies[body].name.as_str());
+        Link {
+            name: format!("{name}.{what}"),
+            bodies,
+            arms: [arm, pier.top + arm - foot],
+            sections: [0; 2],
+            homes: [pier.top, foot],
+            axes: pier.axes,
+            kinematics: Kinematics::Linear,
+            device,
+        }
+    }
+
+    /// A link between a place of a girder and the point of a pier below.
+    pub(super) fn bearing_link(&self, name: String, bodies: [usize; 2], place: DVec3, device: Arc<dyn Device>) -> Link {
         let [girder, pier] = bodies.map(|body| &self.bodies[body]);
         let arm = girder.axes * place;
         // Bearings of planar scenes are linear in the rotations, as those on the ground are. In space the force acts on both bodies

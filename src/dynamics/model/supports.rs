@@ -10,26 +10,28 @@ use crate::dynamics::model::bearing::Bearing;
 use crate::dynamics::model::body::Body;
 use crate::dynamics::model::compiled_model::Model;
 use crate::language::{Text, message};
-use crate::scene::{AfterUnseating, Girder, Kind, ResolvedBearing, Scene, SceneError, SceneErrors, Setting, seating};
+use crate::scene::{
+    AfterUnseating, Girder, Kind, ResolvedBearing, Scene, SceneError, SceneErrors, Setting, Standing, seating,
+};
 
 impl Model {
-    /// Adds the links of a girder's bearings, each between its place and the ground or the pier below, whose number is in
-    /// `piers`; their groups are formed later.
+    /// Adds the links of a girder's bearings, each between its place and what it stands on, the ground, a pier or an abutment; their
+    /// groups are formed later.
     pub(in crate::dynamics) fn add_supports(
         &mut self,
         body: usize,
         girder: &Girder,
         setting: Setting,
-        piers: &[Option<usize>],
+        standing: &[Standing],
     ) {
         let mut can_be_lost = false;
         let ends_run = setting.kind == Kind::Planar && girder.after_unseating != Some(AfterUnseating::Continue);
-        let mut links = vec![Vec::new(); piers.len()];
+        let mut links = vec![Vec::new(); standing.len()];
         // Springs between girders and piers first, then what yields or slides.
         for on_pier in [true, false] {
             for (number, bearing) in girder.supports(setting).iter().enumerate() {
                 let own = self.bodies[body].bearings[number];
-                let pier = piers[number].map(|pier| self.piers[pier].body);
+                let pier = self.body_under((body, number), bearing.place, standing[number]);
                 let (law, own) = match (on_pier, pier) {
                     (true, None) => continue,
                     (true, Some(_)) => (Some(spring(bearing)), own),
@@ -63,6 +65,20 @@ impl Model {
         if can_be_lost && setting.kind == Kind::Spatial {
             self.watch_corners(body, girder.drop());
         }
+    }
+
+    /// The body below a bearing at this place of a girder \[m\]: a pier, or ground that moves otherwise than the ground of reference.
+    fn body_under(&mut self, (girder, bearing): (usize, usize), place: DVec3, on: Standing) -> Option<usize> {
+        if let Standing::Pier(pier) = on {
+            return Some(self.piers[pier].body);
+        }
+        let place = self.bodies[girder].home + self.bodies[girder].axes * place;
+        let motion = self.moving.as_ref()?.supports.under(on, place)?;
+        if let Standing::Abutment(number) = on {
+            return self.walls.get(number)?.map(|wall| wall.body);
+        }
+        let name = format!("{}.bearing{}", self.bodies[girder].name, bearing + 1);
+        self.foundation(motion, (&name, place))
     }
 
     /// A link of a place of a body \[m\] and the ground there, in the body's axes as placed.
@@ -115,7 +131,7 @@ pub(super) fn pressed(scene: &Scene, bodies: &[Body]) -> Result<(), SceneErrors>
     if errors.is_empty() { Ok(()) } else { Err(SceneErrors(errors)) }
 }
 
-/// Spring and dashpot of a bearing that stands on a pier.
+/// Spring and dashpot of a bearing that stands on a pier, or on ground that moves otherwise.
 fn spring(bearing: &ResolvedBearing) -> Arc<dyn Device> {
     Arc::new(LinearBearing { stiffness: bearing.stiffness.into(), damping: bearing.damping.into() })
 }

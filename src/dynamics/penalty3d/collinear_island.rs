@@ -200,6 +200,7 @@ mod tests {
     use crate::contact::normal::Linear;
     use crate::dynamics::model::coordinates::planar::WIDTH;
     use crate::dynamics::model::coordinates::state_layout::StateLayout;
+    use crate::dynamics::model::ground_now::GroundNow;
     use crate::dynamics::penalty3d::contact_state::ClosedContact;
     use crate::dynamics::penalty3d::general_island;
     use crate::dynamics::penalty3d::workspace::Workspace;
@@ -282,7 +283,7 @@ mod tests {
         let (system, ground) = (system(&model, &active), model.ground.acceleration(0.3));
         let (mut short, mut whole) = (vec![9.0; y.len()], vec![9.0; y.len()]);
         line.rates(&model, &system, ground, &y, &mut short);
-        general_island::rates(&model, &system, ground, &y, &mut Workspace::of(&active), &mut whole);
+        general_island::rates(&model, &system, GroundNow::of(ground), &y, &mut Workspace::of(&active), &mut whole);
         let largest = whole.iter().fold(0.0f64, |most, rate| most.max(rate.abs()));
         for (i, (a, b)) in short.iter().zip(&whole).enumerate() {
             // The order of summation differs.

@@ -3,13 +3,12 @@
 
 use std::ops::Range;
 
-use glam::DVec3;
-
 use crate::dynamics::Model;
 use crate::dynamics::connection::Evolution;
 use crate::dynamics::integrator::system::{ImplicitSystem, PositionBlock, RankOneTerm, System};
 use crate::dynamics::model::body::Point;
 use crate::dynamics::model::coordinates::spatial;
+use crate::dynamics::model::ground_now::GroundNow;
 use crate::dynamics::penalty3d::contact_force;
 use crate::dynamics::penalty3d::contact_rates::quickest;
 use crate::dynamics::penalty3d::coupled_system::CoupledSystem;
@@ -40,6 +39,8 @@ pub(in crate::dynamics) struct EquationsOfMotion<'a> {
     pub kind: &'a IslandKind,
     /// Interval of the ground motion that contains the step.
     pub piece: LinearPiece,
+    /// Beginning of the step: up to its end no support's motion has a kink \[s\].
+    pub since: f64,
     /// Error scale.
     pub scale: ErrorScale,
     /// Allowed error of each slip angle \[rad\], then of each number that a device remembers.
@@ -49,11 +50,12 @@ pub(in crate::dynamics) struct EquationsOfMotion<'a> {
 }
 
 impl EquationsOfMotion<'_> {
-    fn ground(&self, t: f64) -> DVec3 {
-        match &self.model.ground {
+    fn ground(&self, t: f64) -> GroundNow {
+        let acceleration = match &self.model.ground {
             Ground::Record { .. } => self.piece.acceleration(t),
             other => other.acceleration(t),
-        }
+        };
+        GroundNow { acceleration, t, since: self.since }
     }
 }
 
@@ -229,6 +231,7 @@ mod tests {
             model,
             system: &system,
             piece: model.ground.piece(model.ground.piece_number(0.0)),
+            since: 0.0,
             scale,
             angles: &[],
             workspace: &mut Workspace::of(active),

@@ -1,22 +1,21 @@
 //! The general kind of island: bodies with all their coordinates under the forces of all their contacts and devices
 //! (`docs/physics.md#rigid-body`).
 
-use glam::DVec3;
-
 use crate::contact::Mode;
 use crate::dynamics::Model;
 use crate::dynamics::model::body::Counted;
+use crate::dynamics::model::ground_now::GroundNow;
 use crate::dynamics::model::wrench::Wrench;
 use crate::dynamics::penalty3d::active_contact::direction;
 use crate::dynamics::penalty3d::contact_force;
 use crate::dynamics::penalty3d::coupled_system::CoupledSystem;
 use crate::dynamics::penalty3d::workspace::Workspace;
 
-/// Derivative of a state `y`: of the bodies under the ground's acceleration \[m/s²\], then of the slip angles.
+/// Derivative of a state `y`: of the bodies under the ground's motion, then of the slip angles.
 pub(in crate::dynamics) fn rates(
     model: &Model,
     system: &CoupledSystem,
-    ground: DVec3,
+    ground: GroundNow,
     y: &[f64],
     workspace: &mut Workspace,
     out: &mut [f64],
@@ -83,6 +82,8 @@ fn add_contacts(model: &Model, system: &CoupledSystem, y: &[f64], workspace: &mu
 
 #[cfg(test)]
 mod tests {
+    use glam::DVec3;
+
     use super::*;
     use crate::dynamics::Body;
     use crate::dynamics::model::coordinates::planar::WIDTH;
@@ -97,7 +98,7 @@ mod tests {
         let layout = StateLayout::of(model.bodies.iter());
         let system = CoupledSystem::without_rates((bodies, layout, bases), active.to_vec(), Vec::new(), Vec::new());
         let mut out = vec![0.0; y.len()];
-        super::rates(model, &system, DVec3::ZERO, y, &mut Workspace::of(active), &mut out);
+        super::rates(model, &system, GroundNow::of(DVec3::ZERO), y, &mut Workspace::of(active), &mut out);
         out
     }
 

@@ -123,7 +123,7 @@ impl Island {
         self.sloped = (t, model.ground.piece_number(t));
         let piece = model.ground.piece(self.sloped.1);
         let (mut stepper, y) = (std::mem::take(&mut self.stepper), std::mem::take(&mut self.y));
-        stepper.start(&mut self.field(model, piece, ErrorScale::default()), t, &y);
+        stepper.start(&mut self.field(model, (piece, t), ErrorScale::default()), t, &y);
         self.note_raw(&y);
         (self.stepper, self.y) = (stepper, y);
     }
@@ -139,7 +139,7 @@ impl Island {
     pub(super) fn field<'a>(
         &'a mut self,
         model: &'a Model,
-        piece: LinearPiece,
+        (piece, since): (LinearPiece, f64),
         scale: ErrorScale,
     ) -> EquationsOfMotion<'a> {
         EquationsOfMotion {
@@ -147,6 +147,7 @@ impl Island {
             system: &self.system,
             kind: &self.kind,
             piece,
+            since,
             scale,
             angles: &self.angles,
             workspace: &mut self.workspace,
@@ -176,11 +177,11 @@ impl Island {
         let quickest = if self.stepper.state().step > 0.0 { 0.0 } else { self.system.quickest };
         let first = FIRST_PHASE * together / scale.omega.max(quickest) * (model.tolerance / 1e-10).powf(0.125);
         let longest = self.longest(model);
-        let kink = self.limiting_kink(model, &piece);
+        let kink = self.limiting_kink(model, t);
         let cap = self.drive_cap(model, cap);
         let limits = StepLimits { cap, kink, first, longest, soon, smallest: SMALLEST_PHASE / scale.omega };
         let (mut stepper, mut y) = (std::mem::take(&mut self.stepper), std::mem::take(&mut self.y));
-        let outcome = stepper.step(&mut self.field(model, piece, scale), t, &mut y, limits);
+        let outcome = stepper.step(&mut self.field(model, (piece, t), scale), t, &mut y, limits);
         std::mem::swap(&mut self.raw, &mut self.next_raw);
         self.note_raw(&y);
         normalise(model, &self.system.bodies, &self.system.layout, &mut y);
@@ -193,10 +194,11 @@ impl Island {
     }
 
     /// Where a kink of the ground limits steps rather than a method \[s\]: between bodies joined by devices that change their law, whose
-    /// forces are smooth in between.
-    fn limiting_kink(&self, model: &Model, piece: &LinearPiece) -> f64 {
+    /// forces are smooth in between, and where every support has kinks of its own.
+    fn limiting_kink(&self, model: &Model, t: f64) -> f64 {
         let changes = |link: &ActiveLink| !link.of(model).device.is_linear();
-        if self.system.links.iter().any(changes) { piece.until } else { f64::INFINITY }
+        let limits = model.moving.is_some() || self.system.links.iter().any(changes);
+        if limits { model.next_kink(t) } else { f64::INFINITY }
     }
 
     /// Whether no connection acts on its bodies but their bearings.

@@ -1,9 +1,8 @@
 //! The kinds of islands: what differs between an island of bodies with all their coordinates and one on a single axis.
 //! The kind is found where an island is formed and lasts as long as the island.
 
-use glam::DVec3;
-
 use crate::dynamics::Model;
+use crate::dynamics::model::ground_now::GroundNow;
 use crate::dynamics::penalty3d::collinear_island::CollinearIsland;
 use crate::dynamics::penalty3d::coupled_system::CoupledSystem;
 use crate::dynamics::penalty3d::general_island;
@@ -26,20 +25,20 @@ impl IslandKind {
         collinear.map_or(Self::General, Self::Collinear)
     }
 
-    /// Derivative of a state `y` under the ground's acceleration \[m/s²\]. A state of a collinear island that is off its
+    /// Derivative of a state `y` under the ground's motion. A state of a collinear island that is off its
     /// axis, as in a difference quotient, has the rates of the general island.
     #[inline]
     pub(in crate::dynamics) fn rates(
         &self,
         model: &Model,
         system: &CoupledSystem,
-        ground: DVec3,
+        ground: GroundNow,
         y: &[f64],
         workspace: &mut Workspace,
         out: &mut [f64],
     ) {
         match self {
-            Self::Collinear(island) if island.holds(y) => island.rates(model, system, ground, y, out),
+            Self::Collinear(island) if island.holds(y) => island.rates(model, system, ground.acceleration, y, out),
             _ => general_island::rates(model, system, ground, y, workspace, out),
         }
     }
@@ -82,6 +81,8 @@ impl IslandKind {
 
 #[cfg(test)]
 mod tests {
+    use glam::DVec3;
+
     use super::*;
     use crate::dynamics::model::coordinates::planar::WIDTH;
     use crate::dynamics::penalty3d::example::{SPEED, closed, island_of, row, stick};
@@ -97,7 +98,7 @@ mod tests {
 
     fn rates(kind: &IslandKind, model: &Model, system: &CoupledSystem, y: &[f64]) -> Vec<f64> {
         let mut out = vec![0.0; y.len()];
-        kind.rates(model, system, DVec3::ZERO, y, &mut Workspace::of(&system.active), &mut out);
+        kind.rates(model, system, GroundNow::of(DVec3::ZERO), y, &mut Workspace::of(&system.active), &mut out);
         out
     }
 

@@ -24,7 +24,8 @@ impl Island {
         let mut stepper = std::mem::take(&mut self.stepper);
         self.note_raw(&y);
         std::mem::swap(&mut self.raw, &mut self.next_raw);
-        let dense = stepper.repeat_explicit(&mut self.field(model, piece, ErrorScale::default()), from, &mut y, h);
+        let dense =
+            stepper.repeat_explicit(&mut self.field(model, (piece, from), ErrorScale::default()), from, &mut y, h);
         self.note_raw(&y);
         normalise(model, &self.system.bodies, &self.system.layout, &mut y);
         self.sloped = (from + dense.step, number);

@@ -206,6 +206,7 @@ impl Replay {
             system: &system,
             kind: &IslandKind::of(past.model, &system, &y),
             piece,
+            since: from,
             scale: ErrorScale::default(),
             angles: &[],
             workspace: &mut Workspace::of(&system.active),

@@ -9,8 +9,10 @@ use crate::dynamics::world::tracks::LinkTrack;
 impl World {
     /// Names of bodies by their slots.
     pub(in crate::dynamics) fn names(&self, slots: &[usize]) -> String {
-        let name = |&slot: &usize| self.model.bodies[self.bodies[slot].body].name.as_str();
-        slots.iter().map(name).collect::<Vec<_>>().join(", ")
+        // Ground that moves as it is given is not what a run fails by.
+        let of_motion =
+            slots.iter().map(|&slot| self.bodies[slot].body).filter(|&body| !self.model.moves_as_given(body));
+        of_motion.map(|body| self.model.bodies[body].name.as_str()).collect::<Vec<_>>().join(", ")
     }
 
     /// Numbers of the pairs of these bodies, ascending.

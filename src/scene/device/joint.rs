@@ -19,6 +19,8 @@ pub struct Joint {
     pub points: [DVec3; 2],
     /// Axes of the first girder as placed, in the columns.
     pub axes: DMat3,
+    /// Number of the abutment of the second point; none on a girder or the ground.
+    pub abutment: Option<usize>,
     /// Outward normal of the abutment's face, where the second point is on one.
     pub face: Option<DVec3>,
 }

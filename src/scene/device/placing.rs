@@ -17,7 +17,14 @@ impl Joint {
         if scene.kind == Kind::Planar {
             second.z = first.z;
         }
-        Some(Self { girder, other: stand.girder, points: [first, second], axes: own.axes, face: stand.face })
+        Some(Self {
+            girder,
+            other: stand.girder,
+            points: [first, second],
+            axes: own.axes,
+            abutment: stand.abutment,
+            face: stand.face,
+        })
     }
 }
 
@@ -31,6 +38,7 @@ pub fn point_on(scene: &Scene, body: Option<&str>, world: DVec3) -> Option<[f64;
 /// What a point of a device is on, as placed.
 struct Stand {
     girder: Option<usize>,
+    abutment: Option<usize>,
     origin: DVec3,
     axes: DMat3,
     face: Option<DVec3>,
@@ -40,21 +48,28 @@ impl Stand {
     /// `None` where nobody has the name, or the face of the abutment is not known.
     fn of(scene: &Scene, name: Option<&str>) -> Option<Self> {
         let Some(name) = name else {
-            return Some(Self { girder: None, origin: DVec3::ZERO, axes: DMat3::IDENTITY, face: None });
+            return Some(Self { girder: None, abutment: None, origin: DVec3::ZERO, axes: DMat3::IDENTITY, face: None });
         };
         if let Some(girder) = number(scene, name) {
             return Some(Self::on_girder(scene, girder));
         }
-        let abutment = scene.abutments.iter().find(|a| a.name == name)?;
+        let number = scene.abutments.iter().position(|a| a.name == name)?;
+        let abutment = &scene.abutments[number];
         let [a, b, c, d] = placed::abutment_face(scene, abutment)?;
         let (out, along) = ((c - a).cross(d - b).normalize_or_zero(), (b - a).normalize_or_zero());
         let axes = DMat3::from_cols(out, along, out.cross(along));
-        Some(Self { girder: None, origin: (a + b + c + d) / 4.0, axes, face: Some(out) })
+        Some(Self { girder: None, abutment: Some(number), origin: (a + b + c + d) / 4.0, axes, face: Some(out) })
     }
 
     fn on_girder(scene: &Scene, number: usize) -> Self {
         let girder = &scene.girders[number];
-        Self { girder: Some(number), origin: girder.position.into(), axes: placed::axes(girder), face: None }
+        Self {
+            girder: Some(number),
+            abutment: None,
+            origin: girder.position.into(),
+            axes: placed::axes(girder),
+            face: None,
+        }
     }
 
     fn point(&self, at: [f64; 3]) -> DVec3 {

@@ -4,7 +4,7 @@ use super::key::Key;
 use super::{
     ABUTMENT, BACKFILL, BEARING, BEARINGS, BUMPER, CODES, COMPONENT, CONTACT, DAMPER, DECK_BEARINGS, ELASTIC, GIRDER,
     IMPACT, INITIAL, LIMITS, MODEL, MOTION, OVERLAYS, PAIR, PIER, PLOT, PROCESSING, PUSH, RAYLEIGH, RECORD, RESTRAINER,
-    SEAT, SINE, SOLVER, STOPPER, SWEEP, SYNTHETIC, TOP, VIEW,
+    SEAT, SINE, SOLVER, STOPPER, SWEEP, SYNTHETIC, TOP, VIEW, WAVE,
 };
 use crate::scene::DeviceKind;
 
@@ -49,6 +49,7 @@ pub const TABLES: &[Table] = &[
     Table { path: "motion kind = sweep", keys: SWEEP },
     Table { path: "motion.processing", keys: PROCESSING },
     Table { path: "motion.component", keys: COMPONENT },
+    Table { path: "wave", keys: WAVE },
     Table { path: "solver", keys: SOLVER },
     Table { path: "limits", keys: LIMITS },
     Table { path: "codes", keys: CODES },

@@ -29,6 +29,7 @@ pub use super::settings::{OVERLAYS, PLOT, SOLVER, VIEW};
 pub use super::sweep::SWEEP;
 pub use super::synthetic::SYNTHETIC;
 pub use super::top::TOP;
+pub use super::wave::WAVE;
 pub use index::{TABLES, Table, find, of_place};
 pub use key::{Fallback, Key};
 pub use range::Range;

@@ -12,6 +12,7 @@ mod numbers;
 mod piers;
 mod placing;
 mod record;
+mod wave;
 
 pub use complaints::{SceneError, SceneErrors};
 
@@ -63,6 +64,7 @@ pub fn facings(scene: &Scene) -> Result<Vec<Facing>, SceneErrors> {
     complaints.at("codes", keys::CODES).all(&scene.codes);
     numbers::motion(&scene.motion, scene.kind, &mut complaints);
     numbers::solver_and_view(scene, &mut complaints);
+    wave::wave(scene, &mut complaints);
     let mut facings = Vec::new();
     if complaints.is_empty() {
         facings = placing::faces(scene, &mut complaints);

@@ -89,8 +89,9 @@ fn bearings(scene: &Scene, girder: &Girder, complaints: &mut Complaints) {
         let remedy = Text::new("wrong-slider-on-pier");
         at.add("bearings", Text::new("found-slider-on-pier"), remedy);
     }
-    for (key, name) in named.iter().filter(|(_, name)| scene.pier_named(name).is_none()) {
-        let known: Vec<&str> = scene.piers.iter().map(|pier| pier.name.as_str()).collect();
+    let abutments = || scene.abutments.iter().map(|abutment| abutment.name.as_str());
+    let known: Vec<&str> = scene.piers.iter().map(|pier| pier.name.as_str()).chain(abutments()).collect();
+    for (key, name) in named.iter().filter(|(_, name)| !known.contains(name)) {
         let known = if known.is_empty() {
             Text::new("wrong-no-pier").into()
         } else {

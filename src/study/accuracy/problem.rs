@@ -64,7 +64,7 @@ const fn problem(
     Problem { name, summary, source, contact, scene }
 }
 
-static PROBLEMS: [Problem; 16] = [
+static PROBLEMS: [Problem; 17] = [
     problem("free-decay", "straight girder let go, nothing to touch, 4 s", Source::FreeDecay, scenes::free_decay),
     problem(
         "harmonic-response",
@@ -118,6 +118,12 @@ static PROBLEMS: [Problem; 16] = [
     problem("row-of-5", "five 30 m girders of different period, return mapping, 10 s", Source::Second, || {
         presets::load("row-of-5")
     }),
+    problem(
+        "viaduct",
+        "five 30 m spans of 60° skew on four piers, two components of a synthetic earthquake, 0.45 g, 10 s",
+        Source::Second,
+        scenes::viaduct,
+    ),
     problem(
         "deck-3d",
         "30 m deck of 60° skew between two abutments, six degrees of freedom, 20 s",

@@ -121,6 +121,14 @@ pub(super) fn under_a_record() -> Result<Scene, SceneErrors> {
     Ok(scene)
 }
 
+/// The first half of the preset's earthquake.
+pub(super) fn viaduct() -> Result<Scene, SceneErrors> {
+    let mut scene = presets::load("viaduct-5")?;
+    "viaduct".clone_into(&mut scene.name);
+    scene.duration = 10.0;
+    Ok(scene)
+}
+
 /// F1: two equal bars of concrete without damping, 1 mm apart, the first under way at 0.5 m/s.
 pub(super) fn two_bars() -> Result<Scene, SceneErrors> {
     let mut scene = presets::load("deck-30m-elastic")?;

@@ -11,6 +11,8 @@ fn girder(length: f64, width: f64, skew_deg: f64) -> Girder {
 
 fn scene(girder: Girder, gap: f64, duration: f64, impact: ImpactSettings) -> Scene {
     let wall = Abutment {
+        delay: None,
+        motion_factor: None,
         backfill: None,
         name: "wall".to_owned(),
         faces: "deck".to_owned(),

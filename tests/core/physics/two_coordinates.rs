@@ -8,6 +8,7 @@ use girderbench::contact::Frame;
 use girderbench::dynamics::Model;
 use girderbench::dynamics::model::body::{Body, BodyCoordinates, Coordinates, Counted, Point};
 use girderbench::dynamics::model::closed_form::ClosedForm;
+use girderbench::dynamics::model::ground_now::GroundNow;
 use girderbench::dynamics::model::motion_bounds::MotionBounds;
 use girderbench::dynamics::model::reference_pose::ReferencePose;
 use girderbench::dynamics::model::wrench::Wrench;
@@ -86,11 +87,11 @@ impl Coordinates for TwoCoordinates {
         state[POSITIONS].iter_mut().zip(numbers).for_each(|(place, base)| *place += base);
     }
 
-    fn slope(&self, _: &Body, now: Counted<'_>, contact: &[Wrench], ground: DVec3, out: &mut [f64]) {
+    fn slope(&self, _: &Body, now: Counted<'_>, contact: &[Wrench], ground: GroundNow, out: &mut [f64]) {
         let place = now.base.planar().truncate() + DVec2::from_slice(now.state);
         let force = contact[0].force.truncate() - self.stiffness() * place;
         out[POSITIONS].copy_from_slice(&now.state[RATES]);
-        out[RATES].copy_from_slice(&(force / MASS - ground.truncate()).to_array());
+        out[RATES].copy_from_slice(&(force / MASS - ground.acceleration.truncate()).to_array());
     }
 
     fn add_accelerations(&self, state: &mut [f64], slope: &[f64], dt: f64) {

@@ -8,6 +8,7 @@ use girderbench::contact::Frame;
 use girderbench::dynamics::Model;
 use girderbench::dynamics::model::body::{Body, BodyCoordinates, Coordinates, Counted, Point};
 use girderbench::dynamics::model::closed_form::ClosedForm;
+use girderbench::dynamics::model::ground_now::GroundNow;
 use girderbench::dynamics::model::motion_bounds::MotionBounds;
 use girderbench::dynamics::model::reference_pose::ReferencePose;
 use girderbench::dynamics::model::wrench::Wrench;
@@ -115,12 +116,12 @@ impl Coordinates for TwoEnds {
         state[POSITIONS].iter_mut().for_each(|place| *place += x);
     }
 
-    fn slope(&self, _: &Body, now: Counted<'_>, contact: &[Wrench], ground: DVec3, out: &mut [f64]) {
+    fn slope(&self, _: &Body, now: Counted<'_>, contact: &[Wrench], ground: GroundNow, out: &mut [f64]) {
         let pull = self.stiffness() * (now.state[1] - now.state[0]);
         let on_ends = contact.iter().enumerate().map(|(section, wrench)| shares(section) * wrench.force.x);
         let force = on_ends.sum::<DVec2>() + DVec2::new(pull, -pull);
         out[POSITIONS].copy_from_slice(&now.state[RATES]);
-        out[RATES].copy_from_slice(&(force / HALF - DVec2::splat(ground.x)).to_array());
+        out[RATES].copy_from_slice(&(force / HALF - DVec2::splat(ground.acceleration.x)).to_array());
     }
 
     fn add_accelerations(&self, state: &mut [f64], slope: &[f64], dt: f64) {

@@ -107,6 +107,12 @@ fn recorded(record: &str) -> Scene {
     format::read(&text, "recorded").unwrap_or_else(|errors| panic!("{errors}"))
 }
 
+/// The same under a wave; its abutment stands without soil.
+fn waved() -> Scene {
+    let text = FULL.replace("backfill = { base_friction = 0.5 }\n", "") + "[wave]\nspeed_m_per_s = 500.0\n";
+    format::read(&text, "waved").unwrap_or_else(|errors| panic!("{errors}"))
+}
+
 /// A planar scene with an elastic girder.
 fn elastic() -> Scene {
     let text = "name = \"elastic\"\nduration_s = 1.0\n[[girder]]\nname = \"deck\"\nlength_m = 30.0\nwidth_m = 10.0\n\
@@ -125,6 +131,7 @@ fn standing(table: &str) -> (Scene, String) {
         "motion kind = record" => recorded(RECORD),
         "motion kind = synthetic" => recorded("kind = \"synthetic\"\n"),
         "motion kind = sweep" => recorded("kind = \"sweep\"\n"),
+        "wave" => waved(),
         _ if table.starts_with("motion.") => recorded(COMPONENT),
         _ if table.starts_with("girder.elastic") => elastic(),
         _ => full(),

@@ -111,6 +111,15 @@ fn the_formulations_agree_on_the_deck_in_three_dimensions() {
 }
 
 #[test]
+fn the_formulations_agree_on_girders_on_piers() {
+    let known = known("viaduct", 3.0);
+    assert!(known.answer.peak_force > 1e5, "it hits: {} N", known.answer.peak_force);
+    within("displacement [m]", known.floor.displacement, 1e-10);
+    within("rotation [rad]", known.floor.rotation, 1e-11);
+    within("peak force", known.floor.peak_force, 1e-8);
+}
+
+#[test]
 fn the_second_formulation_agrees_with_the_series_in_32_digits() {
     let problem = problem("P1d");
     let mut scene = problem.scene().unwrap_or_else(|errors| panic!("{errors}"));

@@ -9,6 +9,7 @@ use crate::contact::Frame;
 use crate::dynamics::model::body::{Body, Coordinates, Counted, Point};
 use crate::dynamics::model::closed_form::ClosedForm;
 use crate::dynamics::model::coordinates::guided_flight::GuidedFlight;
+use crate::dynamics::model::ground_now::GroundNow;
 use crate::dynamics::model::motion_bounds::MotionBounds;
 use crate::dynamics::model::reference_pose::ReferencePose;
 use crate::dynamics::model::wrench::Wrench;
@@ -77,9 +78,9 @@ impl Coordinates for Guided {
         }
     }
 
-    fn slope(&self, body: &Body, now: Counted<'_>, contact: &[Wrench], ground: DVec3, out: &mut [f64]) {
+    fn slope(&self, body: &Body, now: Counted<'_>, contact: &[Wrench], ground: GroundNow, out: &mut [f64]) {
         out[PLACE] = now.state[RATE];
-        out[RATE] = (contact[0].force / body.mass - ground).dot(self.along);
+        out[RATE] = (contact[0].force / body.mass - ground.acceleration).dot(self.along);
     }
 
     fn add_accelerations(&self, state: &mut [f64], slope: &[f64], dt: f64) {

@@ -4,6 +4,7 @@
 //! [`planar`] or [`spatial`]; those of another body are one file with an implementation of the trait.
 
 pub mod elastic;
+pub(in crate::dynamics) mod given_motion;
 pub(in crate::dynamics) mod guided;
 mod guided_flight;
 pub mod planar;
@@ -17,6 +18,7 @@ use smallvec::SmallVec;
 
 use crate::contact::Frame;
 use crate::dynamics::model::body::{Body, BodyCoordinates, Coordinates, Counted, Point};
+use crate::dynamics::model::ground_now::GroundNow;
 use crate::dynamics::model::motion_bounds::MotionBounds;
 use crate::dynamics::model::reference_pose::ReferencePose;
 use crate::dynamics::model::wrench::Wrench;
@@ -150,7 +152,7 @@ impl Body {
 
     /// [`Coordinates::slope`].
     #[inline]
-    pub fn slope(&self, now: Counted<'_>, contact: &[Wrench], ground: DVec3, out: &mut [f64]) {
+    pub fn slope(&self, now: Counted<'_>, contact: &[Wrench], ground: GroundNow, out: &mut [f64]) {
         of_each!(self, c => c.slope(self, now, contact, ground, out));
     }
 

@@ -6,6 +6,7 @@ use glam::{DMat3, DQuat, DVec3};
 
 use crate::contact::Frame;
 use crate::dynamics::model::body::{Body, Coordinates, Counted, Point};
+use crate::dynamics::model::ground_now::GroundNow;
 use crate::dynamics::model::motion_bounds::MotionBounds;
 use crate::dynamics::model::reference_pose::ReferencePose;
 use crate::dynamics::model::rigid_body;
@@ -193,8 +194,8 @@ impl Coordinates for Planar {
     }
 
     #[inline]
-    fn slope(&self, body: &Body, now: Counted<'_>, contact: &[Wrench], ground: DVec3, out: &mut [f64]) {
-        slope_from(body, now.base.planar(), now.state, &contact[0], ground, out);
+    fn slope(&self, body: &Body, now: Counted<'_>, contact: &[Wrench], ground: GroundNow, out: &mut [f64]) {
+        slope_from(body, now.base.planar(), now.state, &contact[0], ground.acceleration, out);
     }
 
     fn add_accelerations(&self, state: &mut [f64], slope: &[f64], dt: f64) {

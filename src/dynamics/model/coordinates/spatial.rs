@@ -7,6 +7,7 @@ use glam::{DQuat, DVec2, DVec3};
 
 use crate::contact::{Frame, turned_by};
 use crate::dynamics::model::body::{Body, Coordinates, Counted, Point};
+use crate::dynamics::model::ground_now::GroundNow;
 use crate::dynamics::model::motion_bounds::MotionBounds;
 use crate::dynamics::model::reference_pose::ReferencePose;
 use crate::dynamics::model::rigid_body;
@@ -158,8 +159,8 @@ impl Coordinates for Spatial {
     }
 
     #[inline]
-    fn slope(&self, body: &Body, now: Counted<'_>, contact: &[Wrench], ground: DVec3, out: &mut [f64]) {
-        slope(body, &now.base.whole(&now.frames[0]), now.state, &contact[0], ground, out);
+    fn slope(&self, body: &Body, now: Counted<'_>, contact: &[Wrench], ground: GroundNow, out: &mut [f64]) {
+        slope(body, &now.base.whole(&now.frames[0]), now.state, &contact[0], ground.acceleration, out);
     }
 
     fn has_unit_parts(&self) -> bool {

@@ -4,6 +4,7 @@ use glam::{DQuat, DVec3};
 
 use super::contacts::Contacts;
 use crate::contact::Frame;
+use crate::dynamics::connection::Phase;
 use crate::dynamics::model::coordinates::{planar, spatial};
 use crate::dynamics::model::wrench::Wrench;
 use crate::dynamics::{Body, Model};
@@ -61,6 +62,7 @@ impl World {
         self.wrenches.clear();
         self.wrenches.resize(self.model.bodies.len(), Wrench::default());
         self.contacts.push(&self.model, &self.frames, &mut self.wrenches);
+        self.push_bearings();
         let ground = self.model.ground.acceleration(t);
         for (i, body) in self.model.bodies.iter().enumerate() {
             let part = i * self.width..(i + 1) * self.width;
@@ -71,6 +73,17 @@ impl World {
                     spatial::slope(body, &self.frames[i], state, wrench, ground, rate);
                 }
             }
+        }
+    }
+
+    /// Adds the forces of linear bearings between two bodies, as those on piers are.
+    fn push_bearings(&mut self) {
+        for link in self.model.links.iter().filter(|link| link.device.is_linear()) {
+            let [Some(a), Some(b)] = link.bodies else { continue };
+            let (motion, arms) = link.motion([&self.frames[a], &self.frames[b]]);
+            let force = link.force(&Phase::default(), &motion, &self.frames[b]);
+            self.wrenches[a].push(force, arms[0]);
+            self.wrenches[b].push(-force, arms[1]);
         }
     }
 

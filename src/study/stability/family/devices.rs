@@ -3,7 +3,9 @@
 use std::f64::consts::TAU;
 
 use crate::contact::{Calibration, FrictionLaw, NormalName};
-use crate::scene::{ContactSettings, Girder, Kind, Motion, STANDARD_GRAVITY, Scene, SineMotion, overrides};
+use crate::scene::{
+    Abutment, ContactSettings, Girder, Kind, Motion, STANDARD_GRAVITY, Scene, SineMotion, Wave, overrides, validate,
+};
 use crate::study::stability::dice::{Dice, three_digits};
 use crate::study::stability::parts;
 
@@ -58,6 +60,40 @@ pub(super) fn devices(dice: &mut Dice) -> Scene {
     settings.extend(parts_of_a_bridge(dice, &scene, &sizes));
     // One that does not fit is left out by itself.
     settings.iter().fold(scene, |scene, setting| overrides::apply(&scene, setting).unwrap_or(scene))
+}
+
+/// The same without backfill, under a wave that crosses a girder in up to half a period, or with supports of their own motion.
+pub(super) fn waves(dice: &mut Dice) -> Scene {
+    let mut scene = devices(dice);
+    scene.abutments.iter_mut().for_each(|abutment| abutment.backfill = None);
+    let Some(girder) = scene.girders.first() else { return scene };
+    // From the way of the girder's bearings: the frequency is that of the ground where it is a sine.
+    let hertz = if let Motion::Sine(sine) = &scene.motion { sine.frequency_hz } else { 1.0 };
+    let crossing = dice.range(0.01, 0.5) / hertz;
+    let wave =
+        Wave { speed: three_digits(girder.length / crossing), angle_deg: three_digits(dice.range(-180.0, 180.0)) };
+    if dice.chance(0.7) {
+        scene.wave = Some(wave);
+    }
+    for abutment in &mut scene.abutments {
+        abutment.delay = dice.chance(0.3).then(|| three_digits(dice.range(0.0, 1.0) * crossing));
+        abutment.motion_factor = dice.chance(0.3).then(|| three_digits(dice.range(0.5, 1.5)));
+    }
+    let on = |end: &str| scene.abutments.iter().find(|a| a.end.label() == end).map(|a| a.name.clone());
+    let (minus, plus) = (on("-x"), on("+x"));
+    let (first, last) = (scene.girders[0].name.clone(), scene.girders[scene.girders.len() - 1].name.clone());
+    let named = [(first, "on_minus_x", minus), (last, "on_plus_x", plus)];
+    let settings =
+        named.into_iter().filter_map(|(girder, key, name)| Some(format!("girder.{girder}.bearings.{key}={}", name?)));
+    let settings: Vec<String> = settings.filter(|_| dice.chance(0.5)).collect();
+    let plain = Scene { wave: None, ..scene.clone() };
+    let scene = settings.iter().fold(scene, |scene, setting| overrides::apply(&scene, setting).unwrap_or(scene));
+    // What does not go with a wave, such as a slider in space, is shaken as one.
+    if validate::validate(&scene).is_ok() {
+        return scene;
+    }
+    let as_one = |abutment: &Abutment| Abutment { delay: None, motion_factor: None, ..abutment.clone() };
+    Scene { abutments: plain.abutments.iter().map(as_one).collect(), ..plain }
 }
 
 fn girder(dice: &mut Dice) -> Girder {

@@ -54,10 +54,17 @@ pub const DEVICES: &str = "devices";
 /// The seeds from this one on.
 pub const FIRST_DEVICES: u64 = 2_000_000;
 
+/// The same without backfill, on supports whose ground moves later or more than that of the others.
+pub const WAVES: &str = "waves";
+/// The seeds from this one on.
+pub const FIRST_WAVES: u64 = 4_000_000;
+
 /// The scene of a seed, and the name of its family.
 pub fn scene(seed: u64) -> (&'static str, Scene) {
     let mut dice = Dice::new(seed);
-    let (family, maker) = if seed >= FIRST_THROWN_IN_SPACE {
+    let (family, maker) = if seed >= FIRST_WAVES {
+        (WAVES, devices::waves as Maker)
+    } else if seed >= FIRST_THROWN_IN_SPACE {
         (THROWN_IN_SPACE, thrown::thrown_in_space as Maker)
     } else if seed >= FIRST_DEVICES {
         (DEVICES, devices::devices as Maker)
@@ -77,5 +84,5 @@ pub fn scene(seed: u64) -> (&'static str, Scene) {
 
 /// Names of all families.
 pub fn names() -> impl Iterator<Item = &'static str> {
-    FAMILIES.iter().map(|(name, _)| *name).chain([HOURS, THROWN, DEVICES, THROWN_IN_SPACE])
+    FAMILIES.iter().map(|(name, _)| *name).chain([HOURS, THROWN, DEVICES, THROWN_IN_SPACE, WAVES])
 }

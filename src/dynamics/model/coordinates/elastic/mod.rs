@@ -21,6 +21,7 @@ use crate::contact::Frame;
 use crate::dynamics::model::body::{Body, Coordinates, Counted, Point};
 use crate::dynamics::model::closed_form::ClosedForm;
 use crate::dynamics::model::coordinates::planar;
+use crate::dynamics::model::ground_now::GroundNow;
 use crate::dynamics::model::motion_bounds::MotionBounds;
 use crate::dynamics::model::reference_pose::ReferencePose;
 use crate::dynamics::model::rigid_body;
@@ -200,7 +201,7 @@ impl Coordinates for ElasticGirder {
         state[..2].iter_mut().zip(numbers).for_each(|(component, base)| *component += base);
     }
 
-    fn slope(&self, _: &Body, now: Counted<'_>, contact: &[Wrench], ground: DVec3, out: &mut [f64]) {
+    fn slope(&self, _: &Body, now: Counted<'_>, contact: &[Wrench], ground: GroundNow, out: &mut [f64]) {
         let (places, gains) = out.split_at_mut(self.places());
         let (place, rate) = self.halves(now.state);
         gains.fill(0.0);
@@ -210,7 +211,7 @@ impl Coordinates for ElasticGirder {
         places[0] += base.x;
         places[1] += base.y;
         self.resist(places, rate, gains);
-        self.accelerate(ground, gains);
+        self.accelerate(ground.acceleration, gains);
         places.copy_from_slice(rate);
         for (place, free) in places.iter_mut().zip(planar::free(&self.rigid)) {
             if !free {

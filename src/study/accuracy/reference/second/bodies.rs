@@ -2,6 +2,7 @@
 
 use glam::{DMat3, DVec3};
 
+use crate::dynamics::connection::Link;
 use crate::dynamics::{Body, Model};
 use crate::scene::Kind;
 use crate::study::accuracy::answer::Place;
@@ -124,6 +125,22 @@ pub(super) fn rate(model: &Model, body: &Body, state: &[f64], load: &Load, groun
         Kind::Planar => planar(body, state, load, out),
         Kind::Spatial => spatial(body, &here, load, out),
     }
+}
+
+/// Force of a linear bearing between two bodies in plan on the first, and the levers of both as placed: linear in the rotations.
+pub(super) fn between(link: &Link, ends: [&[f64]; 2]) -> Option<(DVec3, [DVec3; 2])> {
+    let [stiffness, damping] = link.device.linear()?;
+    let point = |state: &[f64], lever: DVec3| {
+        [0, 3].map(|i| {
+            let [x, y, turn] = [state[i], state[i + 1], state[i + 2]];
+            DVec3::new(x - lever.y * turn, y + lever.x * turn, 0.0)
+        })
+    };
+    let [[a, va], [b, vb]] = [0, 1].map(|end| point(ends[end], link.arms[end]));
+    let local = |v: DVec3| link.axes.transpose() * v;
+    let mut force = link.axes * -(stiffness * local(a - b) + damping * local(va - vb));
+    force.z = 0.0;
+    Some((force, link.arms))
 }
 
 /// (1): each leg is a Voigt element at its lever as placed, small rotation.

@@ -45,6 +45,14 @@ impl Rate for Field<'_> {
         for (c, site) in self.model.contacts.iter().enumerate() {
             out[angles + c] = contacts::load(site, &self.states[c], y[angles + c], &self.poses, &mut self.loads);
         }
+        for link in &self.model.links {
+            let [Some(a), Some(b)] = link.bodies else { continue };
+            let part = |body: usize| &y[body * self.size..(body + 1) * self.size];
+            if let Some((force, levers)) = bodies::between(link, [part(a), part(b)]) {
+                self.loads[a].add(force, levers[0]);
+                self.loads[b].add(-force, levers[1]);
+            }
+        }
         let ground = self.model.ground.acceleration(t);
         for (i, body) in self.model.bodies.iter().enumerate() {
             let part = i * self.size..(i + 1) * self.size;
@@ -295,6 +303,12 @@ impl<'a> Run<'a> {
 /// Fastest circular frequency of the bearings and the ground, and with contacts closed.
 fn fastest(model: &Model) -> (f64, f64) {
     let of_body = |b: &crate::dynamics::Body| b.quantities().omega.into_iter().fold(0.0, f64::max);
+    // Bearings on piers: both ends swing, and turn, against each other.
+    let linked = |link: &crate::dynamics::connection::Link| {
+        let stiffness = link.device.linear().map_or(0.0, |[stiffness, _]| stiffness.max_element());
+        let lightest = link.bodies.iter().flatten().map(|&b| model.bodies[b].mass).fold(f64::INFINITY, f64::min);
+        2.0 * (stiffness * model.links.len() as f64 / lightest).sqrt()
+    };
     let drive = match &model.ground {
         crate::motion::Ground::Sine { omega, .. } => *omega,
         _ => 1.0,
@@ -305,6 +319,7 @@ fn fastest(model: &Model) -> (f64, f64) {
         2.0 * (k / b.mass).sqrt()
     };
     let flight = model.bodies.iter().map(|b| of_body(b).max(vertical(b))).fold(drive.max(1.0), f64::max);
+    let flight = model.links.iter().map(linked).fold(flight, f64::max);
     let contact = model.pairs.iter().map(|pair| {
         let lightest = pair.bodies.iter().flatten().map(|&b| model.bodies[b].mass).fold(f64::INFINITY, f64::min);
         // A hit off the centre turns the body as well.

@@ -1,0 +1,47 @@
+//! The bodies of a model that are ground: under bearings and feet of piers that stand on ground of one motion.
+
+use glam::DVec3;
+
+use crate::dynamics::model::body::{Body, BodyCoordinates};
+use crate::dynamics::model::compiled_model::Model;
+use crate::dynamics::model::moving_ground::Foundation;
+use crate::geometry::Prism;
+use crate::motion::support::SupportMotion;
+
+/// Ground under a bearing or a foot, which nothing touches.
+const POINT: Prism = Prism { length: 0.0, width: 0.0, thickness: 0.0, skew: std::f64::consts::FRAC_PI_2 };
+
+impl Model {
+    /// The body that the ground is under a support which moves in this way; one is added at
+    /// `place` \[m\] for the first that does, and called as what stands on it.
+    pub(super) fn foundation(&mut self, motion: SupportMotion, (above, place): (&str, DVec3)) -> Option<usize> {
+        let moving = self.moving.as_ref().filter(|_| motion != SupportMotion::REFERENCE)?;
+        if let Some(known) = self.foundations.iter().find(|foundation| foundation.motion == motion) {
+            return Some(known.body);
+        }
+        let (number, body) = (self.bodies.len(), moving.body(above.to_owned(), POINT, place, motion));
+        self.bodies.push(body);
+        self.foundations.push(Foundation { body: number, motion });
+        Some(number)
+    }
+
+    /// Whether a body moves as it is given, as ground does, and no force moves it.
+    pub fn moves_as_given(&self, body: usize) -> bool {
+        self.given().any(|given| given == body)
+    }
+
+    /// Numbers of the bodies that move as they are given.
+    fn given(&self) -> impl Iterator<Item = usize> {
+        let walls = self.walls.iter().flatten().filter(|wall| wall.soil.is_none()).map(|wall| wall.body);
+        self.foundations.iter().map(|foundation| foundation.body).chain(walls)
+    }
+
+    /// The next time after `t` at which the motion of the ground has a kink under any support; infinite when there is none \[s\].
+    pub fn next_kink(&self, t: f64) -> f64 {
+        let own = |body: &Body| match &body.coordinates {
+            BodyCoordinates::Custom(coordinates) => coordinates.next_kink(t),
+            BodyCoordinates::Planar | BodyCoordinates::Spatial => f64::INFINITY,
+        };
+        self.given().map(|body| own(&self.bodies[body])).fold(self.ground.next_kink(t), f64::min)
+    }
+}

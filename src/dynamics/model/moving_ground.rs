@@ -1,0 +1,74 @@
+//! Ground that does not move as one: how supports move against the ground of reference, and bodies that move as they are given
+//! (`docs/physics.md#supports-that-move`).
+
+use std::sync::Arc;
+
+use glam::{DMat3, DVec3};
+
+use crate::dynamics::model::bearing::{PlanarBearings, Standing};
+use crate::dynamics::model::body::{Body, BodyCoordinates};
+use crate::dynamics::model::coordinates::given_motion::GivenMotion;
+use crate::dynamics::model::rate_bounds::RateBounds;
+use crate::geometry::Prism;
+use crate::motion::Ground;
+use crate::motion::support::{GroundPath, RelativeMotion, SupportMotion};
+use crate::scene::{Kind, MovingSupports, Scene};
+
+/// Ground that moves otherwise, as a body of the model.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Foundation {
+    /// Its number among the bodies.
+    pub body: usize,
+    /// How it moves.
+    pub motion: SupportMotion,
+}
+
+/// How the ground moves under the supports of a scene, and the path of the ground of reference.
+#[derive(Clone, Debug)]
+pub struct MovingGround {
+    /// Delay and factor by support.
+    pub supports: MovingSupports,
+    path: Arc<GroundPath>,
+    kind: Kind,
+}
+
+impl MovingGround {
+    /// Of a scene; `None` where its ground moves as one.
+    pub(super) fn of(scene: &Scene, ground: &Ground) -> Option<Self> {
+        let supports = scene.moving_supports()?;
+        Some(Self { supports, path: Arc::new(GroundPath::of(ground.clone())), kind: scene.kind })
+    }
+
+    /// Displacement of the ground of a support that moves in this way against the ground of reference \[m\].
+    pub fn displacement(&self, own: SupportMotion, t: f64) -> DVec3 {
+        RelativeMotion::of(Arc::clone(&self.path), own).at(t)[1]
+    }
+
+    /// What moves as the ground under a support does, a block of this size, of a mass that no force moves; its frame stands at `home`
+    /// \[m\].
+    pub(super) fn body(&self, name: String, prism: Prism, home: DVec3, own: SupportMotion) -> Body {
+        let motion = RelativeMotion::of(Arc::clone(&self.path), own);
+        let axes = if self.kind == Kind::Planar { 2 } else { 3 };
+        Body {
+            name,
+            coordinates: BodyCoordinates::Custom(Arc::new(GivenMotion { motion, axes })),
+            home,
+            axes: DMat3::IDENTITY,
+            mass: f64::INFINITY,
+            gyration2: 1.0,
+            inertia: [DMat3::IDENTITY, DMat3::ZERO],
+            radius: prism.corners().iter().map(|corner| corner.length()).fold(0.0, f64::max),
+            prism,
+            rate_bounds: RateBounds { mobility: 0.0, stiffest: 0.0 },
+            bearings: Vec::new(),
+            standing: Standing::default(),
+            planar: PlanarBearings::gather(&[], DMat3::IDENTITY),
+            free: [false; 6],
+            push: DVec3::ZERO,
+            moment: DVec3::ZERO,
+            straight: [false; 2],
+            start: [0.0; 6],
+            start_rate: [0.0; 6],
+        }
+    }
+}

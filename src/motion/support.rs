@@ -1,0 +1,212 @@
+//! Motion of a support whose ground moves otherwise than the ground of reference: later, stronger or weaker
+//! (`docs/physics.md#supports-that-move`).
+
+use std::sync::Arc;
+
+use glam::DVec3;
+
+use super::{Ground, LinearPiece};
+
+/// Velocity and displacement of a ground that was at rest until t = 0, in closed form.
+#[derive(Clone, Debug, PartialEq)]
+pub struct GroundPath {
+    ground: Ground,
+    /// Velocity \[m/s\] and displacement \[m\] at the samples of a record.
+    at_samples: Vec<[DVec3; 2]>,
+}
+
+impl GroundPath {
+    /// Of this ground.
+    pub fn of(ground: Ground) -> Self {
+        let (mut at_samples, mut now, mut number) = (Vec::new(), [DVec3::ZERO; 2], 0);
+        if let Ground::Record { .. } = ground {
+            loop {
+                at_samples.push(now);
+                let piece = ground.piece(number);
+                if piece.until.is_infinite() {
+                    break;
+                }
+                now = carried(now, &piece, piece.until);
+                number += 1;
+            }
+        }
+        Self { ground, at_samples }
+    }
+
+    /// Velocity \[m/s\] and displacement \[m\] at `t`; none before 0.
+    pub fn at(&self, t: f64) -> [DVec3; 2] {
+        if t <= 0.0 {
+            return [DVec3::ZERO; 2];
+        }
+        match &self.ground {
+            Ground::Still => [DVec3::ZERO; 2],
+            Ground::Sine { amplitude, quadrature, omega, phase } => {
+                let ((s0, c0), (s, c)) = (phase.sin_cos(), (omega * t + phase).sin_cos());
+                let (a, b) = (*amplitude / *omega, *quadrature / *omega);
+                let velocity = a * (c0 - c) + b * (s - s0);
+                [velocity, a * (c0 * t - (s - s0) / omega) + b * ((c0 - c) / omega - s0 * t)]
+            }
+            Ground::Record { .. } => {
+                let number = self.ground.piece_number(t);
+                carried(self.at_samples[number], &self.ground.piece(number), t)
+            }
+        }
+    }
+}
+
+/// Velocity and displacement carried through a piece of a record from its beginning to `t`.
+fn carried([velocity, displacement]: [DVec3; 2], piece: &LinearPiece, t: f64) -> [DVec3; 2] {
+    let (tau, start, rate) = (t - piece.from, piece.start(), piece.rate());
+    let gained = (start + rate * (0.5 * tau)) * tau;
+    let moved = (velocity + (start + rate * (tau / 3.0)) * (0.5 * tau)) * tau;
+    [velocity + gained, displacement + moved]
+}
+
+/// How the ground of a support moves: `factor · a(t − delay)`, at rest before.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct SupportMotion {
+    /// By how much later it begins than the ground of reference; not negative \[s\].
+    pub delay: f64,
+    /// Its acceleration over that of the ground of reference \[–\].
+    pub factor: f64,
+}
+
+impl SupportMotion {
+    /// That of the ground of reference.
+    pub const REFERENCE: Self = Self { delay: 0.0, factor: 1.0 };
+}
+
+/// Motion of a support against the ground of reference: `factor · x(t − delay) − x(t)`, and its derivatives.
+#[derive(Clone, Debug, PartialEq)]
+pub struct RelativeMotion {
+    path: Arc<GroundPath>,
+    own: SupportMotion,
+}
+
+impl RelativeMotion {
+    /// Of a support over a ground whose path is known.
+    pub fn of(path: Arc<GroundPath>, own: SupportMotion) -> Self {
+        Self { path, own }
+    }
+
+    /// Velocity \[m/s\] and displacement \[m\] at `t`.
+    pub fn at(&self, t: f64) -> [DVec3; 2] {
+        let (own, reference) = (self.path.at(t - self.own.delay), self.path.at(t));
+        [0, 1].map(|i| own[i] * self.own.factor - reference[i])
+    }
+
+    /// Acceleration at `t` of a stretch without a kink that begins at `since` \[m/s²\].
+    pub fn acceleration(&self, since: f64, t: f64) -> DVec3 {
+        let ground = &self.path.ground;
+        let piece = ground.piece(ground.piece_number(since));
+        let of = |piece: &LinearPiece, t: f64| match ground {
+            Ground::Record { .. } => piece.acceleration(t),
+            other => other.acceleration(t),
+        };
+        let own = self.own_piece(since).map_or(DVec3::ZERO, |piece| of(&piece, t - self.own.delay));
+        own * self.own.factor - of(&piece, t)
+    }
+
+    /// The next time after `t` at which the acceleration has a kink or a jump; infinite when there is none \[s\].
+    pub fn next_kink(&self, t: f64) -> f64 {
+        let own = match self.own_piece(t) {
+            None => self.own.delay,
+            Some(piece) => piece.until + self.own.delay,
+        };
+        own.min(self.path.ground.next_kink(t))
+    }
+
+    /// Bound of its acceleration at any time \[m/s²\].
+    pub fn peak(&self) -> f64 {
+        (1.0 + self.own.factor.abs()) * self.path.ground.peak()
+    }
+
+    /// Time within which the ground's acceleration changes by about itself: some samples of a record, a radian of a sine \[s\].
+    pub fn pace(&self) -> f64 {
+        match self.path.ground {
+            Ground::Still => f64::INFINITY,
+            Ground::Sine { omega, .. } => omega.recip(),
+            Ground::Record { dt, .. } => dt,
+        }
+    }
+
+    /// The piece of the support's own record at `t`, in its own time; `None` before it begins. A kink belongs to the piece that it
+    /// begins, where it was computed as `k Δt + delay`.
+    fn own_piece(&self, t: f64) -> Option<LinearPiece> {
+        let (ground, delay) = (&self.path.ground, self.own.delay);
+        if t < delay {
+            return None;
+        }
+        let mut number = ground.piece_number(t - delay);
+        while ground.piece(number).until + delay <= t {
+            number += 1;
+        }
+        while number > 0 && ground.piece(number).from + delay > t {
+            number -= 1;
+        }
+        Some(ground.piece(number))
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    fn grounds() -> [Ground; 2] {
+        let samples = [0.3, 1.0, -2.0, 0.5, 0.0, 1.5, -0.7];
+        let sine =
+            Ground::Sine { amplitude: DVec3::new(2.0, 1.0, 0.0), quadrature: DVec3::Z * 0.5, omega: 9.0, phase: 0.4 };
+        [Ground::record(DVec3::new(0.6, 0.8, 0.0), 0.1, samples), sine]
+    }
+
+    #[test]
+    fn velocity_and_displacement_are_the_integrals_of_the_acceleration() {
+        for ground in grounds() {
+            let path = GroundPath::of(ground.clone());
+            // Simpson's rule over cells within pieces is exact for a record, and of fourth order for a sine.
+            let (mut v, mut x) = (DVec3::ZERO, DVec3::ZERO);
+            let (count, until) = (1600, 0.8);
+            let h = until / f64::from(count);
+            for i in 0..count {
+                let t = f64::from(i) * h;
+                let cell = |part: f64| {
+                    let piece = ground.piece(ground.piece_number(t + 0.5 * h));
+                    if matches!(ground, Ground::Record { .. }) {
+                        piece.acceleration(t + part * h)
+                    } else {
+                        ground.acceleration(t + part * h)
+                    }
+                };
+                let [a, b, c] = [0.0, 0.5, 1.0].map(cell);
+                x += v * h + (a + 2.0 * b) * (h * h / 6.0);
+                v += (a + 4.0 * b + c) * (h / 6.0);
+            }
+            let [velocity, displacement] = path.at(until);
+            assert!((velocity - v).length() < 1e-12, "{velocity} for {v} m/s");
+            assert!((displacement - x).length() < 1e-11, "{displacement} for {x} m");
+        }
+    }
+
+    #[test]
+    fn a_support_moves_later_and_by_its_factor() {
+        for ground in grounds() {
+            let path = Arc::new(GroundPath::of(ground.clone()));
+            let support = SupportMotion { delay: 0.137, factor: 0.8 };
+            let relative = RelativeMotion::of(Arc::clone(&path), support);
+            let mut since = 0.0;
+            while since < 1.0 {
+                let kink = relative.next_kink(since).min(since + 0.05);
+                assert!(kink > since, "{kink} after {since}");
+                let t = 0.5 * (since + kink);
+                let own = if t < support.delay { DVec3::ZERO } else { ground.acceleration(t - support.delay) };
+                let wanted = own * support.factor - ground.acceleration(t);
+                assert!((relative.acceleration(since, t) - wanted).length() < 1e-12, "at {t}");
+                since = kink;
+            }
+            let [_, before] = relative.at(0.1);
+            assert_eq!(before, -path.at(0.1)[1], "at rest before it begins");
+            let still = RelativeMotion::of(path, SupportMotion::REFERENCE);
+            assert_eq!(still.at(0.5), [DVec3::ZERO; 2], "no motion against itself");
+        }
+    }
+}

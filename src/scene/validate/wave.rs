@@ -1,0 +1,45 @@
+//! Ground that does not move as one: what it can be combined with.
+
+use glam::DVec3;
+
+use super::complaints::Complaints;
+use crate::language::{Text, message};
+use crate::scene::{Girder, Kind, ModelKind, MovingSupports, Scene, keys, placed};
+
+/// Checks the wave, and what stands on ground that moves otherwise.
+pub(super) fn wave(scene: &Scene, complaints: &mut Complaints) {
+    if let Some(wave) = &scene.wave {
+        complaints.at("wave", keys::WAVE).all(wave);
+    }
+    // The places of supports need sound numbers.
+    if !complaints.is_empty() {
+        return;
+    }
+    let Some(supports) = scene.moving_supports() else { return };
+    if scene.model.kind != ModelKind::Contact {
+        let value = message!("found-model-wave", "model" => scene.model.kind.label());
+        complaints.at("model", keys::MODEL).add("kind", value, Text::new("wrong-impact-wave"));
+    }
+    for (number, abutment) in scene.abutments.iter().enumerate() {
+        if abutment.backfill.is_some() && supports.of_abutment(number).is_some() {
+            let mut at = complaints.of("abutment", &abutment.name, keys::ABUTMENT);
+            at.add("backfill", Text::new("found-soil-wave"), Text::new("wrong-soil-wave"));
+        }
+    }
+    for (number, pier) in scene.piers.iter().enumerate() {
+        if scene.kind == Kind::Spatial && scene.motion.is_vertical() && supports.of_pier(number).is_some() {
+            let mut at = complaints.of("pier", &pier.name, keys::PIER);
+            at.add("delay_s", Text::new("found-foot-wave"), Text::new("wrong-foot-wave"));
+        }
+    }
+    for girder in scene.girders.iter().filter(|girder| slides_on_moving_ground(scene, girder, &supports)) {
+        let mut at = complaints.of("girder", &girder.name, keys::GIRDER);
+        at.add("bearings", Text::new("found-slider-wave"), Text::new("wrong-slider-wave"));
+    }
+}
+
+fn slides_on_moving_ground(scene: &Scene, girder: &Girder, supports: &MovingSupports) -> bool {
+    let (axes, home) = (placed::axes(girder), DVec3::from(girder.position));
+    let mut bearings = girder.supports(scene.setting()).into_iter().zip(scene.standing(girder));
+    bearings.any(|(bearing, on)| bearing.sliding.is_some() && supports.under(on, home + axes * bearing.place).is_some())
+}

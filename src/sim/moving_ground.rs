@@ -1,0 +1,60 @@
+//! Ground that moves otherwise than the ground of reference, at any instant.
+
+use glam::DVec3;
+
+use super::History;
+use crate::dynamics::Model;
+use crate::motion::support::SupportMotion;
+use crate::scene::{Girder, ResolvedBearing, Scene, placed};
+
+/// Times at which the motion of a support is looked at for its largest displacement.
+const LOOKS: u32 = 2000;
+
+/// A support whose ground moves otherwise than the ground of reference.
+#[derive(Clone, Debug, PartialEq)]
+pub struct MovedSupport {
+    /// The abutment or pier, or the bearing or device on the ground.
+    pub name: String,
+    /// How it moves.
+    pub motion: SupportMotion,
+    /// Largest displacement against the ground of reference within the run, of the times looked at \[m\].
+    pub largest: f64,
+    /// That at the end of the run \[m\].
+    pub last: f64,
+}
+
+/// The supports of a scene whose ground moves otherwise than the ground of reference: abutments, piers, other places.
+pub fn moved_supports(scene: &Scene, model: &Model) -> Vec<MovedSupport> {
+    let Some(moving) = &model.moving else { return Vec::new() };
+    let supports = &moving.supports;
+    let abutments = scene.abutments.iter().enumerate().map(|(i, a)| (a.name.clone(), supports.of_abutment(i)));
+    let piers = scene.piers.iter().enumerate().map(|(i, pier)| (pier.name.clone(), supports.of_pier(i)));
+    let other = model.foundations.iter().filter(|foundation| !supports.piers.contains(&foundation.motion));
+    let other = other.map(|foundation| (model.bodies[foundation.body].name.clone(), Some(foundation.motion)));
+    let moved = |(name, motion): (String, Option<SupportMotion>)| {
+        let motion = motion?;
+        let apart = |t: f64| moving.displacement(motion, t).length();
+        let looks = (0..=LOOKS).map(|look| model.duration * f64::from(look) / f64::from(LOOKS));
+        Some(MovedSupport { name, motion, largest: looks.map(apart).fold(0.0, f64::max), last: apart(model.duration) })
+    };
+    abutments.chain(piers).chain(other).filter_map(moved).collect()
+}
+
+impl History {
+    /// Displacement of the ground of a support that moves in this way, against the ground of reference \[m\].
+    pub fn ground(&self, motion: SupportMotion, t: f64) -> DVec3 {
+        self.model().moving.as_ref().map_or(DVec3::ZERO, |moving| moving.displacement(motion, t))
+    }
+
+    /// Displacement of the ground under each bearing of each girder \[m\], 0 on piers; nothing where the ground moves as one.
+    pub fn ground_under_bearings(&self, t: f64) -> Vec<Vec<DVec3>> {
+        let (scene, Some(moving)) = (self.scene(), &self.model().moving) else { return Vec::new() };
+        let of = |girder: &Girder| {
+            let (axes, home) = (placed::axes(girder), DVec3::from(girder.position));
+            let bearings = girder.supports(scene.setting()).into_iter().zip(scene.standing(girder));
+            let motion = |(bearing, on): (ResolvedBearing, _)| moving.supports.under(on, home + axes * bearing.place);
+            bearings.map(|bearing| motion(bearing).map_or(DVec3::ZERO, |own| moving.displacement(own, t))).collect()
+        };
+        scene.girders.iter().map(of).collect()
+    }
+}

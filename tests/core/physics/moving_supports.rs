@@ -1,0 +1,214 @@
+//! Supports whose ground moves later or more than the ground of reference: shifts in time, superposition, limits, books
+//! (`docs/physics.md#supports-that-move`).
+
+use girderbench::motion::support::GroundPath;
+use girderbench::scene::{Abutment, Scene, presets};
+use girderbench::sim::History;
+use glam::DVec3;
+
+use crate::support::{run, scene, within};
+
+const DELAY: f64 = 0.137;
+
+/// Displacement of the ground of reference \[m\].
+fn ground(history: &History, t: f64) -> DVec3 {
+    GroundPath::of(history.model().ground.clone()).at(t)[1]
+}
+
+/// Displacement of a girder against the place where the ground of reference was at the start \[m\].
+fn absolute(history: &History, girder: usize, t: f64) -> DVec3 {
+    history.motion(girder, t).displacement + ground(history, t)
+}
+
+fn times(duration: f64) -> impl Iterator<Item = f64> {
+    (0..=200).map(move |i| duration * f64::from(i) / 200.0)
+}
+
+fn delayed(abutment: &mut Abutment) {
+    abutment.delay = Some(DELAY);
+}
+
+/// A scene in which everything stands on ground that moves later is the scene on one ground, later.
+fn shifted(mut scene: Scene, allowed: f64) {
+    scene.solver.tolerance = 1e-11;
+    let before = run(&scene);
+    scene.abutments.iter_mut().for_each(delayed);
+    scene.piers.iter_mut().for_each(|pier| pier.delay = Some(DELAY));
+    scene.duration += DELAY;
+    let after = run(&scene);
+    assert!(after.balance().holds(), "{:?}", after.ledger(after.end()));
+    let bodies = scene.girders.len();
+    let (mut worst, mut turned) = (0.0f64, 0.0f64);
+    for t in times(before.end()) {
+        for girder in 0..bodies {
+            let apart = absolute(&after, girder, t + DELAY) - absolute(&before, girder, t);
+            worst = worst.max(apart.length());
+            turned = turned.max((after.motion(girder, t + DELAY).theta - before.motion(girder, t).theta).abs());
+        }
+    }
+    within("displacement", worst, allowed);
+    within("rotation", turned, allowed);
+    let touches = |history: &History| history.touches().len();
+    assert_eq!(touches(&after), touches(&before), "the same touches");
+    let peak = |history: &History| history.touches().iter().map(|touch| touch.peak_force).fold(0.0, f64::max);
+    within("peak force", (peak(&after) - peak(&before)) / peak(&before).max(1.0), 1e-7);
+}
+
+#[test]
+fn a_girder_and_its_abutment_on_ground_that_moves_later_do_the_same_later() {
+    let mut scene = presets::load("skew45-abutment").expect("a preset");
+    scene.duration = 2.0;
+    for girder in &mut scene.girders {
+        for end in girderbench::geometry::End::BOTH {
+            assert!(girder.stand_on(end, Some(&scene.abutments[0].name)), "bearings");
+        }
+    }
+    shifted(scene, 1e-9);
+}
+
+#[test]
+fn girders_on_piers_whose_feet_move_later_do_the_same_later() {
+    let pier = |more: &str| {
+        scene(&format!(
+            r#"
+            name = "pier"
+            duration_s = 5.0
+            [[girder]]
+            name = "deck"
+            length_m = 30.0
+            width_m = 10.0
+            thickness_m = 1.5
+            mass_kg = 3e5
+            bearings = {{ frequency_hz = 1.1, damping_ratio = 0.03, at_m = [[12, 4], [-12, 4], [-12, -4], [12, -4]], on_minus_x = "p", on_plus_x = "p" }}
+            [[pier]]
+            name = "p"
+            mass_kg = 1.2e5
+            stiffness_n_per_m = [2e7, 3e7]
+            position_m = [2.0, 1.0]
+            turn_stiffness_n_m_per_rad = 2e9
+            {more}
+            [motion]
+            kind = "synthetic"
+            length_s = 5.0
+            peak_g = 0.4
+            angle_deg = 30.0
+            "#
+        ))
+    };
+    shifted(pier(""), 1e-9);
+    shifted(pier("yield_force_n = [3e5, 4e5]"), 1e-8);
+}
+
+/// A straight girder between two abutments that it does not reach, on a spring of its own to each.
+fn between(springs: [f64; 2], wave: &str) -> Scene {
+    let [west, east] = springs;
+    scene(&format!(
+        r#"
+        name = "between"
+        duration_s = 4.0
+        [[girder]]
+        name = "deck"
+        length_m = 30.0
+        width_m = 10.0
+        thickness_m = 1.5
+        mass_kg = 8e5
+        bearings = [
+            {{ at_m = [-14.0, 0.0], stiffness_n_per_m = [{west:?}, 1e7], damping_n_s_per_m = [1e5, 1e5], on = "west" }},
+            {{ at_m = [14.0, 0.0], stiffness_n_per_m = [{east:?}, 1e7], damping_n_s_per_m = [1e5, 1e5], on = "east" }},
+        ]
+        [[abutment]]
+        name = "west"
+        faces = "deck"
+        end = "-x"
+        gap_m = 2.0
+        [[abutment]]
+        name = "east"
+        faces = "deck"
+        gap_m = 2.0
+        [motion]
+        kind = "sine"
+        amplitude_g = 0.3
+        frequency_hz = 1.3
+        phase_deg = 90.0
+        [solver]
+        tolerance = 1e-12
+        {wave}
+        "#
+    ))
+}
+
+#[test]
+fn a_girder_on_springs_to_two_supports_follows_both() {
+    // m y'' = −Σ k (y − x_s): the weighted sum of the answers on either ground, where damping has the same shares.
+    let springs = [8e6, 8e6];
+    let one = run(&between(springs, ""));
+    let speed = 250.0;
+    // The faces are 30 m + 2 · 2 m apart.
+    let delay = 34.0 / speed;
+    let two = run(&between(springs, &format!("[wave]\nspeed_m_per_s = {speed:?}")));
+    assert!(two.balance().holds(), "{:?}", two.ledger(4.0));
+    let mut worst = 0.0f64;
+    for t in times(4.0) {
+        let late = if t < delay { DVec3::ZERO } else { absolute(&one, 0, t - delay) };
+        let wanted = 0.5 * (absolute(&one, 0, t) + late);
+        worst = worst.max((absolute(&two, 0, t) - wanted).length());
+    }
+    within("superposition", worst, 1e-11);
+    assert!(two.motion(0, 1.0).displacement.x.abs() > 1e-3, "it moves");
+}
+
+#[test]
+fn factors_scale_the_share_of_a_support() {
+    let springs = [8e6, 8e6];
+    let one = run(&between(springs, ""));
+    let mut scene = between(springs, "");
+    scene.abutments[1].motion_factor = Some(0.4);
+    let two = run(&scene);
+    let mut worst = 0.0f64;
+    for t in times(4.0) {
+        worst = worst.max((absolute(&two, 0, t) - 0.7 * absolute(&one, 0, t)).length());
+    }
+    within("superposition", worst, 1e-11);
+}
+
+#[test]
+fn a_fast_wave_is_one_ground_and_none_is_it_to_the_last_bit() {
+    let scene = presets::load("span-as-built").expect("a preset");
+    let mut scene = Scene { duration: 4.0, ..scene };
+    scene.abutments.iter_mut().for_each(|abutment| abutment.backfill = None);
+    let one = run(&scene);
+    let mut same = scene.clone();
+    for abutment in &mut same.abutments {
+        (abutment.delay, abutment.motion_factor) = (Some(0.0), Some(1.0));
+    }
+    assert_eq!(run(&same).digest(), one.digest(), "no delay and the factor 1");
+    let answer = |speed: f64| {
+        let mut fast = scene.clone();
+        fast.wave = Some(girderbench::scene::Wave { speed, angle_deg: 0.0 });
+        let fast = run(&fast);
+        times(2.0)
+            .map(|t| (fast.motion(0, t).displacement - one.motion(0, t).displacement).length())
+            .fold(0.0, f64::max)
+    };
+    let [slow, fast] = [answer(1e6), answer(1e8)];
+    assert!(slow < 1e-4 && fast < 0.03 * slow, "{slow} and {fast} m: the difference falls with the speed");
+}
+
+#[test]
+fn a_wave_from_the_other_side_gives_the_mirrored_answer() {
+    let mut scene = between([5e6, 9e6], "[wave]\nspeed_m_per_s = 200.0\nangle_deg = 0.0");
+    scene.abutments.iter_mut().for_each(|abutment| abutment.gap = Some(0.03));
+    let there = run(&scene);
+    let mut mirrored = between([9e6, 5e6], "[wave]\nspeed_m_per_s = 200.0\nangle_deg = 180.0");
+    mirrored.abutments.iter_mut().for_each(|abutment| abutment.gap = Some(0.03));
+    let girderbench::scene::Motion::Sine(sine) = &mut mirrored.motion else { panic!("a sine") };
+    sine.amplitude_g = sine.amplitude_g.map(|a| -a);
+    let back = run(&mirrored);
+    assert!(!there.touches().is_empty(), "it touches");
+    assert!(there.balance().holds(), "{:?}", there.ledger(4.0));
+    let mut worst = 0.0f64;
+    for t in times(4.0) {
+        worst = worst.max((there.motion(0, t).displacement.x + back.motion(0, t).displacement.x).abs());
+    }
+    within("mirror", worst, 1e-9);
+}
