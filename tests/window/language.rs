@@ -10,7 +10,7 @@ use girderbench::language::Language;
 use girderbench::scene::presets;
 use girderbench::view::Target;
 
-use super::harness::{bench, builder, open, press, settle, show};
+use super::harness::{bench, builder, open, press, settle, show, slide};
 
 #[test]
 fn the_language_is_chosen_in_the_menu_of_views_and_taken_back() {
@@ -70,4 +70,14 @@ fn what_a_girder_is_shown_with_is_japanese() {
     for words in ["計算値", "計算の読み", "配置", "条件", "桁長 a₀", "質量 m", "落橋しない"] {
         assert!(harness.query_all_by_label_contains(words).next().is_some(), "{words}");
     }
+}
+
+#[test]
+fn what_is_wrong_with_a_scene_follows_the_language_of_the_window() {
+    let mut harness = open(presets::OPENING);
+    slide(&mut harness, "μ kinetic", 0.9);
+    assert!(harness.query_all_by_label_contains("mu_static = 0.2").count() >= 2, "over the view and at the field");
+    harness.state_mut().apply(WindowCommand::Language(Language::Japanese));
+    harness.run_steps(4);
+    assert!(harness.query_all_by_label_contains("mu_static = 0.2 を超えない値にする").count() >= 2, "both again");
 }
