@@ -7,6 +7,21 @@ heading-arguments = 引数
 heading-options = オプション
 help-of-help = この説明を表示する
 help-of-version = 版を表示する
+help-of-commands = 全体またはコマンドの説明を表示する
+help-default = 既定：
+help-choices = 次のどれか：
+
+## 引数の誤り
+mistake-command = そのコマンドはない
+mistake-argument = その引数はない
+mistake-missing = 必須の引数がない
+mistake-value = 使えない値
+mistake-no-value = 値がない
+mistake-conflict = ともに与えられない引数
+mistake-count = 値の数が違う
+mistake-letters = UTF-8 の文字でない引数
+mistake-choices = 使える値：
+mistake-more = 詳しくは --help
 
 ## 全体
 help-about = 衝突し、固着し、滑り、回転する橋桁
@@ -132,7 +147,7 @@ help-study-stability-seeds = 種の数
 help-study-stability-from = 最初の種
 help-study-stability-inside = シーンが検証範囲内にある種だけをとる
 help-study-stability-out = seeds.csv、stability.md、縮小した失敗シーンをこのフォルダーに書く
-help-study-stability-threads = 同時に計算する種の数 [既定：プロセッサの数]
+help-study-stability-threads = 同時に計算する種の数。省くとプロセッサの数
 help-study-stability-events = シーンを十分長いとみなすイベントの数（1時間揺れるものを除く）
 help-study-stability-patience = 1つの種の計算に許すプロセッサ時間の上限 [s]
 
@@ -177,3 +192,20 @@ help-render-force_scale = 力の矢印の縮尺 [N per m]。省くと計算の�
 help-render-bent = たわむ桁を、この倍率で変形させて描く。`auto` は最大のたわみを長さの 3 % に描く
 help-render-force = それを断面力で色分けする：axial（軸力 N）、shear（せん断力 Q）、moment（曲げモーメント M）、stress（縁応力）
 help-render-title = 題名。省くとシーンの名前
+
+## sweep の量
+measure-max_rotation = 桁の最大回転角 |θ|
+measure-max_displacement = 桁の G の最大変位
+measure-max_drift = 桁の隅角部の平面での最大変位
+measure-max_force = 接触力 |R_k| の最大値
+measure-max_impulse = 衝突の最大力積。衝撃モデルで
+measure-hits = 衝突の数：組の最初の接触点が閉じてから最後が開くまでを1回とする
+measure-first_hit = 最初の接触の時刻。接触がなければ空
+measure-stick_time = 固着している時間、全接触の和
+measure-slip_time = 滑っている時間、全接触の和
+measure-least_gap = 向かい合う組の最小の遊間、接触中は負。組がなければ空
+measure-least_seat = 残る桁かかり長の最小値、縁に直角、外れると負。桁かかりがなければ空
+measure-unseated = 隅角部が初めて桁かかりから外れた時刻。外れなければ空
+measure-max_overlap = 接触が定義されていない物体の重なりの最大値
+measure-estimated_error = 許容誤差を 1/100 とした計算との変位の差の最大値。そのための計算も行う
+measure-energy_residual = エネルギー収支の残差、最大エネルギーに対する比

@@ -9,6 +9,7 @@ use super::domain;
 use super::failure::Failure;
 use super::limits;
 use crate::files;
+use crate::language::said;
 use crate::tables::compare::{Comparison, Difference, EventDifference, compare, compare_events};
 use crate::tables::read::{self, EventRow, TableError, Trajectory};
 use crate::tables::{self, DEFAULT_SAMPLE_HZ};
@@ -49,12 +50,12 @@ pub(super) fn run(args: &CompareArgs, console: &mut Console) -> Result<(), Failu
     let b = answer(&args.b, args, console)?;
     let comparison = compare(&a.trajectory, &b.trajectory, args.within);
     if comparison.instants == 0 || comparison.differences.is_empty() {
-        return Err(Failure::Input(format!(
-            "{} and {}: {} instants and {} quantities in common: give both the same bodies and --sample",
-            args.a.display(),
-            args.b.display(),
-            comparison.instants,
-            comparison.differences.len()
+        return Err(Failure::Input(said!(
+            "wrong-nothing-common",
+            "a" => args.a.display().to_string(),
+            "b" => args.b.display().to_string(),
+            "instants" => comparison.instants,
+            "quantities" => comparison.differences.len()
         )));
     }
     console.print(&motion_text(&comparison, args.within));
@@ -71,11 +72,11 @@ impl CompareArgs {
         if flags.is_empty() || [&self.a, &self.b].iter().any(|source| !source.is_dir()) {
             return Ok(());
         }
-        Err(Failure::Input(format!(
-            "{}: {} and {} are folders of results, which are read and not run: leave it out, or give a scene",
-            flags.join(", "),
-            self.a.display(),
-            self.b.display()
+        Err(Failure::Input(said!(
+            "wrong-both-read",
+            "flags" => flags.join(", "),
+            "a" => self.a.display().to_string(),
+            "b" => self.b.display().to_string()
         )))
     }
 }

@@ -7,6 +7,7 @@ use super::console::Console;
 use super::failure::Failure;
 use super::output::write_answer;
 use super::{domain, summary};
+use crate::language::said;
 use crate::scene::Scene;
 use crate::sim::History;
 use crate::tables::{self, Report, TableOptions};
@@ -28,7 +29,7 @@ pub(super) fn run(scene: &Scene, folder: &Path, console: &mut Console) -> Result
     let beside = beside.flat_map(|(history, options)| tables::all_beside(history, options));
     let tables: Vec<_> = tables::all(&history, &options[0]).into_iter().chain(beside).collect();
     let pictures = pictures(&history).unwrap_or_else(|why| {
-        console.note(&format!("no pictures: {why}"));
+        console.note(&said!("note-no-pictures", "why" => why.to_string()));
         Vec::new()
     });
     console.print(&write_answer(folder, &tables, &pictures)?);

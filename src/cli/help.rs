@@ -1,8 +1,7 @@
 //! What commands and flags do, in the language in use: English as it stands with them, another by keys of its own in
 //! `assets/texts/*.help.ftl`.
 //!
-//! A text that stands with several is told once, under the first of them: `help-open-set`. What the library writes around them
-//! (`[default: …]`, the line of `help`) stays English.
+//! A text that stands with several is told once, under the first of them: `help-open-sets`.
 
 use std::collections::BTreeMap;
 
@@ -17,6 +16,9 @@ const ARGUMENTS: &str = "heading-arguments";
 const OPTIONS: &str = "heading-options";
 const HELP: &str = "help-of-help";
 const VERSION: &str = "help-of-version";
+const HELP_COMMAND: &str = "help-of-commands";
+const DEFAULT: &str = "help-default";
+const CHOICES: &str = "help-choices";
 
 /// The command line with its help in the language in use.
 pub(super) fn told(command: Command) -> Command {
@@ -25,7 +27,19 @@ pub(super) fn told(command: Command) -> Command {
     }
     let keys = keys(&command);
     let version = own_flag("version", 'V', (VERSION, ArgAction::Version));
-    spelled(command.disable_version_flag(true).arg(version), &keys)
+    let mut command = spelled(command.disable_version_flag(true).arg(version), &keys);
+    // Only now the library adds its command `help`, there and below.
+    command.build();
+    with_help_command(command)
+}
+
+fn with_help_command(command: Command) -> Command {
+    const NAME: &str = "help";
+    if command.find_subcommand(NAME).is_none() {
+        return command;
+    }
+    let command = command.mut_subcommands(with_help_command);
+    command.mut_subcommand(NAME, |help| help.about(language::own(HELP_COMMAND).unwrap_or_default()))
 }
 
 /// A flag that the library would add with English words.
@@ -54,15 +68,31 @@ fn spelled(mut command: Command, keys: &BTreeMap<String, String>) -> Command {
             if let (None, Some(heading)) = (arg.get_help_heading(), language::own(heading)) {
                 arg = arg.help_heading(heading);
             }
+            let values = values(&arg);
             if let Some(long) = find(arg.get_long_help().map(ToString::to_string)) {
-                arg = arg.long_help(long);
+                arg = arg.long_help(format!("{long}{values}"));
             }
-            match find(arg.get_help().map(ToString::to_string)) {
-                Some(help) => arg.help(help),
-                None => arg,
+            if let Some(help) = find(arg.get_help().map(ToString::to_string)) {
+                arg = arg.help(format!("{help}{values}"));
             }
+            let takes = arg.get_action().takes_values();
+            arg.hide_default_value(takes).hide_possible_values(takes)
         })
         .mut_subcommands(|below| spelled(below, keys))
+}
+
+/// What a flag takes and what it is unless given.
+fn values(arg: &Arg) -> String {
+    let choices: Vec<String> = arg.get_possible_values().iter().map(|value| value.get_name().to_owned()).collect();
+    let defaults: Vec<_> = arg.get_default_values().iter().map(|value| value.to_string_lossy()).collect();
+    let told = |key, values: String| match language::own(key) {
+        Some(words) if !values.is_empty() => format!(" [{words}{values}]"),
+        _ => String::new(),
+    };
+    let wanted = !arg.is_hide_possible_values_set() && arg.get_action().takes_values();
+    let choices = if wanted { choices.join(", ") } else { String::new() };
+    let defaults = if arg.is_hide_default_value_set() { String::new() } else { defaults.join(" ") };
+    told(CHOICES, choices) + &told(DEFAULT, defaults)
 }
 
 /// Every text of a command and those below it, with the key that another language has it under.
@@ -97,12 +127,13 @@ mod tests {
     use clap::CommandFactory as _;
 
     use super::*;
-    use crate::cli::Cli;
+    use crate::cli::{Cli, mistakes, sweep};
 
     #[test]
     fn every_command_and_flag_is_told_in_every_language_and_nothing_else() {
-        let headings = [USAGE, COMMANDS, ARGUMENTS, OPTIONS, HELP, VERSION].map(str::to_owned);
-        let wanted: BTreeSet<String> = keys(&Cli::command()).into_values().chain(headings).collect();
+        let headings = [USAGE, COMMANDS, ARGUMENTS, OPTIONS, HELP, VERSION, HELP_COMMAND, DEFAULT, CHOICES];
+        let others = headings.into_iter().chain(mistakes::keys()).map(str::to_owned).chain(sweep::measure_keys());
+        let wanted: BTreeSet<String> = keys(&Cli::command()).into_values().chain(others).collect();
         for language in Language::ALL.into_iter().filter(|language| *language != Language::English) {
             let there: BTreeSet<String> = language::keys_of(language, ".help").into_iter().collect();
             let missing: Vec<_> = wanted.difference(&there).collect();

@@ -43,3 +43,9 @@ fn check(sample_hz: f64, (table, cells): (&str, f64), most: f64) -> Result<(), F
         "less" => format!("{less:.3e}")
     )))
 }
+
+/// What is wrong with a time after the end of the run.
+pub(super) fn after_end(flag: &str, t: f64, history: &History) -> Failure {
+    let [t, end] = [t, history.end()].map(|t| t.to_string());
+    Failure::Input(said!("wrong-after-end", "flag" => flag, "t" => t, "end" => end))
+}

@@ -17,6 +17,7 @@ mod interrupt;
 mod limits;
 #[cfg(feature = "render")]
 mod measure;
+mod mistakes;
 mod motion;
 mod motion_processing;
 mod open;
@@ -42,7 +43,6 @@ use std::ffi::OsString;
 use std::path::PathBuf;
 use std::process::ExitCode;
 
-use clap::error::ErrorKind;
 use clap::parser::ValueSource;
 use clap::{CommandFactory as _, FromArgMatches as _, Parser, Subcommand};
 
@@ -104,19 +104,17 @@ pub fn main() -> ExitCode {
     // Before the arguments are read: what is wrong with them is said in it too.
     asked(std::env::args_os()).unwrap_or_else(Language::of_system).speak();
     let mut command = help::told(Cli::command());
-    let read = command.try_get_matches_from_mut(std::env::args_os());
-    let read = read.and_then(|found| {
+    let read = command.try_get_matches_from_mut(std::env::args_os()).and_then(|found| {
         // A flag of the opening alone, unlike the language.
-        if found.subcommand().is_some() && found.value_source("out") == Some(ValueSource::CommandLine) {
-            return Err(command.error(ErrorKind::ArgumentConflict, Text::new("wrong-out-before")));
-        }
-        Cli::from_arg_matches(&found).map_err(|mistake| mistake.format(&mut command))
+        let misplaced = found.subcommand().is_some() && found.value_source("out") == Some(ValueSource::CommandLine);
+        let cli = Cli::from_arg_matches(&found).map_err(|mistake| mistake.format(&mut command))?;
+        Ok((cli, misplaced))
     });
-    let cli = match read {
-        Ok(cli) => cli,
+    let done = match read {
+        Ok((_, true)) => Err(Failure::Input(Text::new("wrong-out-before").into())),
+        Ok((cli, false)) => dispatch(cli, &mut console),
         Err(help_or_mistake) => return say(&help_or_mistake, &mut console),
     };
-    let done = dispatch(cli, &mut console);
     let mut code = ExitCode::SUCCESS;
     // Of two failures the command's own decides.
     for failure in [console.finish().err(), done.err()].into_iter().flatten() {
@@ -149,6 +147,9 @@ fn fail(failure: &Failure, console: &mut Console) -> ExitCode {
 
 /// Prints the help that was asked for, or what is wrong with the arguments.
 fn say(help_or_mistake: &clap::Error, console: &mut Console) -> ExitCode {
+    if let Some(words) = mistakes::told(help_or_mistake) {
+        return fail(&Failure::Input(words), console);
+    }
     if help_or_mistake.use_stderr() {
         // There is nowhere left to say that it cannot be said.
         let _ = help_or_mistake.print();

@@ -11,6 +11,7 @@ use super::motion_processing::ProcessingArgs;
 use super::output::write_files;
 use super::plot_files::plot_files;
 use crate::files::{Supplement, read_record};
+use crate::language::{Text, said};
 use crate::motion::format::{Channel, Orientation, Record, STANDARD_GRAVITY, Unit};
 use crate::scene::shown::escaped;
 use crate::study::ground::{Figures, Ground, spectrum_chart, spectrum_csv};
@@ -55,15 +56,14 @@ pub(super) fn run(args: &MotionArgs, console: &mut Console) -> Result<(), Failur
             if args.out.is_some() {
                 let stem = if record.channels.len() > 1 { format!("{name}-{number}") } else { name.clone() };
                 if !names.insert(stem.clone()) {
-                    return Err(Failure::Input(format!("{stem}: two records of this name: give each its own --out")));
+                    return Err(Failure::Input(said!("wrong-record-twice", "name" => stem)));
                 }
                 files.extend(drawn(&ground, &stem)?);
             }
         }
     }
     if let Some(out) = &args.out {
-        write_files(out, &files)?;
-        console.print(&format!("written to {}: {} files\n", out.display(), files.len()));
+        console.print(&write_files(out, &files)?);
     }
     Ok(())
 }
@@ -79,43 +79,56 @@ fn chosen<'r>(record: &'r Record, number: Option<usize>, path: &Path) -> Result<
 
 fn heading(path: &Path, record: &Record) -> String {
     let count = record.channels.len();
-    let plural = if count == 1 { "channel" } else { "channels" };
-    format!("{}: {}, {count} {plural}\n", escaped(&path.display().to_string()), record.format)
+    let file = escaped(&path.display().to_string()).into_owned();
+    let format = record.format.to_string();
+    format!("{}\n", said!("motion-file", "file" => file, "format" => format, "count" => count))
 }
 
 /// A channel's figures, a line each.
 fn text(number: usize, channel: &Channel, figures: &Figures) -> String {
     let Figures { acceleration: a, velocity: v, displacement: d, strong } = figures;
     let direction = match channel.orientation {
-        Orientation::Unstated => "direction not stated".to_owned(),
-        Orientation::Azimuth(azimuth) => format!("azimuth {}°", six(azimuth)),
-        Orientation::Up => "upwards".to_owned(),
+        Orientation::Unstated => Text::new("motion-unstated").into(),
+        Orientation::Azimuth(azimuth) => said!("motion-azimuth", "azimuth" => six(azimuth)),
+        Orientation::Up => Text::new("motion-up").into(),
     };
-    let name = if channel.name.is_empty() { "no name".into() } else { escaped(&channel.name) };
+    let no_name = Text::new("motion-no-name").as_str();
+    let name = if channel.name.is_empty() { no_name.into() } else { escaped(&channel.name) };
     let count = channel.samples.len();
     let length = (count - 1) as f64 * channel.dt;
-    let done = if channel.done.is_empty() { "nothing".to_owned() } else { channel.done.join("; ") };
+    let done = if channel.done.is_empty() { Text::new("motion-nothing").into() } else { channel.done.join("; ") };
     let lines = [
-        format!("channel {number}: {name}, {direction}"),
-        format!("  read in {}: {count} samples, {} s apart, {} s", channel.unit.label(), six(channel.dt), six(length)),
-        format!("  peak {} g = {} gal at {} s", six(a.value / STANDARD_GRAVITY), six(a.value * 100.0), six(a.at)),
-        format!(
-            "  PGV {} m/s at {} s, PGD {} m at {} s: integrated from rest, straight lines between samples",
-            six(v.value.abs()),
-            six(v.at),
-            six(d.value.abs()),
-            six(d.at)
+        said!("motion-channel", "number" => number, "name" => name, "direction" => direction),
+        said!(
+            "motion-samples",
+            "unit" => channel.unit.label(),
+            "count" => count,
+            "dt" => six(channel.dt),
+            "length" => six(length)
         ),
-        format!(
-            "  strong motion {} s, from {} to {} s: 5 to 95 % of the Arias intensity of {} m/s (significant duration)",
-            six(strong.duration()),
-            six(strong.from),
-            six(strong.until),
-            six(strong.arias)
+        said!(
+            "motion-peak",
+            "g" => six(a.value / STANDARD_GRAVITY),
+            "gal" => six(a.value * 100.0),
+            "t" => six(a.at)
         ),
-        format!("  done to it: {done}"),
+        said!(
+            "motion-ground",
+            "velocity" => six(v.value.abs()),
+            "tv" => six(v.at),
+            "displacement" => six(d.value.abs()),
+            "td" => six(d.at)
+        ),
+        said!(
+            "motion-strong",
+            "duration" => six(strong.duration()),
+            "from" => six(strong.from),
+            "until" => six(strong.until),
+            "arias" => six(strong.arias)
+        ),
+        said!("motion-done", "done" => done),
     ];
-    lines.join("\n") + "\n"
+    lines.join("\n  ") + "\n"
 }
 
 /// Plots and tables of a channel.

@@ -5,6 +5,7 @@ use std::path::Path;
 use super::args::{finite, not_negative, positive};
 use super::digits::six;
 use super::failure::Failure;
+use crate::language::said;
 use crate::motion::format::Channel;
 use crate::scene::{Baseline, Processing};
 
@@ -40,7 +41,7 @@ pub(super) struct ProcessingArgs {
 
 fn baseline(text: &str) -> Result<Baseline, String> {
     let found = Baseline::ALL.iter().copied().find(|method| method.label() == text);
-    found.ok_or_else(|| format!("give one of {}", Baseline::WORDS.join(", ")))
+    found.ok_or_else(|| said!("wrong-one-of", "words" => Baseline::WORDS.join(", ")))
 }
 
 impl ProcessingArgs {

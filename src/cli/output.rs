@@ -40,20 +40,26 @@ pub(super) fn write_answer(
     } else {
         format!("{}\n", said!("run-removed", "names" => removed.join(", ")))
     };
-    let written = said!("run-written", "folder" => folder.display().to_string(), "names" => names.join(", "));
-    Ok(format!("{written}\n{of_earlier}"))
+    Ok(written(folder, &names) + &of_earlier)
 }
 
-/// Writes files, as (file name, bytes), into a folder.
+/// Which files were written where, a line.
+fn written(folder: &Path, names: &[&str]) -> String {
+    format!("{}\n", said!("run-written", "folder" => folder.display().to_string(), "names" => names.join(", ")))
+}
+
+/// Writes files, as (file name, bytes), into a folder, and says so.
 ///
 /// # Errors
 /// A folder or file that cannot be written; a signal meanwhile. Then nothing is written.
-pub(super) fn write_files(folder: &Path, files: &[(String, Vec<u8>)]) -> Result<(), Failure> {
+pub(super) fn write_files(folder: &Path, files: &[(String, Vec<u8>)]) -> Result<String, Failure> {
     let writing = Writing::begin();
     let mut set = FileSet::default();
     for (name, bytes) in files {
         set.add(&folder.join(name), bytes)?;
         writing.check()?;
     }
-    Ok(set.finish()?)
+    set.finish()?;
+    let names: Vec<&str> = files.iter().map(|(name, _)| name.as_str()).collect();
+    Ok(written(folder, &names))
 }

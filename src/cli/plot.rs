@@ -10,6 +10,7 @@ use super::failure::Failure;
 use super::output::write_files;
 use super::plot_files::plot_files;
 use crate::files::check_folder;
+use crate::language::said;
 use crate::sim::quantity::Unit;
 use crate::sim::{History, Quantity};
 use crate::study::plot::COLORS;
@@ -76,9 +77,7 @@ fn write(history: &History, args: &PlotArgs, console: &mut Console) -> Result<()
         .map_err(|error| Failure::Input(format!("plot.csv: {error}")))?;
     let mut files = vec![("plot.csv".to_owned(), csv)];
     files.extend(plot_files("plot", chart(history, x.as_ref(), &y, args.sample).to_svg())?);
-    write_files(&args.out, &files)?;
-    let names: Vec<&str> = files.iter().map(|(name, _)| name.as_str()).collect();
-    console.print(&format!("written to {}: {}\n", args.out.display(), names.join(", ")));
+    console.print(&write_files(&args.out, &files)?);
     Ok(())
 }
 
@@ -89,7 +88,7 @@ fn found(history: &History, name: &str) -> Result<(String, Quantity), Failure> {
     known.ok_or_else(|| {
         let near: Vec<&str> = all.iter().map(|(name, _)| name.as_str()).collect();
         let hint = crate::scene::format::did_you_mean(name, &near);
-        Failure::Input(format!("{name}: the run has no such quantity{hint}; `--list` prints all names"))
+        Failure::Input(said!("wrong-no-quantity", "name" => name, "meant" => hint.to_string()))
     })
 }
 

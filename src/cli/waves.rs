@@ -9,9 +9,11 @@ use super::compute::compute_as_asked;
 use super::console::Console;
 use super::domain;
 use super::failure::Failure;
+use super::limits::after_end;
 use super::output::write_files;
 use super::plot_files::plot_files;
 use crate::files::check_folder;
+use crate::language::{Text, said};
 use crate::sim::{History, OfSection};
 use crate::study::waves::{Wanted, Waves};
 
@@ -64,16 +66,11 @@ pub(super) fn run(args: &WavesArgs, console: &mut Console) -> Result<(), Failure
     let name = format!("{}-{word}", plain(&waves.girder));
     let mut files = vec![(format!("{name}.csv"), waves.csv().into_bytes())];
     files.extend(plot_files(&name, waves.picture().to_svg())?);
-    write_files(&args.out, &files)?;
+    let written = write_files(&args.out, &files)?;
     let (unit, size) = args.force.unit();
-    let names: Vec<&str> = files.iter().map(|(name, _)| name.as_str()).collect();
-    console.print(&format!(
-        "{}: largest {:.6} {unit}\nwritten to {}: {}\n",
-        args.force.label(),
-        waves.field.largest() / size,
-        args.out.display(),
-        names.join(", ")
-    ));
+    let largest = format!("{:.6} {unit}", waves.field.largest() / size);
+    let what = args.force.label().to_string();
+    console.print(&format!("{}\n{written}", said!("waves-largest", "what" => what, "largest" => largest)));
     match history.stop() {
         Some(stop) => Err(Failure::GaveUp { scene: scene.name, stop: stop.clone() }),
         None => Ok(()),
@@ -88,29 +85,28 @@ fn girder(history: &History, args: &WavesArgs) -> Result<usize, Failure> {
     let of_name = (0..girders.len()).find(|&number| girders[number].name == *name);
     let number = of_name.ok_or_else(|| {
         let names: Vec<&str> = girders.iter().map(|girder| girder.name.as_str()).collect();
-        Failure::Input(format!("--girder {name}: nobody is called that; there are {}", names.join(", ")))
+        Failure::Input(said!("wrong-girder-flag", "name" => name.as_str(), "names" => names.join(", ")))
     })?;
     Some(number).filter(bends).ok_or_else(rigid)
 }
 
 fn rigid() -> Failure {
-    let remedy = "give it [girder.elastic], and contacts stiff enough that it softens them";
-    Failure::Input(format!("no girder bends, so no wave runs in one: {remedy}"))
+    Failure::Input(Text::new("wrong-no-wave").into())
 }
 
 /// From when to when.
 fn span(history: &History, args: &WavesArgs) -> Result<[Option<f64>; 2], Failure> {
-    let end = history.end();
     for (flag, t) in [("--from", args.from), ("--to", args.to)] {
-        if let Some(t) = t.filter(|t| *t > end) {
-            return Err(Failure::Input(format!("{flag} {t}: the run ends at {end} s: give a time from 0 to {end}")));
+        if let Some(t) = t.filter(|t| *t > history.end()) {
+            return Err(after_end(flag, t, history));
         }
     }
     match (args.from, args.to) {
         (Some(from), Some(to)) if from >= to => {
-            Err(Failure::Input(format!("--to {to}: the picture begins at {from} s: give a later time")))
+            let [to, from] = [to, from].map(|t| t.to_string());
+            Err(Failure::Input(said!("wrong-picture-backwards", "to" => to, "from" => from)))
         }
-        (None, Some(_)) => Err(Failure::Input("--to without --from: say when the picture begins".to_owned())),
+        (None, Some(_)) => Err(Failure::Input(Text::new("wrong-no-from").into())),
         span => Ok(span.into()),
     }
 }

@@ -16,7 +16,7 @@ pub(super) fn text(scene: &Scene, abutment: &Abutment) -> Option<String> {
             "name" => name,
             "value" => six(value),
             "unit" => unit,
-            "assumed" => if is_given { "" } else { " (assumed)" }
+            "assumed" => if is_given { "" } else { Text::new("check-soil-assumed").as_str() }
         )
     };
     let envelope = match soil.law {

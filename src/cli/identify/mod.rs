@@ -19,6 +19,7 @@ use crate::identify::columns::LENGTHS;
 use crate::identify::{
     Columns, Estimate, Given, History, Identified, Measured, Quantity, SteadyResponse, from_history, from_response,
 };
+use crate::language::{Text, said};
 use crate::motion::Ground;
 use crate::motion::format::{STANDARD_GRAVITY, Unit};
 use crate::motion::oscillator::Shaking;
@@ -93,7 +94,7 @@ struct GroundArgs {
 
 fn length(text: &str) -> Result<f64, String> {
     let found = LENGTHS.iter().find(|(word, _)| *word == text).map(|(_, length)| *length);
-    found.ok_or_else(|| "give one of m, cm, mm, um".to_owned())
+    found.ok_or_else(|| said!("wrong-one-of", "words" => LENGTHS.map(|(word, _)| word).join(", ")))
 }
 
 /// Does it.
@@ -131,9 +132,7 @@ pub(super) fn run(args: &IdentifyArgs, console: &mut Console) -> Result<(), Fail
     args.ground.warn_of_hits(&measured.at, console)?;
     let Some(out) = &args.out else { return Ok(()) };
     let files = written(args, &measured, &found, (first, &ground))?;
-    write_files(out, &files)?;
-    let names: Vec<&str> = files.iter().map(|(name, _)| name.as_str()).collect();
-    console.print(&format!("written to {}: {}\n", out.display(), names.join(", ")));
+    console.print(&write_files(out, &files)?);
     Ok(())
 }
 
@@ -182,7 +181,7 @@ impl GroundArgs {
         }
         let Some(path) = &self.scene else {
             if self.scaled {
-                return Err(Failure::Input("--scaled: give the ground motion, with --scene or --record".into()));
+                return Err(Failure::Input(Text::new("wrong-scaled").into()));
             }
             return Ok((Shaking::Still, "at rest: a free decay".to_owned()));
         };

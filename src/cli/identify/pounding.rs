@@ -11,6 +11,7 @@ use crate::cli::output::write_files;
 use crate::cli::plot_files::plot_files;
 use crate::files;
 use crate::identify::{Columns, Measured, Quantity};
+use crate::language::said;
 use crate::motion::format::RecordError;
 use crate::scene::Scene;
 use crate::scene::shown::escaped;
@@ -66,9 +67,7 @@ impl PoundingArgs {
         console.print(&text(request, &scene, &measured, &found));
         let Some(out) = request.out else { return Ok(()) };
         let files = written(request, &scene, &measured, &found)?;
-        write_files(out, &files)?;
-        let names: Vec<&str> = files.iter().map(|(name, _)| name.as_str()).collect();
-        console.print(&format!("written to {}: {}\n", out.display(), names.join(", ")));
+        console.print(&write_files(out, &files)?);
         Ok(())
     }
 
@@ -79,7 +78,7 @@ impl PoundingArgs {
             Some(name) => names.iter().position(|own| own == name),
             None => (names.len() == 1).then_some(0),
         };
-        found.ok_or_else(|| Failure::Input(format!("--girder: give one of {}", names.join(", "))))
+        found.ok_or_else(|| Failure::Input(said!("wrong-no-girder-flag", "names" => names.join(", "))))
     }
 }
 

@@ -82,9 +82,7 @@ pub(super) fn run(args: &MeasureArgs, console: &mut Console) -> Result<(), Failu
     }
     let Some(out) = &args.out else { return Ok(()) };
     let files = written(&film, &all, reference.as_ref())?;
-    write_files(out, &files)?;
-    let names: Vec<&str> = files.iter().map(|(name, _)| name.as_str()).collect();
-    console.print(&format!("written to {}: {}\n", out.display(), names.join(", ")));
+    console.print(&write_files(out, &files)?);
     Ok(())
 }
 

@@ -6,8 +6,10 @@ use super::choices::{Behind, BendingFactor, Size, Work, bending_factor, frame_ra
 use super::mark_args::{MarkArgs, PAPERS_CAMERA};
 use crate::cli::args::{SceneArgs, Threads, not_negative, positive};
 use crate::cli::failure::Failure;
+use crate::cli::limits::after_end;
 use crate::cli::waves::section_force;
 use crate::files;
+use crate::language::{Text, said};
 use crate::scene::{Layer, Scene, ViewPreset};
 use crate::sim::{History, OfSection};
 use crate::snapshot::{Instant, Shot};
@@ -120,7 +122,8 @@ impl RenderArgs {
         reaches(history, "--from", from)?;
         reaches(history, "--to", to)?;
         if from > to {
-            return Err(Failure::Input(format!("--to {to}: the film begins at {from} s: give a later time")));
+            let [to, from] = [to, from].map(|t| t.to_string());
+            return Err(Failure::Input(said!("wrong-film-backwards", "to" => to, "from" => from)));
         }
         Ok((from, to))
     }
@@ -135,8 +138,8 @@ impl RenderArgs {
         }
         match self.out_file() {
             Some(file) if count > 1 => {
-                let out = file.display();
-                Err(Failure::Input(format!("--out {out}: one file for {count} pictures: give a folder")))
+                let out = file.display().to_string();
+                Err(Failure::Input(said!("wrong-one-file", "out" => out, "count" => count)))
             }
             Some(file) => Ok(files::check_folder(file.parent().unwrap_or(Path::new("")))?),
             None => Ok(files::check_folder(&self.out)?),
@@ -148,17 +151,13 @@ impl RenderArgs {
         if !self.marks.given() {
             return Ok(());
         }
-        let out = self.out.display();
         match self.view {
             Some(other) if other != ViewPreset::Top => {
-                let view = other.label();
-                Err(Failure::Input(format!(
-                    "--view {view}: marks are seen straight from above: leave it out, or give top"
-                )))
+                Err(Failure::Input(said!("wrong-marks-view", "view" => other.label())))
             }
-            _ if self.out_file().or(self.gif_file()).is_some() => Err(Failure::Input(format!(
-                "--out {out}: --marks writes numbered pictures and marks.toml: give a folder"
-            ))),
+            _ if self.out_file().or(self.gif_file()).is_some() => {
+                Err(Failure::Input(said!("wrong-marks-file", "out" => self.out.display().to_string())))
+            }
             _ => Ok(()),
         }
     }
@@ -168,24 +167,17 @@ impl RenderArgs {
         let extension = self.out.extension().map(|extension| extension.to_string_lossy().to_lowercase());
         match extension {
             Some(other) if OTHER_FORMATS.contains(&other.as_str()) && !self.out.is_dir() => {
-                Err(Failure::Input(format!(
-                    "--out {}: pictures in the format .{other} are not written: give a file ending in .png for a single \
-                     picture, one ending in .gif for a film, or a folder",
-                    self.out.display()
-                )))
+                let out = self.out.display().to_string();
+                Err(Failure::Input(said!("wrong-picture-format", "out" => out, "format" => other)))
             }
             _ => Ok(()),
         }
     }
 
     fn check_gif(&self, gif: &Path) -> Result<(), Failure> {
-        let out = gif.display();
         match (self.frames, self.background) {
-            (None, _) => Err(Failure::Input(format!("--out {out}: a GIF is a film: say how many --frames"))),
-            (Some(_), Behind::Transparent) => {
-                let remedy = "choose another, or a folder of PNG pictures";
-                Err(Failure::Input(format!("--background transparent: a GIF film has none: {remedy}")))
-            }
+            (None, _) => Err(Failure::Input(said!("wrong-gif-frames", "out" => gif.display().to_string()))),
+            (Some(_), Behind::Transparent) => Err(Failure::Input(Text::new("wrong-gif-background").into())),
             _ => Ok(files::check_folder(gif.parent().unwrap_or(Path::new("")))?),
         }
     }
@@ -221,9 +213,5 @@ impl RenderArgs {
 
 /// Refuses a time after the end of the run.
 pub(super) fn reaches(history: &History, flag: &str, t: f64) -> Result<(), Failure> {
-    let end = history.end();
-    if t <= end {
-        return Ok(());
-    }
-    Err(Failure::Input(format!("{flag} {t}: the run ends at {end} s: give a time from 0 to {end}")))
+    if t <= history.end() { Ok(()) } else { Err(after_end(flag, t, history)) }
 }

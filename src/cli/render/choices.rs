@@ -3,6 +3,7 @@
 use clap::ValueEnum;
 use clap::builder::{PossibleValuesParser, TypedValueParser};
 
+use crate::language::{Text, said};
 use crate::render::Quality;
 use crate::scene::{Layer, Overlays, ViewPreset};
 use crate::snapshot::{Instant, MOST_FPS};
@@ -30,7 +31,7 @@ pub(super) fn bending_factor(text: &str) -> Result<BendingFactor, String> {
         return Ok(BendingFactor(None));
     }
     let factor = text.parse::<f64>().ok().filter(|factor| factor.is_finite() && (0.0..=1e6).contains(factor));
-    factor.map(|factor| BendingFactor(Some(factor))).ok_or_else(|| "a number from 0 to 1e6, or auto".to_owned())
+    factor.map(|factor| BendingFactor(Some(factor))).ok_or_else(|| Text::new("wrong-bent").into())
 }
 
 #[derive(Clone, Copy, Debug, ValueEnum)]
@@ -76,20 +77,20 @@ pub(super) struct Size(pub(super) [u32; 2]);
 pub(super) fn size(text: &str) -> Result<Size, String> {
     let read = |side: &str| side.trim().parse::<u32>().ok().filter(|s| (16..=16_384).contains(s));
     let sides = text.split_once(['x', 'X', '×']).and_then(|(w, h)| Some([read(w)?, read(h)?]));
-    sides.map(Size).ok_or_else(|| "give width x height, each from 16 to 16384, such as 1280x720".to_owned())
+    sides.map(Size).ok_or_else(|| Text::new("wrong-size").into())
 }
 
 pub(super) fn instant(text: &str) -> Result<Instant, String> {
     match text.parse::<f64>() {
         Ok(t) if t.is_finite() && t >= 0.0 => Ok(Instant::At(t)),
         _ if text == "peak" => Ok(Instant::Peak),
-        _ => Err("give a time of 0 s or later, or `peak`".to_owned()),
+        _ => Err(Text::new("wrong-instant").into()),
     }
 }
 
 pub(super) fn frame_rate(text: &str) -> Result<f64, String> {
     match text.parse::<f64>() {
         Ok(fps) if (0.1..=MOST_FPS).contains(&fps) => Ok(fps),
-        _ => Err(format!("give frames a second from 0.1 to {MOST_FPS}")),
+        _ => Err(said!("wrong-frame-rate", "most" => MOST_FPS.to_string())),
     }
 }

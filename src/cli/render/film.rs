@@ -6,6 +6,7 @@ use crate::cli::failure::Failure;
 use crate::cli::interrupt::Writing;
 use crate::cli::progress::Progress;
 use crate::files::{Draft, FileSet};
+use crate::language::{Text, said, values};
 use crate::render::Packing;
 use crate::sim::History;
 use crate::snapshot::{Frame, GifError, Instant, Shot, Studio, film, gif, instants};
@@ -66,14 +67,21 @@ fn take_files(
     match drawn {
         Err(Failure::Interrupted(_)) => {
             set.finish()?;
-            let (count, folder) = (wanted.len(), args.out.display());
-            Err(Failure::Interrupted(format!("{finished} of {count} pictures are finished, in {folder}")))
+            Err(interrupted(finished, wanted.len(), args))
         }
         drawn => {
             set.finish()?;
             drawn
         }
     }
+}
+
+/// What is there of a film that a signal ended.
+fn interrupted(finished: usize, count: usize, args: &RenderArgs) -> Failure {
+    let place = args.out.display().to_string();
+    let values = values!["finished" => finished, "count" => count, "place" => place];
+    let words = if args.gif_file().is_some() { "render-finished-frames" } else { "render-finished-pictures" };
+    Failure::Interrupted(Text::new(words).with(&values))
 }
 
 fn take_gif(
@@ -94,8 +102,7 @@ fn take_gif(
     match drawn {
         Err(Failure::Interrupted(_)) if finished > 0 => {
             draft.finish()?;
-            let (count, film) = (shots.len(), args.out.display());
-            Err(Failure::Interrupted(format!("{finished} of {count} frames are finished, in {film}")))
+            Err(interrupted(finished, shots.len(), args))
         }
         drawn => {
             let drawn = drawn?;
@@ -107,14 +114,13 @@ fn take_gif(
 
 fn said(args: &RenderArgs, wanted: &[Wanted], drawn: usize) -> String {
     let path = |w: &Wanted| w.path.display().to_string();
+    let frames = |place: String, count: u32, drawn: usize| {
+        format!("{}\n", said!("render-frames", "place" => place, "count" => count, "drawn" => drawn))
+    };
     let count = if args.marks.given() { u32::try_from(wanted.len()).ok() } else { args.frames };
     match (count, wanted) {
-        (Some(count), _) if args.gif_file().is_some() => {
-            format!("{}: {count} frames, {drawn} different\n", args.out.display())
-        }
-        (Some(count), [first, .., last]) => {
-            format!("{} … {}: {count} frames, {drawn} different\n", path(first), path(last))
-        }
+        (Some(count), _) if args.gif_file().is_some() => frames(args.out.display().to_string(), count, drawn),
+        (Some(count), [first, .., last]) => frames(format!("{} … {}", path(first), path(last)), count, drawn),
         _ => wanted.iter().flat_map(|w| [path(w), "\n".to_owned()]).collect(),
     }
 }

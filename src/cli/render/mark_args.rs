@@ -2,6 +2,7 @@
 
 use crate::cli::args::{not_negative, positive};
 use crate::cli::failure::Failure;
+use crate::language::said;
 use crate::scene::Scene;
 use crate::view::marks::diameter;
 
@@ -39,8 +40,8 @@ impl MarkArgs {
     pub(super) fn exposure(self) -> Result<f64, Failure> {
         let (ms, most) = (self.exposure_ms, 1e3 / self.rate);
         if ms > most {
-            let remedy = format!("pictures are {most} ms apart: give no more");
-            return Err(Failure::Input(format!("--exposure-ms {ms}: {remedy}")));
+            let [ms, most] = [ms, most].map(|ms| ms.to_string());
+            return Err(Failure::Input(said!("wrong-exposure", "ms" => ms, "most" => most)));
         }
         Ok(1e-3 * ms)
     }

@@ -5,6 +5,7 @@ use std::path::PathBuf;
 use super::args::{RenderArgs, Wanted};
 use crate::cli::failure::Failure;
 use crate::cli::output::write_files;
+use crate::language::said;
 use crate::measure::{LAYOUT, Layout, MarkPlace, TABLE, exposed};
 use crate::sim::History;
 use crate::snapshot::{Instant, Shot};
@@ -23,7 +24,8 @@ pub(super) fn frames(args: &RenderArgs, history: &History) -> Result<Vec<Wanted>
     // The last one may round to just before the end.
     let count = ((to - from) * rate + 1e-9).floor() + 1.0;
     if count > MOST_PICTURES {
-        return Err(Failure::Input(format!("--rate {rate}: {count} pictures: give fewer than {MOST_PICTURES}")));
+        let [rate, count, most] = [rate, count, MOST_PICTURES].map(|number| number.to_string());
+        return Err(Failure::Input(said!("wrong-rate", "rate" => rate, "count" => count, "most" => most)));
     }
     #[expect(clippy::cast_possible_truncation, clippy::cast_sign_loss, reason = "from 1 to 1e5")]
     let instants: Vec<f64> = (0..count as u32).map(|n| (from + f64::from(n) / rate).min(to)).collect();
@@ -64,5 +66,6 @@ pub(super) fn write_layout(args: &RenderArgs, history: &History, wanted: &[Wante
     write_files(&args.out, &[(LAYOUT.to_owned(), text.into_bytes())])?;
     let scale = 1e3 * camera.metres_per_pixel(glam::DVec3::ZERO, f64::from(args.size()[1]));
     let path: PathBuf = args.out.join(LAYOUT);
-    Ok(format!("{}: {} marks, {scale:.4} mm a pixel\n", path.display(), layout.mark.len()))
+    let (file, count) = (path.display().to_string(), layout.mark.len());
+    Ok(format!("{}\n", said!("render-marks", "file" => file, "count" => count, "scale" => format!("{scale:.4}"))))
 }

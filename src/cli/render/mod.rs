@@ -12,6 +12,7 @@ use super::compute::compute_as_asked;
 use super::console::Console;
 use super::domain;
 use super::failure::Failure;
+use crate::language::Text;
 use crate::render::GpuError;
 use crate::sim::History;
 use crate::snapshot::{Instant, Studio};
@@ -47,7 +48,7 @@ fn reached(history: &History, at: Instant, console: &mut Console) -> Result<(), 
         Instant::At(t) => reaches(history, "--at", t),
         Instant::Peak => {
             if history.hardest().is_none() {
-                console.note("nothing touches in this run: `--at peak` shows its start");
+                console.note(&Text::new("note-no-peak"));
             }
             Ok(())
         }

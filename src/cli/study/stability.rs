@@ -75,7 +75,7 @@ fn write(args: &StabilityArgs, asked: &Asked, verdicts: &[Verdict], wall: f64) -
             all.push((format!("seed-{}.toml", verdict.seed), format::write(&scene).into_bytes()));
         }
     }
-    write_files(&args.out, &all)
+    write_files(&args.out, &all).map(|_| ())
 }
 
 fn say(args: &StabilityArgs, verdicts: &[Verdict], console: &mut Console) -> Result<(), Failure> {

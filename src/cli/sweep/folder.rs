@@ -8,6 +8,7 @@ use serde_json::Value;
 use crate::cli::console::Console;
 use crate::cli::failure::Failure;
 use crate::files::{Journal, WriteError, read_table, write_atomic};
+use crate::language::{Text, said};
 use crate::study::sweep::journal::{Contents, Identity, read};
 use crate::study::sweep::{Plan, Row, changed};
 
@@ -54,21 +55,17 @@ impl Folder {
     pub(super) fn read(&mut self, name: &str, plan: &Plan, console: &mut Console) -> Result<(), Failure> {
         let path = self.path.join(name);
         let Some((mut journal, bytes)) = Journal::open(&path)? else {
-            let said = "another process is at work on it: wait for its end, or give another --out";
-            return Err(Failure::Input(format!("{}: {said}", path.display())));
+            return Err(of_journal(&path, Text::new("wrong-journal-busy")));
         };
         let Ok(Contents { rows, whole, damaged }) = read(&bytes, self.identity, plan) else {
-            let said = "it is the journal of another sweep: give another --out, or remove it";
-            return Err(Failure::Input(format!("{}: {said}", path.display())));
+            return Err(of_journal(&path, Text::new("wrong-journal-other")));
         };
         if let Some(changed) = changed(plan, &rows) {
-            let said = "the solver or the measure is another than the one that these rows are of: give another --out, or remove \
-                        the journal to compute every run anew";
-            return Err(Failure::Input(format!("{}: {}: {said}", path.display(), changed.words(plan))));
+            let (changed, remedy) = (changed.words(plan), Text::new("wrong-journal-changed"));
+            return Err(of_journal(&path, said!("mistake-of", "what" => changed, "subject" => remedy)));
         }
         if damaged > 0 {
-            let said = "damaged lines are left out, and their runs computed again";
-            console.note(&format!("warning: {}: {damaged} {said}", path.display()));
+            console.note(&said!("warning-journal", "file" => path.display().to_string(), "damaged" => damaged));
         }
         if whole < bytes.len() {
             journal.cut(whole as u64)?;
@@ -107,21 +104,27 @@ impl Folder {
     }
 }
 
+/// What is wrong with a journal.
+fn of_journal(path: &Path, fault: impl Into<String>) -> Failure {
+    let (file, fault): (_, String) = (path.display().to_string(), fault.into());
+    Failure::Input(said!("mistake-of", "what" => file, "subject" => fault))
+}
+
 /// What differs between the sweep of a folder and the one that is wanted.
 fn differs(file: &Path, there: &[u8], about: &Value) -> Failure {
     let there: Value = serde_json::from_slice(there).unwrap_or_default();
     let parts = [
-        ("girderbench", "the version of the program"),
-        ("scene", "the scene"),
-        ("records", "the records of ground motion"),
+        ("girderbench", Text::new("sweep-by-version").as_str()),
+        ("scene", Text::new("sweep-by-scene").as_str()),
+        ("records", Text::new("sweep-by-records").as_str()),
         ("vary", "--vary"),
         ("measures", "--measure"),
     ];
     let other: Vec<&str> = parts.iter().filter(|(key, _)| there[key] != about[key]).map(|(_, words)| *words).collect();
-    let found =
-        if other.is_empty() { "it was changed".to_owned() } else { format!("another sweep by {}", other.join(", ")) };
-    Failure::Input(format!(
-        "{}: found {found}; give another --out, or the scene, --vary and --measure that the folder was begun with",
-        file.display()
-    ))
+    let found = if other.is_empty() {
+        Text::new("sweep-changed").into()
+    } else {
+        said!("sweep-another", "parts" => other.join(", "))
+    };
+    Failure::Input(said!("wrong-sweep-folder", "file" => file.display().to_string(), "found" => found))
 }

@@ -15,6 +15,7 @@ use super::output::write_files;
 use super::plot_files::plot_files;
 use super::progress::Progress;
 use crate::files::{Records, check_folder};
+use crate::language::{self, Text, said};
 use crate::study::sweep::{Dataset, MEASURES, Measure, Plan, Status, about, compute, identity};
 use folder::{Folder, JOURNAL};
 use shard::Shard;
@@ -66,10 +67,10 @@ pub(super) fn run(args: &SweepArgs, console: &mut Console) -> Result<(), Failure
     }
     let wanted = |run: &usize| args.shard.is_none_or(|shard| shard.has(*run)) && !folder.rows.contains_key(run);
     let missing: Vec<usize> = (0..plan.runs()).filter(wanted).collect();
-    console.print(&format!("{} runs, {} of them to be computed\n", plan.runs(), missing.len()));
+    console.print(&format!("{}\n", said!("sweep-runs", "runs" => plan.runs(), "missing" => missing.len())));
     compute_missing(&plan, &missing, &mut folder)?;
     if args.shard.is_some() {
-        console.print("this part is complete; when all are, the same command without --shard writes the dataset\n");
+        console.print(&format!("{}\n", Text::new("sweep-part")));
         return Ok(());
     }
     write(args, &Dataset { plan: &plan, rows: &folder.rows }, &about, console)
@@ -90,10 +91,24 @@ fn parquet(_: &Dataset<'_>, _: &Value) -> Result<Option<(String, Vec<u8>)>, Fail
     Ok(None)
 }
 
-/// The measures, a line each.
+/// The measures, a line each, in the language in use: English as it stands with them.
 fn measures() -> String {
-    let line = |measure: &Measure| format!("  {:<17} {:<4} {}\n", measure.name, measure.unit, measure.meaning);
-    MEASURES.iter().map(line).fold("Measures, with units:\n".to_owned(), |all, line| all + &line)
+    let line = |measure: &Measure| {
+        let meaning = language::own(&measure_key(measure)).unwrap_or(measure.meaning);
+        format!("  {:<17} {:<4} {meaning}\n", measure.name, measure.unit)
+    };
+    MEASURES.iter().map(line).fold(format!("{}\n", Text::new("sweep-measures")), |all, line| all + &line)
+}
+
+/// What another language has the meaning of a measure under.
+fn measure_key(measure: &Measure) -> String {
+    format!("measure-{}", measure.name)
+}
+
+/// All of these keys.
+#[cfg(test)]
+pub(super) fn measure_keys() -> impl Iterator<Item = String> {
+    MEASURES.iter().map(measure_key)
 }
 
 fn compute_missing(plan: &Plan, missing: &[usize], folder: &mut Folder) -> Result<(), Failure> {
@@ -122,16 +137,17 @@ fn write(args: &SweepArgs, dataset: &Dataset<'_>, about: &Value, console: &mut C
         }
         Err(why) => console.note(&why),
     }
-    write_files(&args.out, &files)?;
-    for status in [Status::GaveUp, Status::Refused] {
+    let written = write_files(&args.out, &files)?;
+    for (status, how) in [(Status::GaveUp, "stop-gave-up"), (Status::Refused, "sweep-refused")] {
+        let how = Text::new(how);
         let rows = || dataset.rows.values().filter(|row| row.status == status);
         if let Some(first) = rows().next() {
-            let (count, word) = (rows().count(), status.word());
-            console.note(&format!("{count} runs {word}; run {}: {}", first.run, first.reason));
+            let count = rows().count();
+            let (run, reason) = (first.run, first.reason.as_str());
+            console.note(&said!("sweep-ended", "count" => count, "how" => how, "run" => run, "reason" => reason));
         }
     }
-    let names: Vec<&str> = files.iter().map(|(name, _)| name.as_str()).collect();
-    console.print(&format!("written to {}: {}\n", args.out.display(), names.join(", ")));
-    console.print(&format!("dataset {digest:016x}\n"));
+    console.print(&written);
+    console.print(&format!("{}\n", said!("sweep-digest", "digest" => format!("{digest:016x}"))));
     Ok(())
 }

@@ -1,5 +1,7 @@
 //! `--shard I/N`: a part of a sweep for a process of its own.
 
+use crate::language::Text;
+
 /// One of so many parts of a sweep: runs are dealt out in turn, so that each part has costly ones.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub(super) struct Shard {
@@ -14,7 +16,7 @@ impl Shard {
         let parts = text.split_once('/').and_then(|(i, n)| Some((i.parse().ok()?, n.parse().ok()?)));
         match parts {
             Some((number, count)) if 1 <= number && number <= count => Ok(Self { number, count }),
-            _ => Err("give I/N, the I-th of N parts, as in 1/8 to 8/8".into()),
+            _ => Err(Text::new("wrong-shard").into()),
         }
     }
 
