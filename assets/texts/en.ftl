@@ -369,6 +369,9 @@ wide = width
 apart = gap as placed
 sideways = sideways
 face-wide = face width
+high = height
+diameter = diameter
+column-along = column along
 
 ## map
 map-open = Map…
@@ -475,6 +478,9 @@ device-left = until it acts
 move-by-handle = move { $name } { $way }
 turn-by-handle = turn { $name }
 width-handle = width of { $name }
+pier-height-handle = height of { $name }
+pier-column-handle = columns of { $name }
+pier-stiffness = k { $along } along, { $across } across, N/m
 gap-handle = gap of { $pair }
 dragged = { $what } { $value }
 on-axis-of = on the axis of { $name }
@@ -798,6 +804,7 @@ impact-d = contact, turning
 impact-e = contact, sliding
 impact-f = contact, resting
 ground-none = no ground motion
+ground-wave = { $ground }, wave { $speed } m/s { $direction }
 ground-of = ground: { $motion }
 ground-sine = sine { $parts }
 ground-sine-level = { $level } g, { $frequency } Hz { $direction }

@@ -369,6 +369,9 @@ wide = 幅
 apart = 配置時の遊間
 sideways = 横方向
 face-wide = 面の幅
+high = 高さ
+diameter = 直径
+column-along = 柱の橋軸方向
 
 ## 分布図
 map-open = 分布図…
@@ -475,6 +478,9 @@ device-left = 効くまでの余裕
 move-by-handle = { $name } を{ $way }に動かす
 turn-by-handle = { $name } を回す
 width-handle = { $name } の幅
+pier-height-handle = { $name } の高さ
+pier-column-handle = { $name } の柱
+pier-stiffness = k 橋軸 { $along }、直角 { $across } N/m
 gap-handle = { $pair } の遊間
 dragged = { $what } { $value }
 on-axis-of = { $name } の軸上
@@ -781,6 +787,7 @@ impact-d = 接触回転
 impact-e = 接触滑り
 impact-f = 接触静止
 ground-none = 地震動なし
+ground-wave = { $ground }、波 { $speed } m/s { $direction }
 ground-of = 地動：{ $motion }
 ground-sine = 正弦波 { $parts }
 ground-sine-level = { $level } g、{ $frequency } Hz、{ $direction }

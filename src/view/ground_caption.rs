@@ -2,10 +2,21 @@
 
 use super::scale;
 use crate::language::{Text, values};
-use crate::scene::{Component, Heading, Motion, RecordMotion, STANDARD_GRAVITY};
+use crate::scene::{Component, Heading, Motion, RecordMotion, STANDARD_GRAVITY, Scene};
 
-/// How the ground moves, in a line: every component with its direction.
-pub(super) fn ground_caption(motion: &Motion) -> String {
+/// How the ground moves, in a line: every component with its direction, and how it travels.
+pub(super) fn ground_caption(scene: &Scene) -> String {
+    let caption = motion_caption(&scene.motion);
+    match &scene.wave {
+        Some(wave) if scene.motion != Motion::None => {
+            let (speed, direction) = (scale::plain(wave.speed), degrees(wave.angle_deg));
+            Text::new("ground-wave").with(&values!["ground" => caption, "speed" => speed, "direction" => direction])
+        }
+        _ => caption,
+    }
+}
+
+fn motion_caption(motion: &Motion) -> String {
     let plain = scale::plain;
     let (kind, parts) = match motion {
         Motion::None => return Text::new("ground-none").into(),
@@ -98,11 +109,11 @@ mod tests {
         let plain = SyntheticMotion { peak_g: 0.411, angle_deg: 120.0, ..SyntheticMotion::default() };
         let across = SyntheticMotion { across: 0.5, vertical: 0.25, ..plain.clone() };
         let matched = SyntheticMotion { target: Some(vec![[0.1, 0.5], [1.0, 0.2]]), ..across.clone() };
-        assert_eq!(ground_caption(&Motion::Synthetic(plain)), "ground: synthetic, 0.411 g at 120°");
+        assert_eq!(motion_caption(&Motion::Synthetic(plain)), "ground: synthetic, 0.411 g at 120°");
         let three = "ground: synthetic, 0.411 g at 120° + 0.205 g at -150° + 0.103 g upwards";
-        assert_eq!(ground_caption(&Motion::Synthetic(across)), three);
+        assert_eq!(motion_caption(&Motion::Synthetic(across)), three);
         let of_spectrum = "ground: synthetic of a given spectrum, × 1 at 120° + × 0.5 at -150° + × 0.25 upwards";
-        assert_eq!(ground_caption(&Motion::Synthetic(matched)), of_spectrum);
+        assert_eq!(motion_caption(&Motion::Synthetic(matched)), of_spectrum);
     }
 
     #[test]
@@ -121,7 +132,7 @@ mod tests {
         ];
         let record = RecordMotion { x_azimuth_deg: Some(90.0), components, scale: 0.5, ..RecordMotion::default() };
         let caption = "ground: record × 1 at -180° + × 1 upwards + × 1 at 90° + 1 more";
-        assert_eq!(ground_caption(&Motion::Record(record)), caption);
+        assert_eq!(motion_caption(&Motion::Record(record)), caption);
     }
 
     #[test]
@@ -136,6 +147,6 @@ mod tests {
             vertical_amplitude: None,
             vertical_phase_deg: None,
         };
-        assert_eq!(ground_caption(&Motion::Sine(sine)), "ground: sine 0.40 g, 2.6 Hz at 22.5° + 0.10 g upwards");
+        assert_eq!(motion_caption(&Motion::Sine(sine)), "ground: sine 0.40 g, 2.6 Hz at 22.5° + 0.10 g upwards");
     }
 }

@@ -50,7 +50,7 @@ pub(super) fn heading(input: &ViewInput<'_>, moment: &Moment, palette: &Palette,
     let rows = [
         (title, TITLE, palette.ink, 0.0),
         (time_stamp(input, moment), 15.0, palette.ink, 29.0),
-        (ground_caption(&input.scene.motion), TEXT, palette.faint_ink, 51.0),
+        (ground_caption(input.scene), TEXT, palette.faint_ink, 51.0),
         (factor, TEXT, palette.ink, 70.0),
     ];
     rows.into_iter()

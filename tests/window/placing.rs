@@ -139,6 +139,36 @@ fn a_gap_in_a_row_moves_the_rest_of_the_row() {
 }
 
 #[test]
+fn a_pier_is_dragged_to_another_height_and_another_stiffness() {
+    let mut harness = open("viaduct-5");
+    // From the side: the foot is in view, and up is up.
+    harness.key_press(Key::Num3);
+    harness.state_mut().apply(SelectCommand::Only(Some(Target::Pier(0))));
+    settle(&mut harness);
+    let pier = |harness: &Window| harness.state().files.document.scene().pier(0);
+    let before = pier(&harness);
+    let ends = [0.0, 1.0].map(|z| on_screen(&harness, before.top + DVec3::Z * z));
+    let metres = 1.0 / f64::from(ends[0].y - ends[1].y);
+    pull(&mut harness, "height of p1", [0.0, 30.0]);
+    let higher = pier(&harness);
+    let longer = higher.height - before.height;
+    assert!((longer / (30.0 * metres) - 1.0).abs() < 0.05, "as far as the mouse: {longer} m for {} m", 30.0 * metres);
+    let softer = higher.stiffness[0] / before.stiffness[0] * (higher.height / before.height).powi(3);
+    assert!((softer - 1.0).abs() < 1e-9, "3EI/h³: {softer}");
+    undo(&mut harness);
+    assert_eq!(pier(&harness), before, "one drag is one step");
+    harness.get_by_role_and_label(Role::Splitter, "columns of p1").focus();
+    harness.event(egui::Event::Text("2.1 m".into()));
+    settle(&mut harness);
+    harness.key_press(Key::Enter);
+    settle(&mut harness);
+    let thicker = pier(&harness).stiffness[0] / before.stiffness[0];
+    let [diameter, _] = before.column.xy();
+    assert!((thicker / (2.1 / diameter).powi(4) - 1.0).abs() < 1e-9, "π d⁴/64: {thicker}");
+    assert_eq!(harness.state().replay.runner.problems(), None, "and it runs");
+}
+
+#[test]
 fn handles_are_pulled_by_keys_too() {
     let mut harness = from_above(presets::OPENING, &[Target::Girder(0)]);
     harness.get_by_role_and_label(Role::Splitter, "length of deck at -x").focus();

@@ -52,12 +52,21 @@ pub enum Grip {
     FaceWidth(usize, Flank),
     /// A point of a device: its first, 0, or its second, 1.
     DevicePoint(DeviceId, usize),
+    /// A pier's foot: its height.
+    PierHeight(usize),
+    /// The side of a pier's columns: their size, and by it the stiffness.
+    PierColumn(usize),
 }
 
 impl Grip {
     /// Whether it moves two ways over the ground: two numbers can be typed.
     pub(in crate::app) fn moves_two_ways(self) -> bool {
         matches!(self, Self::Bodies | Self::DevicePoint(..))
+    }
+
+    /// Whether it moves up and down.
+    pub(in crate::app) fn is_upright(self) -> bool {
+        matches!(self, Self::PierHeight(_))
     }
 }
 

@@ -12,6 +12,9 @@ pub(in crate::app) const SKEWED: &str = "β";
 pub(in crate::app) const APART: Text = Text::new("apart");
 pub(in crate::app) const SIDEWAYS: Text = Text::new("sideways");
 pub(in crate::app) const FACE_WIDE: Text = Text::new("face-wide");
+pub(in crate::app) const HIGH: Text = Text::new("high");
+pub(in crate::app) const DIAMETER: Text = Text::new("diameter");
+pub(in crate::app) const COLUMN_ALONG: Text = Text::new("column-along");
 pub(in crate::app) const SHIFT_X: &str = "Δx";
 pub(in crate::app) const SHIFT_Y: &str = "Δy";
 
@@ -80,6 +83,20 @@ pub(in crate::app) fn ends_parallel_to(name: &str) -> String {
 
 pub(in crate::app) fn as_at(pair: &str) -> String {
     Text::new("as-at").with(&values!["pair" => pair])
+}
+
+pub(in crate::app) fn pier_height_handle(name: &str) -> String {
+    Text::new("pier-height-handle").with(&values!["name" => name])
+}
+
+pub(in crate::app) fn pier_column_handle(name: &str) -> String {
+    Text::new("pier-column-handle").with(&values!["name" => name])
+}
+
+/// Stiffness of a pier along and across \[N/m\].
+pub(in crate::app) fn pier_stiffness(stiffness: [f64; 2]) -> String {
+    let [along, across] = stiffness.map(|k| format!("{k:.3e}"));
+    Text::new("pier-stiffness").with(&values!["along" => along, "across" => across])
 }
 
 /// A point of a device.

@@ -36,6 +36,16 @@ impl Eye {
         self.camera.metres_per_pixel(at, f64::from(self.rect.height()))
     }
 
+    /// The point of the upright line through a point that is nearest to the line of sight; `None` where that goes down the line.
+    pub(in crate::app) fn on_upright(&self, at: Pos2, through: DVec3) -> Option<DVec3> {
+        let aspect = f64::from(self.rect.width() / self.rect.height().max(1.0));
+        let (start, along) = self.camera.ray(ndc(self.rect, at), aspect);
+        // Square to both lines: of `through + s z − start`, the part beside the ray is least.
+        let beside = DVec3::Z - along * along.z;
+        let s = (start - through).dot(beside) / beside.z;
+        (beside.z > 1e-3 && s.is_finite()).then(|| through + DVec3::Z * s)
+    }
+
     /// Where the line of sight meets the level plane; seen edge-on, the upright plane through the camera's target.
     pub(in crate::app) fn on_level(&self, at: Pos2, height: f64) -> Option<DVec3> {
         let aspect = f64::from(self.rect.width() / self.rect.height().max(1.0));

@@ -158,7 +158,8 @@ fn every_family_comes_up_and_ten_seeds_in_ten_thousand_shake_for_an_hour() {
     assert_eq!(family::scene(family::FIRST_THROWN).0, family::THROWN, "a family with seeds of its own");
     assert_eq!(family::scene(family::FIRST_DEVICES).0, family::DEVICES, "another");
     assert_eq!(family::scene(family::FIRST_THROWN_IN_SPACE).0, family::THROWN_IN_SPACE, "and in space");
-    assert_eq!(count.len() + 3, family::names().count(), "all others: {count:?}");
+    assert_eq!(family::scene(family::FIRST_WAVES).0, family::WAVES, "and those on supports that move");
+    assert_eq!(count.len() + 4, family::names().count(), "all others: {count:?}");
     assert_eq!(count["hour"], 10, "ten hours");
     assert!(count.iter().all(|(name, n)| *name == "hour" || *n > 600), "evenly: {count:?}");
 }

@@ -52,6 +52,7 @@ pub(super) fn handles(scene: &Scene, selected: &[Target], gaps: bool, stance: im
             }
         }
         [Target::Device(id)] => of_device(scene, id, &stance, &mut all),
+        [Target::Pier(i)] if i < scene.piers.len() => of_pier(scene, i, &mut all),
         _ => {}
     }
     let pairs = if gaps { facing::find(scene).unwrap_or_default() } else { Vec::new() };
@@ -104,6 +105,24 @@ fn of_abutment(scene: &Scene, i: usize, abutment: &Abutment, out: &mut Vec<Handl
             let name = text::face_width_handle(name, flank == Flank::Left);
             out.push(Handle { grip: Grip::FaceWidth(i, flank), at, along: side * flank.sign(), name });
         }
+    }
+}
+
+/// The foot of a pier as placed, and the side of its columns where these say how stiff it is.
+fn of_pier(scene: &Scene, i: usize, out: &mut Vec<Handle>) {
+    let (pier, here) = (&scene.piers[i], scene.pier(i));
+    let foot = here.top - DVec3::Z * here.height;
+    out.push(Handle {
+        grip: Grip::PierHeight(i),
+        at: foot,
+        along: DVec3::NEG_Z,
+        name: text::pier_height_handle(&pier.name),
+    });
+    if let Some(column) = pier.column {
+        let [along, _] = column.xy();
+        let at = here.top - DVec3::Z * (0.5 * here.height) + here.axes.x_axis * (0.5 * along);
+        let name = text::pier_column_handle(&pier.name);
+        out.push(Handle { grip: Grip::PierColumn(i), at, along: here.axes.x_axis, name });
     }
 }
 

@@ -32,12 +32,17 @@ pub(in crate::app) struct Held {
 
 /// What a pull comes to, with the mouse at `at`; `free` pulls do not snap.
 pub(in crate::app) fn pull(held: &Held, eye: &Eye, at: Pos2, free: bool) -> Option<Pulled> {
-    let to = eye.on_level(at, held.from.z)?;
+    let to = on_way(held.grip, eye, at, held.from)?;
     let point = eye.metres_per_point(to);
     let reach = if free { 0.0 } else { SNAP * point };
     let (scene, selected) = (&*held.scene, &held.selected[..]);
     let step = snap::round_step(point);
     pull::pulled(held.grip, &Pull { scene, selected, from: held.from, to, step, reach, typed: None })
+}
+
+/// Where a place on the screen is on the way that a handle goes, which is at `from` \[m\].
+pub(in crate::app) fn on_way(grip: Grip, eye: &Eye, at: Pos2, from: DVec3) -> Option<DVec3> {
+    if grip.is_upright() { eye.on_upright(at, from) } else { eye.on_level(at, from.z) }
 }
 
 /// How far a new girder snaps from where it stands, and to what; a `point` of the screen is so many metres.

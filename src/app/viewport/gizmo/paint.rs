@@ -52,7 +52,9 @@ pub(super) fn handle(ui: &Ui, eye: &Eye, handle: &Handle, at: Pos2, (near, held)
             painter.circle(at, 6.0, fill, line);
             painter.circle_filled(at, 1.8, palette.force);
         }
-        Grip::Length(..) | Grip::Width(..) | Grip::FaceWidth(..) => quad(&painter, at, way, (5.0, 5.0), fill, line),
+        Grip::Length(..) | Grip::Width(..) | Grip::FaceWidth(..) | Grip::PierHeight(_) | Grip::PierColumn(_) => {
+            quad(&painter, at, way, (5.0, 5.0), fill, line)
+        }
         Grip::Skew(..) => quad(&painter, at, (way + way.rot90()).normalized(), (4.5, 4.5), fill, line),
         Grip::Gap(_) => {
             double_arrow(&painter, at, way, line);

@@ -9,7 +9,7 @@ use crate::geometry::End;
 use crate::scene::device::{Joint, point_on};
 use crate::scene::edit::Edit;
 use crate::scene::facing::{self, Side};
-use crate::scene::{Abutment, Bearings, DeviceId, Girder, Scene, placed};
+use crate::scene::{Abutment, Bearings, DeviceId, Girder, PerDirection, Pier, Scene, placed};
 use crate::view::Target;
 
 /// Least length or width that a handle leaves, as a share of what it was.
@@ -96,6 +96,8 @@ pub(super) fn pulled(grip: Grip, pull: &Pull<'_>) -> Option<Pulled> {
         Grip::Offset(i) => offset(pull, i),
         Grip::FaceWidth(i, flank) => face_width(pull, i, flank),
         Grip::DevicePoint(id, which) => device_point(pull, id, which),
+        Grip::PierHeight(i) => pier_height(pull, i),
+        Grip::PierColumn(i) => pier_column(pull, i),
     }
 }
 
@@ -245,6 +247,37 @@ fn face_width(pull: &Pull<'_>, i: usize, flank: Flank) -> Option<Pulled> {
     let width = pull.or_typed((before + 2.0 * pull.along(side * flank.sign())).max(before * LEAST));
     let new = Abutment { width: Some(edits::micrometres(width)), ..abutment.clone() };
     Some(plain(edits::abutment(i, new), text::dragged(text::FACE_WIDE.as_str(), &text::exact_length(width))))
+}
+
+/// The foot goes down; where the columns say how stiff the pier is, it becomes softer.
+fn pier_height(pull: &Pull<'_>, i: usize) -> Option<Pulled> {
+    let before = pull.scene.piers.get(i).map(|_| pull.scene.pier(i).height)?;
+    let height = pull.or_typed((before + pull.along(DVec3::NEG_Z)).max(before * LEAST));
+    let new = Pier { height: Some(edits::micrometres(height)), ..pull.scene.piers.get(i)?.clone() };
+    pier(pull, i, new, text::dragged(text::HIGH.as_str(), &text::exact_length(height)))
+}
+
+/// Columns grow along the pier, round ones both ways.
+fn pier_column(pull: &Pull<'_>, i: usize) -> Option<Pulled> {
+    let old = pull.scene.piers.get(i)?;
+    let column = old.column?;
+    let [before, across] = column.xy();
+    let axis = pull.scene.pier(i).axes.x_axis;
+    let side = edits::micrometres(pull.or_typed((before + 2.0 * pull.along(axis)).max(before * LEAST)));
+    let column = Some(match column {
+        PerDirection::Both(_) => PerDirection::Both(side),
+        PerDirection::Each(_) => PerDirection::Each([side, across]),
+    });
+    let word = if matches!(old.column, Some(PerDirection::Both(_))) { text::DIAMETER } else { text::COLUMN_ALONG };
+    pier(pull, i, Pier { column, ..old.clone() }, text::dragged(word.as_str(), &text::exact_length(side)))
+}
+
+/// Another pier at this number; its stiffness is read below what was dragged.
+fn pier(pull: &Pull<'_>, i: usize, new: Pier, words: String) -> Option<Pulled> {
+    let mut changed = pull.scene.clone();
+    *changed.piers.get_mut(i)? = new.clone();
+    let stiffness = changed.pier(i).stiffness;
+    Some(Pulled { edit: edits::pier(i, new), words: vec![words, text::pier_stiffness(stiffness)], guides: Vec::new() })
 }
 
 /// A point of a device, over the ground; the girder that it is on may have moved since it was placed, by which its point moves too.

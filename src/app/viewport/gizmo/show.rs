@@ -4,7 +4,7 @@ use egui::{CursorIcon, EventFilter, Key, Pos2, Rect, Role, Sense, Ui, Vec2, Widg
 use glam::{DQuat, DVec3};
 
 use super::handles::{self, Handle, Stance};
-use super::held::handle_id;
+use super::held::{handle_id, on_way};
 use super::paint;
 use super::pull::{self, Pull};
 use super::snap;
@@ -86,7 +86,7 @@ fn one(ui: &mut Ui, eye: &Eye, handle: &Handle, (hand, seen): (&mut Hand, &Seen<
     let look = (response.hovered() || response.has_focus(), held);
     paint::handle(ui, eye, handle, at, look);
     if response.drag_started()
-        && let Some(from) = ui.input(|i| i.pointer.press_origin()).and_then(|p| eye.on_level(p, handle.at.z))
+        && let Some(from) = ui.input(|i| i.pointer.press_origin()).and_then(|p| on_way(handle.grip, eye, p, handle.at))
     {
         hand.hold(handle.grip, from, seen.scene, seen.selection);
     }

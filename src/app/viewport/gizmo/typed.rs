@@ -109,6 +109,8 @@ fn on_plate(grip: Grip, typing: &Typing, unit: Unit) -> String {
         Grip::Gap(_) => one(0, text::APART.as_str()),
         Grip::Offset(_) => one(0, text::SIDEWAYS.as_str()),
         Grip::FaceWidth(..) => one(0, text::FACE_WIDE.as_str()),
+        Grip::PierHeight(_) => one(0, text::HIGH.as_str()),
+        Grip::PierColumn(_) => one(0, text::DIAMETER.as_str()),
     }
 }
 
@@ -122,7 +124,9 @@ fn unit(scene: &Scene, grip: Grip) -> Unit {
             let faces = scene.abutments.get(i).map(|a| &a.faces);
             of(scene.girders.iter().find(|g| Some(&g.name) == faces))
         }
-        Grip::Bodies | Grip::Gap(_) | Grip::DevicePoint(..) => of(scene.girders.first()),
+        Grip::Bodies | Grip::Gap(_) | Grip::DevicePoint(..) | Grip::PierHeight(_) | Grip::PierColumn(_) => {
+            of(scene.girders.first())
+        }
     }
 }
 
@@ -134,6 +138,8 @@ fn range(grip: Grip) -> Range {
         Grip::Skew(..) => (keys::GIRDER, "skew_deg"),
         Grip::Gap(_) => (keys::ABUTMENT, "gap_m"),
         Grip::FaceWidth(..) => (keys::ABUTMENT, "width_m"),
+        Grip::PierHeight(_) => (keys::PIER, "height_m"),
+        Grip::PierColumn(_) => (keys::PIER, "column_m"),
         Grip::Bodies | Grip::Along(_) | Grip::Across(_) | Grip::Turn(_) | Grip::Offset(_) | Grip::DevicePoint(..) => {
             return Range::Any;
         }
