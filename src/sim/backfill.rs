@@ -63,10 +63,11 @@ impl History {
         let Backwall { body, soil, inward } = (*self.model().walls.get(abutment)?)?;
         let soil = soil?;
         let ultimate = self.scene().abutments.get(abutment)?.soil(self.scene())?.ultimate;
-        let push = |t: f64| self.motion(body, t).displacement.dot(inward);
+        // Against the wall's own ground: the first of its coordinates.
+        let push_at = |t: f64| self.state(body, t)[0];
         // The push on the envelope grows until the phase ends.
         let ends = self.link_phases(soil).iter().map(|(t, _)| *t).chain([self.end()]);
-        let (t, push) = ends.map(|t| (t, push(t))).max_by(|a, b| a.1.total_cmp(&b.1))?;
+        let (t, push) = ends.map(|t| (t, push_at(t))).max_by(|a, b| a.1.total_cmp(&b.1))?;
         let (then, now) = (self.link(soil, t)?, self.link(soil, self.end())?);
         // F²/(2 K_ur) is stored: unloading by F/K_ur leaves the gap.
         let elastic = if now.acts { 2.0 * now.stored / now.force.length().max(f64::MIN_POSITIVE) } else { -now.gap };
@@ -76,7 +77,7 @@ impl History {
             t,
             force: -then.force.dot(inward),
             ultimate,
-            remaining_gap: (self.motion(body, self.end()).displacement.dot(inward) - elastic).max(0.0),
+            remaining_gap: (push_at(self.end()) - elastic).max(0.0),
         })
     }
 }

@@ -9,6 +9,7 @@ use super::quadrature::integrate;
 use super::touches::flight_rate;
 use super::{EventKind, History, Ledger};
 use crate::dynamics::impact2d::LastingInterval;
+use crate::dynamics::model::ground_now::GroundNow;
 use crate::dynamics::penalty3d::contact_state::Contact;
 use crate::dynamics::trajectory::stored_path::StoredMotion;
 use crate::motion::Ground;
@@ -250,7 +251,8 @@ fn lasting_account(history: &History, interval: &LastingInterval) -> Account<1> 
 /// Powers of the ground and of pushes, and those lost in bearings and in the body itself \[W\].
 fn body_powers(history: &History, body: usize, t: f64) -> [f64; 4] {
     let (model, state) = (history.model(), history.state(body, t));
-    let [ground, push, loss] = model.bodies[body].powers(&state, model.ground.acceleration(t));
+    let [ground, push, loss] =
+        model.bodies[body].powers(&state, GroundNow { acceleration: model.ground.acceleration(t), t, since: t });
     [ground, push, loss, model.bodies[body].own_loss(&state)]
 }
 
@@ -274,7 +276,7 @@ fn contact_powers(history: &History, contact: usize, t: f64) -> [f64; 4] {
 /// Power lost in a device, and that of the ground where one end moves as given \[W\].
 fn device_powers(history: &History, link: usize, t: f64) -> [f64; 2] {
     let bodies = history.model().links[link].bodies;
-    let given = if bodies.into_iter().flatten().any(|body| history.model().moves_as_given(body)) {
+    let given = if history.model().moving.is_some() {
         let force = history.link(link, t).map_or(DVec3::ZERO, |now| now.force);
         given_power(history, [(bodies[0], force), (bodies[1], -force)], t)
     } else {
@@ -283,9 +285,12 @@ fn device_powers(history: &History, link: usize, t: f64) -> [f64; 2] {
     [history.link_power(link, t), given]
 }
 
-/// Power of bodies that move as given against the forces on them \[W\].
+/// Power of what moves as given against the forces on it \[W\].
 fn given_power(history: &History, pushed: [(Option<usize>, DVec3); 2], t: f64) -> f64 {
-    let given = pushed.into_iter().filter_map(|(body, force)| Some((body?, force)));
-    let given = given.filter(|(body, _)| history.model().moves_as_given(*body));
-    given.map(|(body, force)| -force.dot(history.motion(body, t).velocity)).sum()
+    if history.model().moving.is_none() {
+        return 0.0;
+    }
+    let pushed = pushed.into_iter().filter_map(|(body, force)| Some((body?, force)));
+    let given = |body: usize| history.model().bodies[body].given_velocity(&history.state(body, t));
+    pushed.map(|(body, force)| -force.dot(given(body))).sum()
 }

@@ -96,6 +96,7 @@ impl Model {
             group_pairs: Vec::new(),
             group_links: Vec::new(),
         };
+        model.stand_walls_on_their_ground();
         model.add_piers(scene);
         for (number, girder) in scene.girders.iter().enumerate() {
             model.add_supports(number, girder, scene.setting(), &scene.standing(girder));

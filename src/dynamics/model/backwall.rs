@@ -10,7 +10,9 @@ use crate::dynamics::devices::{Backfill, Envelope, Failure, Hysteresis, Play, St
 use crate::dynamics::model::bearing::{PlanarBearings, Standing};
 use crate::dynamics::model::body::{Body, BodyCoordinates};
 use crate::dynamics::model::compiled_model::Backwall;
+use crate::dynamics::model::coordinates::given_motion::GivenMotion;
 use crate::dynamics::model::coordinates::guided::Guided;
+use crate::dynamics::model::coordinates::guided_on_ground::GuidedOnGround;
 use crate::dynamics::model::moving_ground::MovingGround;
 use crate::dynamics::model::rate_bounds::RateBounds;
 use crate::geometry::Prism;
@@ -47,10 +49,9 @@ pub(super) fn add(
                 wall
             }));
         };
-        let (wall, body) = (
-            Backwall { body: bodies.len(), soil: Some(links.len()), inward: frame.inward },
-            frame.body(abutment, &soil),
-        );
+        let wall = Backwall { body: bodies.len(), soil: Some(links.len()), inward: frame.inward };
+        let below = moving.and_then(|moving| Some(moving.given(moving.supports.of_abutment(number)?)));
+        let body = frame.body(abutment, &soil, below);
         links.extend(frame.links(wall.body, &body, &soil).ok_or_else(|| complaint(abutment))?);
         bodies.push(body);
         Ok(Some(wall))
@@ -93,8 +94,8 @@ impl WallFrame {
         Prism { length: depth, width: self.length, thickness: self.height, skew: std::f64::consts::FRAC_PI_2 }
     }
 
-    /// The wall, free to move into the soil and out of it; its frame stands at the face's first corner.
-    fn body(&self, abutment: &Abutment, soil: &ResolvedBackfill) -> Body {
+    /// The wall, free to move into the soil and out of it, on ground that moves otherwise where one is given; its frame stands at the face's first corner.
+    fn body(&self, abutment: &Abutment, soil: &ResolvedBackfill, below: Option<GivenMotion>) -> Body {
         let prism = self.block(soil.thickness);
         let radius = prism.corners().iter().map(|c| c.length()).fold(0.0, f64::max);
         let free = [true, true, false, false, false, false];
@@ -102,7 +103,10 @@ impl WallFrame {
         let inertia = per_mass * soil.mass;
         Body {
             name: abutment.name.clone(),
-            coordinates: BodyCoordinates::Custom(Arc::new(Guided { along: self.inward })),
+            coordinates: BodyCoordinates::Custom(match below {
+                None => Arc::new(Guided { along: self.inward }),
+                Some(ground) => Arc::new(GuidedOnGround { along: self.inward, ground }),
+            }),
             home: self.corner,
             axes: DMat3::IDENTITY,
             mass: soil.mass,

@@ -196,6 +196,11 @@ pub trait Coordinates: Debug + Send + Sync {
         f64::INFINITY
     }
 
+    /// Part of the velocity that is given as a function of time, whatever forces there are \[m/s\].
+    fn given_velocity(&self, _state: &[f64]) -> DVec3 {
+        DVec3::ZERO
+    }
+
     /// Fastest circular frequency or decay rate of the free motion \[rad/s\].
     fn fastest(&self, body: &Body) -> f64;
 
@@ -204,7 +209,7 @@ pub trait Coordinates: Debug + Send + Sync {
     fn energies(&self, body: &Body, state: &[f64], gravity: f64) -> [f64; 3];
 
     /// Powers of the ground's inertia force, of given pushes, and lost in the bearings \[W\].
-    fn powers(&self, body: &Body, state: &[f64], ground: DVec3) -> [f64; 3];
+    fn powers(&self, body: &Body, state: &[f64], ground: GroundNow) -> [f64; 3];
 
     /// Strain energy of the body itself \[J\].
     fn own_strain(&self, _state: &[f64]) -> f64 {

@@ -25,6 +25,27 @@ impl Model {
         Some(number)
     }
 
+    /// The body of an abutment's own ground, where that moves otherwise: the abutment itself, or what is below a wall before soil.
+    pub(super) fn ground_of_abutment(&mut self, number: usize, (above, place): (&str, DVec3)) -> Option<usize> {
+        let motion = self.moving.as_ref()?.supports.of_abutment(number)?;
+        let wall = self.walls.get(number).copied().flatten()?;
+        if wall.soil.is_some() { self.foundation(motion, (above, place)) } else { Some(wall.body) }
+    }
+
+    /// Puts soil, sliders and fuses of walls whose ground moves otherwise on that ground.
+    pub(super) fn stand_walls_on_their_ground(&mut self) {
+        for number in 0..self.walls.len() {
+            let Some(wall) = self.walls[number].filter(|wall| wall.soil.is_some()) else { continue };
+            let (name, place) = (self.bodies[wall.body].name.clone(), self.bodies[wall.body].home);
+            let Some(ground) = self.ground_of_abutment(number, (&name, place)) else { continue };
+            let home = self.bodies[ground].home;
+            for link in self.links.iter_mut().filter(|link| link.bodies == [Some(wall.body), None]) {
+                let point = link.homes[1] + link.arms[1];
+                (link.bodies[1], link.homes[1], link.arms[1]) = (Some(ground), home, point - home);
+            }
+        }
+    }
+
     /// Whether a body moves as it is given, as ground does, and no force moves it.
     pub fn moves_as_given(&self, body: usize) -> bool {
         self.given().any(|given| given == body)
@@ -42,6 +63,7 @@ impl Model {
             BodyCoordinates::Custom(coordinates) => coordinates.next_kink(t),
             BodyCoordinates::Planar | BodyCoordinates::Spatial => f64::INFINITY,
         };
-        self.given().map(|body| own(&self.bodies[body])).fold(self.ground.next_kink(t), f64::min)
+        let carried = self.walls.iter().flatten().filter(|wall| wall.soil.is_some()).map(|wall| wall.body);
+        self.given().chain(carried).map(|body| own(&self.bodies[body])).fold(self.ground.next_kink(t), f64::min)
     }
 }

@@ -127,7 +127,7 @@ impl Model {
         let (on, place) = (joint.abutment.map_or(Standing::Ground, Standing::Abutment), joint.points[1]);
         let motion = self.moving.as_ref()?.supports.under(on, place)?;
         match joint.abutment {
-            Some(number) => self.walls.get(number)?.map(|wall| wall.body),
+            Some(number) => self.ground_of_abutment(number, (name, place)),
             None => self.foundation(motion, (name, place)),
         }
     }

@@ -44,14 +44,18 @@ impl MovingGround {
         RelativeMotion::of(Arc::clone(&self.path), own).at(t)[1]
     }
 
+    /// The motion of a support against the ground of reference, as degrees of freedom.
+    pub(super) fn given(&self, own: SupportMotion) -> GivenMotion {
+        let motion = RelativeMotion::of(Arc::clone(&self.path), own);
+        GivenMotion { motion, axes: if self.kind == Kind::Planar { 2 } else { 3 } }
+    }
+
     /// What moves as the ground under a support does, a block of this size, of a mass that no force moves; its frame stands at `home`
     /// \[m\].
     pub(super) fn body(&self, name: String, prism: Prism, home: DVec3, own: SupportMotion) -> Body {
-        let motion = RelativeMotion::of(Arc::clone(&self.path), own);
-        let axes = if self.kind == Kind::Planar { 2 } else { 3 };
         Body {
             name,
-            coordinates: BodyCoordinates::Custom(Arc::new(GivenMotion { motion, axes })),
+            coordinates: BodyCoordinates::Custom(Arc::new(self.given(own))),
             home,
             axes: DMat3::IDENTITY,
             mass: f64::INFINITY,

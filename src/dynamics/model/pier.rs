@@ -80,7 +80,7 @@ fn column(pier: &ResolvedPier) -> Vec<Bearing> {
 impl Model {
     /// Adds the yielding bases of piers, whose bodies are the last ones; their groups are formed later.
     pub(in crate::dynamics) fn add_piers(&mut self, scene: &Scene) {
-        let from = self.bodies.len() - scene.piers.len();
+        let from = self.bodies.len() - self.foundations.len() - scene.piers.len();
         for number in 0..scene.piers.len() {
             let (body, resolved) = (from + number, scene.pier(number));
             let foot = self.moving.as_ref().and_then(|moving| moving.supports.of_pier(number));

@@ -74,11 +74,11 @@ impl Model {
         }
         let place = self.bodies[girder].home + self.bodies[girder].axes * place;
         let motion = self.moving.as_ref()?.supports.under(on, place)?;
-        if let Standing::Abutment(number) = on {
-            return self.walls.get(number)?.map(|wall| wall.body);
-        }
         let name = format!("{}.bearing{}", self.bodies[girder].name, bearing + 1);
-        self.foundation(motion, (&name, place))
+        match on {
+            Standing::Abutment(number) => self.ground_of_abutment(number, (&name, place)),
+            Standing::Ground | Standing::Pier(_) => self.foundation(motion, (&name, place)),
+        }
     }
 
     /// A link of a place of a body \[m\] and the ground there, in the body's axes as placed.

@@ -20,12 +20,6 @@ pub(super) fn wave(scene: &Scene, complaints: &mut Complaints) {
         let value = message!("found-model-wave", "model" => scene.model.kind.label());
         complaints.at("model", keys::MODEL).add("kind", value, Text::new("wrong-impact-wave"));
     }
-    for (number, abutment) in scene.abutments.iter().enumerate() {
-        if abutment.backfill.is_some() && supports.of_abutment(number).is_some() {
-            let mut at = complaints.of("abutment", &abutment.name, keys::ABUTMENT);
-            at.add("backfill", Text::new("found-soil-wave"), Text::new("wrong-soil-wave"));
-        }
-    }
     for (number, pier) in scene.piers.iter().enumerate() {
         if scene.kind == Kind::Spatial && scene.motion.is_vertical() && supports.of_pier(number).is_some() {
             let mut at = complaints.of("pier", &pier.name, keys::PIER);

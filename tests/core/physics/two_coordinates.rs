@@ -139,8 +139,8 @@ impl Coordinates for TwoCoordinates {
         [0.5 * MASS * speed2, 0.5 * self.stiffness() * place2, 0.0]
     }
 
-    fn powers(&self, _: &Body, state: &[f64], ground: DVec3) -> [f64; 3] {
-        [-MASS * ground.truncate().dot(DVec2::from_slice(&state[RATES])), 0.0, 0.0]
+    fn powers(&self, _: &Body, state: &[f64], ground: GroundNow) -> [f64; 3] {
+        [-MASS * ground.acceleration.truncate().dot(DVec2::from_slice(&state[RATES])), 0.0, 0.0]
     }
 }
 

@@ -170,8 +170,8 @@ impl Coordinates for TwoEnds {
         [0.5 * HALF * speed2, 0.5 * self.stiffness() * stretch * stretch, 0.0]
     }
 
-    fn powers(&self, _: &Body, state: &[f64], ground: DVec3) -> [f64; 3] {
-        [-HALF * ground.x * (state[2] + state[3]), 0.0, 0.0]
+    fn powers(&self, _: &Body, state: &[f64], ground: GroundNow) -> [f64; 3] {
+        [-HALF * ground.acceleration.x * (state[2] + state[3]), 0.0, 0.0]
     }
 }
 

@@ -29,7 +29,7 @@ pub(in crate::dynamics) struct GivenMotion {
 }
 
 impl GivenMotion {
-    fn vector(&self, part: &[f64]) -> DVec3 {
+    pub(super) fn vector(&self, part: &[f64]) -> DVec3 {
         let mut vector = DVec3::ZERO;
         (0..self.axes).for_each(|axis| vector[axis] = part[axis]);
         vector
@@ -129,6 +129,10 @@ impl Coordinates for GivenMotion {
         self.motion.next_kink(t)
     }
 
+    fn given_velocity(&self, state: &[f64]) -> DVec3 {
+        self.vector(&state[self.axes..])
+    }
+
     fn fastest(&self, _: &Body) -> f64 {
         0.0
     }
@@ -137,7 +141,7 @@ impl Coordinates for GivenMotion {
         [0.0; 3]
     }
 
-    fn powers(&self, _: &Body, _: &[f64], _: DVec3) -> [f64; 3] {
+    fn powers(&self, _: &Body, _: &[f64], _: GroundNow) -> [f64; 3] {
         [0.0; 3]
     }
 

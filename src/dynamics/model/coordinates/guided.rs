@@ -125,8 +125,8 @@ impl Coordinates for Guided {
         [0.5 * body.mass * state[RATE] * state[RATE], 0.0, 0.0]
     }
 
-    fn powers(&self, body: &Body, state: &[f64], ground: DVec3) -> [f64; 3] {
-        [-body.mass * ground.dot(self.along) * state[RATE], 0.0, 0.0]
+    fn powers(&self, body: &Body, state: &[f64], ground: GroundNow) -> [f64; 3] {
+        [-body.mass * ground.acceleration.dot(self.along) * state[RATE], 0.0, 0.0]
     }
 }
 

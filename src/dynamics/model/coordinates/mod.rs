@@ -7,6 +7,7 @@ pub mod elastic;
 pub(in crate::dynamics) mod given_motion;
 pub(in crate::dynamics) mod guided;
 mod guided_flight;
+pub(in crate::dynamics) mod guided_on_ground;
 pub mod planar;
 pub mod spatial;
 pub(in crate::dynamics) mod state_layout;
@@ -228,8 +229,13 @@ impl Body {
         of_each!(self, c => c.energies(self, state, gravity))
     }
 
+    /// [`Coordinates::given_velocity`].
+    pub fn given_velocity(&self, state: &[f64]) -> DVec3 {
+        of_each!(self, c => c.given_velocity(state))
+    }
+
     /// [`Coordinates::powers`].
-    pub fn powers(&self, state: &[f64], ground: DVec3) -> [f64; 3] {
+    pub fn powers(&self, state: &[f64], ground: GroundNow) -> [f64; 3] {
         of_each!(self, c => c.powers(self, state, ground))
     }
 

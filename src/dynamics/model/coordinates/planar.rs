@@ -260,9 +260,9 @@ impl Coordinates for Planar {
         [kinetic, 0.5 * q.dot(body.planar.stiffness * q), weight * here.shift.z]
     }
 
-    fn powers(&self, body: &Body, state: &[f64], ground: DVec3) -> [f64; 3] {
+    fn powers(&self, body: &Body, state: &[f64], ground: GroundNow) -> [f64; 3] {
         let here = body.planar_frame(state);
-        let inertia = -body.mass * ground.dot(here.velocity);
+        let inertia = -body.mass * ground.acceleration.dot(here.velocity);
         let push = body.push.dot(here.velocity) + body.moment.z * here.spin.z;
         let v = rates(state);
         [inertia, push, v.dot(body.planar.damping * v)]

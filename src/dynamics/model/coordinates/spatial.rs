@@ -242,10 +242,10 @@ impl Coordinates for Spatial {
         [rigid_body::kinetic_energy(body, &here), strain, weight * here.shift.z]
     }
 
-    fn powers(&self, body: &Body, state: &[f64], ground: DVec3) -> [f64; 3] {
+    fn powers(&self, body: &Body, state: &[f64], ground: GroundNow) -> [f64; 3] {
         let here = self.frame(body, 0, state);
         let push = body.push.dot(here.velocity) + body.moment.dot(here.spin);
-        [-body.mass * ground.dot(here.velocity), push, rigid_body::bearing_loss(body, &here)]
+        [-body.mass * ground.acceleration.dot(here.velocity), push, rigid_body::bearing_loss(body, &here)]
     }
 }
 

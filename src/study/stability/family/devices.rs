@@ -62,10 +62,9 @@ pub(super) fn devices(dice: &mut Dice) -> Scene {
     settings.iter().fold(scene, |scene, setting| overrides::apply(&scene, setting).unwrap_or(scene))
 }
 
-/// The same without backfill, under a wave that crosses a girder in up to half a period, or with supports of their own motion.
+/// The same under a wave that crosses a girder in up to half a period, or with supports of their own motion.
 pub(super) fn waves(dice: &mut Dice) -> Scene {
     let mut scene = devices(dice);
-    scene.abutments.iter_mut().for_each(|abutment| abutment.backfill = None);
     let Some(girder) = scene.girders.first() else { return scene };
     // From the way of the girder's bearings: the frequency is that of the ground where it is a sine.
     let hertz = if let Motion::Sine(sine) = &scene.motion { sine.frequency_hz } else { 1.0 };

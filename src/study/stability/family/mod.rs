@@ -54,7 +54,7 @@ pub const DEVICES: &str = "devices";
 /// The seeds from this one on.
 pub const FIRST_DEVICES: u64 = 2_000_000;
 
-/// The same without backfill, on supports whose ground moves later or more than that of the others.
+/// The same on supports whose ground moves later or more than that of the others.
 pub const WAVES: &str = "waves";
 /// The seeds from this one on.
 pub const FIRST_WAVES: u64 = 4_000_000;

@@ -315,9 +315,9 @@ impl Coordinates for ElasticGirder {
         [kinetic, strain, body.mass * gravity * body.start[2]]
     }
 
-    fn powers(&self, body: &Body, state: &[f64], ground: DVec3) -> [f64; 3] {
+    fn powers(&self, body: &Body, state: &[f64], ground: GroundNow) -> [f64; 3] {
         let (_, rate) = self.halves(state);
-        let inertia = -body.mass * (ground.x * rate[0] + ground.y * rate[1]);
+        let inertia = -body.mass * (ground.acceleration.x * rate[0] + ground.acceleration.y * rate[1]);
         let modal: f64 = self.pushed.iter().zip(&rate[RIGID..]).map(|(push, v)| push * v).sum();
         let push = body.push.x * rate[0] + body.push.y * rate[1] + body.moment.z * rate[2] + modal;
         [inertia, push, self.on_bearings(state).map(|(axis, _, v)| axis.damping * v * v).sum()]

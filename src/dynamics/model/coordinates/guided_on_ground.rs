@@ -1,0 +1,155 @@
+//! A body that moves along one horizontal direction of ground that moves as it is given, and does not turn: displacement u along the
+//! direction against that ground, the ground's displacement, and their rates.
+
+use std::ops::Range;
+
+use glam::{DMat3, DQuat, DVec3};
+
+use crate::contact::Frame;
+use crate::dynamics::model::body::{Body, Coordinates, Counted, Point};
+use crate::dynamics::model::coordinates::given_motion::GivenMotion;
+use crate::dynamics::model::ground_now::GroundNow;
+use crate::dynamics::model::motion_bounds::MotionBounds;
+use crate::dynamics::model::reference_pose::ReferencePose;
+use crate::dynamics::model::wrench::Wrench;
+
+const PLACE: usize = 0;
+
+/// The degree of freedom u, on ground of given motion.
+#[derive(Clone, Debug)]
+pub(in crate::dynamics) struct GuidedOnGround {
+    /// Unit vector along which it moves, world axes.
+    pub along: DVec3,
+    /// Motion of the ground below.
+    pub ground: GivenMotion,
+}
+
+impl GuidedOnGround {
+    /// Number of places, and of rates.
+    fn places(&self) -> usize {
+        1 + self.ground.axes
+    }
+
+    /// Displacement or velocity, of the half of a state.
+    fn whole(&self, half: &[f64]) -> DVec3 {
+        self.along * half[PLACE] + self.ground.vector(&half[1..])
+    }
+
+    fn relative_acceleration(&self, ground: GroundNow) -> DVec3 {
+        self.ground.motion.acceleration(ground.since, ground.t)
+    }
+}
+
+impl Coordinates for GuidedOnGround {
+    fn width(&self) -> usize {
+        2 * self.places()
+    }
+
+    fn positions(&self) -> usize {
+        self.places()
+    }
+
+    fn displacements(&self) -> Option<Range<usize>> {
+        None
+    }
+
+    fn initial(&self, body: &Body) -> Vec<f64> {
+        let given = self.ground.initial(body);
+        let (places, rates) = given.split_at(self.ground.axes);
+        [&[0.0], places, &[0.0], rates].concat()
+    }
+
+    fn frame(&self, body: &Body, _: usize, state: &[f64]) -> Frame {
+        let (place, rate) = state.split_at(self.places());
+        Frame { shift: self.whole(place), velocity: self.whole(rate), ..Frame::fixed(body.home) }
+    }
+
+    fn frame_since(&self, body: &Body, section: usize, state: &[f64]) -> Frame {
+        self.frame(body, section, state)
+    }
+
+    fn attitude(&self, _: &Body, _: &[f64]) -> (f64, DQuat) {
+        (0.0, DQuat::IDENTITY)
+    }
+
+    fn reference(&self, _: &Body, numbers: &[f64]) -> ReferencePose {
+        let at = numbers.get(..2).map_or(DVec3::ZERO, |at| DVec3::new(at[0], at[1], 0.0));
+        ReferencePose::level(at, 0.0, DMat3::ZERO)
+    }
+
+    fn rebase(&self, _: &Body, state: &mut [f64]) -> ReferencePose {
+        let base = ReferencePose::level(self.along * state[PLACE], 0.0, DMat3::ZERO);
+        state[PLACE] = 0.0;
+        base
+    }
+
+    fn restore(&self, numbers: &[f64], state: &mut [f64]) {
+        if let [x, y, ..] = *numbers {
+            state[PLACE] += self.along.x * x + self.along.y * y;
+        }
+    }
+
+    fn slope(&self, body: &Body, now: Counted<'_>, contact: &[Wrench], ground: GroundNow, out: &mut [f64]) {
+        let (places, rates) = out.split_at_mut(self.places());
+        places.copy_from_slice(&now.state[self.places()..]);
+        let given = self.relative_acceleration(ground);
+        rates[PLACE] = (contact[0].force / body.mass - ground.acceleration - given).dot(self.along);
+        (0..self.ground.axes).for_each(|axis| rates[1 + axis] = given[axis]);
+    }
+
+    fn add_accelerations(&self, state: &mut [f64], slope: &[f64], dt: f64) {
+        let gains = &slope[self.places()..];
+        state.iter_mut().zip(gains).for_each(|(place, gain)| *place += 0.5 * dt * dt * gain);
+    }
+
+    fn size2(&self, _: &Body, difference: &[f64]) -> [f64; 2] {
+        let (place, rate) = difference.split_at(self.places());
+        [place, rate].map(|half| half.iter().map(|d| d * d).sum())
+    }
+
+    fn increment_scale(&self, i: usize, place: f64, omega: f64) -> f64 {
+        if i < self.places() { place } else { omega * place }
+    }
+
+    fn excursion(&self, _: f64, way: &dyn Fn(Range<usize>) -> f64) -> f64 {
+        way(PLACE..1) + way(1..self.places())
+    }
+
+    fn bounds(&self, rates: &dyn Fn(Range<usize>) -> [f64; 2]) -> MotionBounds {
+        let ([own, own_gain], [given, given_gain]) = (rates(PLACE..1), rates(1..self.places()));
+        MotionBounds { speed: own + given, acceleration: own_gain + given_gain, ..MotionBounds::still(f64::INFINITY) }
+    }
+
+    fn acceleration(&self, body: &Body, _: Point<'_>, force: DVec3) -> DVec3 {
+        self.along * (force.dot(self.along) / body.mass)
+    }
+
+    fn port(&self, body: &Body, _: Point<'_>, force: DVec3, [response, load]: [&mut [f64]; 2]) {
+        let force = force.dot(self.along);
+        let rate = self.places() + PLACE;
+        (response[rate], load[rate]) = (force / body.mass, force);
+    }
+
+    fn next_kink(&self, t: f64) -> f64 {
+        self.ground.next_kink(t)
+    }
+
+    fn given_velocity(&self, state: &[f64]) -> DVec3 {
+        self.ground.vector(&state[self.places() + 1..])
+    }
+
+    fn fastest(&self, _: &Body) -> f64 {
+        0.0
+    }
+
+    // Against its own ground, as the works are.
+    fn energies(&self, body: &Body, state: &[f64], _: f64) -> [f64; 3] {
+        let rate = state[self.places() + PLACE];
+        [0.5 * body.mass * rate * rate, 0.0, 0.0]
+    }
+
+    fn powers(&self, body: &Body, state: &[f64], ground: GroundNow) -> [f64; 3] {
+        let felt = (ground.acceleration + self.relative_acceleration(ground)).dot(self.along);
+        [-body.mass * felt * state[self.places() + PLACE], 0.0, 0.0]
+    }
+}
