@@ -53,7 +53,7 @@ pub(super) fn handle(ui: &Ui, eye: &Eye, handle: &Handle, at: Pos2, (near, held)
             painter.circle_filled(at, 1.8, palette.force);
         }
         Grip::Length(..) | Grip::Width(..) | Grip::FaceWidth(..) | Grip::PierHeight(_) | Grip::PierColumn(_) => {
-            quad(&painter, at, way, (5.0, 5.0), fill, line)
+            quad(&painter, at, way, (5.0, 5.0), fill, line);
         }
         Grip::Skew(..) => quad(&painter, at, (way + way.rot90()).normalized(), (4.5, 4.5), fill, line),
         Grip::Gap(_) => {
