@@ -50,7 +50,11 @@ impl Scene {
     /// How the ground moves under each support, where it does not move as one; the ground of reference moves as `[motion]` says
     /// and is that of the support which the wave reaches first.
     pub fn moving_supports(&self) -> Option<MovingSupports> {
-        if self.motion == Motion::None {
+        let own = |delay: Option<f64>, factor: Option<f64>| delay.is_some() || factor.is_some();
+        let differs = self.wave.is_some()
+            || self.abutments.iter().any(|a| own(a.delay, a.motion_factor))
+            || self.piers.iter().any(|pier| own(pier.delay, pier.motion_factor));
+        if self.motion == Motion::None || !differs {
             return None;
         }
         let slowness = self.wave.map_or(DVec2::ZERO, |wave| {

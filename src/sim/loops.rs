@@ -112,7 +112,7 @@ mod tests {
             .sum();
         // What is left at the end is stored, in the spring and in the hysteretic part.
         let ledger = history.ledger(3.0);
-        let wanted = ledger.loss_device + ledger.device + ledger.bearing;
+        let wanted = ledger.loss_bearing + ledger.bearing;
         assert!(wanted > 0.01 && (area - wanted).abs() < 1e-4 * wanted, "{area} J of {wanted} J");
     }
 }

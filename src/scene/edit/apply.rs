@@ -165,8 +165,11 @@ fn remove_abutment(scene: &mut Scene, at: usize) -> Result<(), EditError> {
     Ok(())
 }
 
-/// Takes out the pairs and the devices that name somebody who is gone.
+/// Takes out the pairs and the devices that name somebody who is gone; what stood there stands on the ground.
 fn drop_references(scene: &mut Scene, gone: &[String]) {
+    for on in scene.pier_names().filter(|on| on.as_ref().is_some_and(|name| gone.contains(name))) {
+        *on = None;
+    }
     scene.contact.pairs.retain(|pair| !pair.between.iter().any(|name| gone.contains(name)));
     let is_gone = |name: &str| gone.iter().any(|gone| gone == name);
     scene.retain_devices(|device| {

@@ -90,6 +90,25 @@ fn what_is_wrong_with_a_pier_is_said_at_its_key() {
 }
 
 #[test]
+fn bearings_follow_the_name_of_their_abutment_and_stand_on_the_ground_without_it() {
+    let text = with("mass_kg = 2e5\nfrequency_hz = 3.0").replace("on_minus_x = \"p\"", "on_minus_x = \"wall\"");
+    let before = scene(&format!("{text}\n[[abutment]]\nname = \"wall\"\nfaces = \"b\"\ngap_m = 0.5\n"));
+    let on = |scene: &Scene| {
+        let Some(Bearings::Shared(bearings)) = &scene.girders[1].bearings else { panic!("equal bearings") };
+        bearings.on_minus_x.clone()
+    };
+    assert_eq!(on(&before).as_deref(), Some("wall"));
+    let mut changed = before.clone();
+    let back = Edit::Rename("wall".into(), "east".into()).apply(&mut changed).expect("renamed");
+    assert_eq!(on(&changed).as_deref(), Some("east"));
+    back.apply(&mut changed).expect("back");
+    let back = Edit::RemoveAbutment(0).apply(&mut changed).expect("removed");
+    assert_eq!(on(&changed), None, "on the ground");
+    back.apply(&mut changed).expect("back");
+    assert_eq!(changed, before);
+}
+
+#[test]
 fn edits_of_piers_keep_their_names_and_can_be_undone() {
     let before = scene(&with("mass_kg = 2e5\nfrequency_hz = 3.0"));
     let on = |scene: &Scene| {

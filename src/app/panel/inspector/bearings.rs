@@ -313,14 +313,14 @@ fn yield_rows(ui: &mut Ui, place: Place<'_>, unit: Unit, n: usize, b: &mut Beari
     yields.or(moved)
 }
 
-/// The pier that bearings stand on; no row where the scene has none.
+/// The pier or abutment that bearings stand on; no row where it makes no difference: without piers, on ground that moves as one.
 fn on_row(
     ui: &mut Ui,
     place: Place<'_>,
     scene: &Scene,
     (on, key, label): (&mut Option<String>, &str, &str),
 ) -> Option<Change> {
-    if scene.piers.is_empty() {
+    if scene.piers.is_empty() && on.is_none() && scene.moving_supports().is_none() {
         return None;
     }
     let before = on.clone();
@@ -330,9 +330,10 @@ fn on_row(
         if ui.selectable_label(on.is_none(), text::ON_GROUND).clicked() {
             *on = None;
         }
-        for pier in &scene.piers {
-            if ui.selectable_label(on.as_ref() == Some(&pier.name), &pier.name).clicked() {
-                *on = Some(pier.name.clone());
+        let piers = scene.piers.iter().map(|pier| &pier.name);
+        for name in piers.chain(scene.abutments.iter().map(|abutment| &abutment.name)) {
+            if ui.selectable_label(on.as_ref() == Some(name), name).clicked() {
+                *on = Some(name.clone());
             }
         }
     });
