@@ -370,8 +370,7 @@ apart = gap as placed
 sideways = sideways
 face-wide = face width
 high = height
-diameter = diameter
-column-along = column along
+column-size = column
 
 ## map
 map-open = Map…

@@ -370,8 +370,7 @@ apart = 配置時の遊間
 sideways = 横方向
 face-wide = 面の幅
 high = 高さ
-diameter = 直径
-column-along = 柱の橋軸方向
+column-size = 柱
 
 ## 分布図
 map-open = 分布図…

@@ -9,6 +9,7 @@ pub mod integrate;
 pub mod matching;
 pub mod oscillator;
 pub mod process;
+pub mod responses;
 pub mod spectrum;
 pub mod support;
 pub mod sweep;
@@ -111,6 +112,15 @@ impl LinearPiece {
             Line::Along { direction, start, .. } => direction * start,
             Line::Components { start, .. } => start,
         }
+    }
+
+    /// First and second integral of the acceleration \[m/s, m\], carried from `at` over τ.
+    pub fn carried(&self, [v, d]: [DVec3; 2], at: f64, tau: f64) -> [DVec3; 2] {
+        let (value, slope) = (self.acceleration(at), self.rate());
+        [
+            v + value * tau + slope * (0.5 * tau * tau),
+            d + v * tau + value * (0.5 * tau * tau) + slope * (tau * tau * tau / 6.0),
+        ]
     }
 
     /// Rate of the acceleration \[m/s³\].

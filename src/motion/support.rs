@@ -5,6 +5,7 @@ use std::sync::Arc;
 
 use glam::DVec3;
 
+use super::responses::responses;
 use super::{Ground, LinearPiece};
 
 /// Velocity and displacement of a ground that was at rest until t = 0, in closed form.
@@ -26,7 +27,7 @@ impl GroundPath {
                 if piece.until.is_infinite() {
                     break;
                 }
-                now = carried(now, &piece, piece.until);
+                now = piece.carried(now, piece.from, piece.until - piece.from);
                 number += 1;
             }
         }
@@ -41,25 +42,18 @@ impl GroundPath {
         match &self.ground {
             Ground::Still => [DVec3::ZERO; 2],
             Ground::Sine { amplitude, quadrature, omega, phase } => {
-                let ((s0, c0), (s, c)) = (phase.sin_cos(), (omega * t + phase).sin_cos());
-                let (a, b) = (*amplitude / *omega, *quadrature / *omega);
-                let velocity = a * (c0 - c) + b * (s - s0);
-                [velocity, a * (c0 * t - (s - s0) / omega) + b * ((c0 - c) / omega - s0 * t)]
+                // sin(ω t + φ) = sin φ cos ω t + cos φ sin ω t, of which the integrals are the responses.
+                let ((sin, cos), [_, s0, s1, s2]) = (phase.sin_cos(), responses(omega * omega, t));
+                let (a, b) = (*amplitude * sin + *quadrature * cos, (*amplitude * cos - *quadrature * sin) * *omega);
+                [a * s0 + b * s1, a * s1 + b * s2]
             }
             Ground::Record { .. } => {
                 let number = self.ground.piece_number(t);
-                carried(self.at_samples[number], &self.ground.piece(number), t)
+                let piece = self.ground.piece(number);
+                piece.carried(self.at_samples[number], piece.from, t - piece.from)
             }
         }
     }
-}
-
-/// Velocity and displacement carried through a piece of a record from its beginning to `t`.
-fn carried([velocity, displacement]: [DVec3; 2], piece: &LinearPiece, t: f64) -> [DVec3; 2] {
-    let (tau, start, rate) = (t - piece.from, piece.start(), piece.rate());
-    let gained = (start + rate * (0.5 * tau)) * tau;
-    let moved = (velocity + (start + rate * (tau / 3.0)) * (0.5 * tau)) * tau;
-    [velocity + gained, displacement + moved]
 }
 
 /// How the ground of a support moves: `factor · a(t − delay)`, at rest before.
@@ -152,11 +146,12 @@ impl RelativeMotion {
 mod tests {
     use super::*;
 
-    fn grounds() -> [Ground; 2] {
+    fn grounds() -> [Ground; 3] {
         let samples = [0.3, 1.0, -2.0, 0.5, 0.0, 1.5, -0.7];
         let sine =
             Ground::Sine { amplitude: DVec3::new(2.0, 1.0, 0.0), quadrature: DVec3::Z * 0.5, omega: 9.0, phase: 0.4 };
-        [Ground::record(DVec3::new(0.6, 0.8, 0.0), 0.1, samples), sine]
+        let constant = Ground::Sine { amplitude: DVec3::X, quadrature: DVec3::Z, omega: 0.0, phase: 1.0 };
+        [Ground::record(DVec3::new(0.6, 0.8, 0.0), 0.1, samples), sine, constant]
     }
 
     #[test]

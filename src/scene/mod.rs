@@ -76,7 +76,7 @@ pub use resolved_elastic::ResolvedElastic;
 pub use resolved_pier::{BaseYield, ResolvedPier};
 pub use settings::{Layer, Overlays, PlotSettings, PlotShows, SolverMethod, SolverSettings, ViewPreset, ViewSettings};
 pub use soil::ResolvedBackfill;
-pub use supports::Standing;
+pub use supports::StandsOn;
 pub use sweep::{SweepMotion, SweepRate};
 pub use synthetic::SyntheticMotion;
 pub use top::Scene;

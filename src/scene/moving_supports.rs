@@ -3,7 +3,7 @@
 use glam::{DVec2, DVec3};
 
 use super::angle::sin_cos_deg;
-use super::supports::Standing;
+use super::supports::StandsOn;
 use super::{Abutment, Girder, Motion, Scene, placed};
 use crate::motion::support::SupportMotion;
 
@@ -22,11 +22,11 @@ pub struct MovingSupports {
 
 impl MovingSupports {
     /// Of the ground under a bearing at this place \[m\], where it moves otherwise than the ground of reference; `None` on a pier.
-    pub fn under(&self, on: Standing, place: DVec3) -> Option<SupportMotion> {
+    pub fn under(&self, on: StandsOn, place: DVec3) -> Option<SupportMotion> {
         match on {
-            Standing::Pier(_) => None,
-            Standing::Abutment(number) => self.of_abutment(number),
-            Standing::Ground => Some(self.at(place)).filter(|motion| *motion != SupportMotion::REFERENCE),
+            StandsOn::Pier(_) => None,
+            StandsOn::Abutment(number) => self.of_abutment(number),
+            StandsOn::Ground => Some(self.at(place)).filter(|motion| *motion != SupportMotion::REFERENCE),
         }
     }
 
@@ -95,7 +95,7 @@ impl Scene {
             let axes = placed::axes(girder);
             let home = DVec3::from(girder.position);
             let free = girder.supports(self.setting()).into_iter().zip(self.standing(girder));
-            let on_ground = free.filter(|(_, on)| *on == Standing::Ground);
+            let on_ground = free.filter(|(_, on)| *on == StandsOn::Ground);
             on_ground.map(|(bearing, _)| home + axes * bearing.place).collect::<Vec<_>>()
         };
         self.girders.iter().flat_map(of).collect()

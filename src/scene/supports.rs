@@ -7,7 +7,7 @@ use crate::geometry::End;
 
 impl Bearings {
     /// The name of the pier or abutment under each bearing of a girder, in the order of [`Bearings::resolve`]; `None` on the ground.
-    pub fn piers(&self, girder: &Girder) -> Vec<Option<&str>> {
+    pub fn named_supports(&self, girder: &Girder) -> Vec<Option<&str>> {
         match self {
             Self::Shared(shared) => {
                 let shear = girder.prism().shear();
@@ -31,7 +31,7 @@ impl Bearings {
     }
 
     /// The names of piers and abutments that it mentions, to be changed.
-    pub(super) fn pier_names(&mut self) -> Vec<&mut Option<String>> {
+    pub(super) fn support_names(&mut self) -> Vec<&mut Option<String>> {
         match self {
             Self::Shared(shared) => vec![&mut shared.on_minus_x, &mut shared.on_plus_x],
             Self::Deck(deck) => vec![&mut deck.on_minus_x, &mut deck.on_plus_x],
@@ -67,7 +67,7 @@ impl Girder {
 
 /// What a bearing stands on.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub enum Standing {
+pub enum StandsOn {
     /// The ground.
     Ground,
     /// The pier of this number.
@@ -88,8 +88,8 @@ fn end_of([x, y]: [f64; 2], shear: f64) -> Option<End> {
 
 impl Scene {
     /// The names of piers and abutments that bearings mention, to be changed.
-    pub(super) fn pier_names(&mut self) -> impl Iterator<Item = &mut Option<String>> {
-        self.girders.iter_mut().filter_map(|girder| girder.bearings.as_mut()).flat_map(Bearings::pier_names)
+    pub(super) fn support_names(&mut self) -> impl Iterator<Item = &mut Option<String>> {
+        self.girders.iter_mut().filter_map(|girder| girder.bearings.as_mut()).flat_map(Bearings::support_names)
     }
 
     /// Number of the pier of this name.
@@ -103,21 +103,25 @@ impl Scene {
         if self.piers.is_empty() {
             return vec![None; bearings.resolve(girder, self.setting()).len()];
         }
-        bearings.piers(girder).into_iter().map(|name| self.pier_named(name?)).collect()
+        bearings.named_supports(girder).into_iter().map(|name| self.pier_named(name?)).collect()
     }
 
     /// What each bearing of a girder stands on, in the order of [`Bearings::resolve`].
-    pub fn standing(&self, girder: &Girder) -> Vec<Standing> {
+    pub fn standing(&self, girder: &Girder) -> Vec<StandsOn> {
         let Some(bearings) = &girder.bearings else { return Vec::new() };
         let named = |name: &str| {
             let abutment = || self.abutments.iter().position(|abutment| abutment.name == name);
-            self.pier_named(name).map(Standing::Pier).or_else(|| abutment().map(Standing::Abutment))
+            self.pier_named(name).map(StandsOn::Pier).or_else(|| abutment().map(StandsOn::Abutment))
         };
-        bearings.piers(girder).into_iter().map(|name| name.and_then(named).unwrap_or(Standing::Ground)).collect()
+        bearings
+            .named_supports(girder)
+            .into_iter()
+            .map(|name| name.and_then(named).unwrap_or(StandsOn::Ground))
+            .collect()
     }
 
     /// What all bearings nearer to an end of a girder than to the other stand on; `None` where they do not stand on one.
-    pub fn standing_under(&self, girder: &Girder, end: End) -> Option<Standing> {
+    pub fn standing_under(&self, girder: &Girder, end: End) -> Option<StandsOn> {
         let shear = girder.prism().shear();
         let resolved = girder.bearings.as_ref()?.resolve(girder, self.setting());
         let near = resolved.iter().zip(self.standing(girder));
@@ -129,8 +133,8 @@ impl Scene {
     /// The pier that an end of a girder stands on: that of all bearings nearer to this end than to the other.
     pub fn pier_under(&self, girder: &Girder, end: End) -> Option<usize> {
         match self.standing_under(girder, end)? {
-            Standing::Pier(number) => Some(number),
-            Standing::Ground | Standing::Abutment(_) => None,
+            StandsOn::Pier(number) => Some(number),
+            StandsOn::Ground | StandsOn::Abutment(_) => None,
         }
     }
 

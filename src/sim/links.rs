@@ -6,6 +6,7 @@ use super::{History, Loop};
 use crate::contact::Frame;
 use crate::dynamics::connection::{Kinematics, Link, Phase, Separation};
 use crate::dynamics::model::wrench::Wrench;
+use crate::language::Text;
 
 /// A device at one instant.
 #[derive(Clone, Debug, PartialEq)]
@@ -17,7 +18,7 @@ pub struct LinkNow {
     /// Whether its force acts.
     pub acts: bool,
     /// The phase in a word.
-    pub state: &'static str,
+    pub state: Text,
     /// Force at which it yields, or breaks where it does not yield; none where it does neither \[N\].
     pub strength: Option<f64>,
     /// Deformation and resistance: along the line between points apart, else along its axes.

@@ -5,7 +5,7 @@ use glam::DVec3;
 use super::History;
 use crate::geometry::{End, Prism};
 use crate::motion::support::SupportMotion;
-use crate::scene::Standing;
+use crate::scene::StandsOn;
 
 /// What a seat is fixed to.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -21,8 +21,8 @@ pub enum SeatOn {
 impl SeatOn {
     pub(super) fn of(history: &History, girder: usize, end: End) -> Self {
         let (scene, model) = (history.scene(), history.model());
-        let on = scene.standing_under(&scene.girders[girder], end).unwrap_or(Standing::Ground);
-        if let Standing::Pier(number) = on {
+        let on = scene.standing_under(&scene.girders[girder], end).unwrap_or(StandsOn::Ground);
+        if let StandsOn::Pier(number) = on {
             return model.piers.get(number).map_or(Self::Ground, |pier| Self::Pier(pier.body));
         }
         let body = &model.bodies[girder];

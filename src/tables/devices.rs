@@ -5,6 +5,7 @@ use std::io::Write;
 use serde::Serialize;
 
 use super::{number, to_csv, xyz};
+use crate::language::Language;
 use crate::sim::{DeviceReading, History};
 
 const HEADER: [&str; 8] = ["t", "device", "state", "deformation", "gap", "fx", "fy", "fz"];
@@ -70,7 +71,8 @@ pub fn devices(history: &History, out: &mut dyn Write) -> std::io::Result<()> {
     let row = |(t, link, change): (f64, usize, usize)| {
         let now = history.link_in(link, history.link_phases(link)[change].1, t)?;
         let [fx, fy, fz] = xyz(now.force);
-        let (name, state) = (history.model().links[link].name.clone(), now.state.to_owned());
+        let (name, state) =
+            (history.model().links[link].name.clone(), Language::English.within(|| now.state.to_string()));
         let [deformation, gap] = [now.along.deformation[0], now.gap].map(number);
         Some(vec![number(t), name, state, deformation, gap, fx, fy, fz])
     };

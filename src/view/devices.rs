@@ -9,6 +9,7 @@ use super::input::Target;
 use super::list::{Line, Rgba};
 use super::moment::Moment;
 use super::palette::{NORMAL, Palette, SELECTED};
+use crate::dynamics::connection::IS_BROKEN;
 use crate::scene::DeviceKind;
 use crate::sim::{History, LinkNow};
 
@@ -79,7 +80,7 @@ fn across(direction: DVec3) -> DVec3 {
 /// two ends.
 fn cable(device: &LinkNow) -> Vec<Vec<DVec3>> {
     let [first, second] = device.ends;
-    if device.state == "broken" {
+    if device.state == IS_BROKEN {
         let droop = |from: DVec3, to: DVec3| {
             let end = from.lerp(to, 0.4) - DVec3::Z * (0.15 * from.distance(to));
             vec![from, from.lerp(end, 0.6) + DVec3::Z * (0.03 * from.distance(to)), end]
@@ -132,7 +133,7 @@ fn block(input: &ViewInput<'_>, device: &LinkNow) -> Vec<Vec<DVec3>> {
     let posts = [-0.6, 0.6].map(|part| vec![foot + side * part, foot + side * part + way * (0.8 * size)]);
     let mark = across(way) * (0.35 * size);
     let cross = [mark + way * (0.35 * size), mark - way * (0.35 * size)].map(|arm| vec![peg - arm, peg + arm]);
-    if device.state == "broken" {
+    if device.state == IS_BROKEN {
         return cross.into();
     }
     [vec![plate], posts.into(), cross.into()].concat()
@@ -149,7 +150,7 @@ mod tests {
             link: 0,
             phase: Phase::default(),
             acts: gap <= 0.0,
-            state: "slack",
+            state: crate::language::Text::new("state-slack"),
             strength: None,
             along: Loop::default(),
             ends: [DVec3::ZERO, DVec3::X * 2.0],

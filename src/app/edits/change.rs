@@ -7,7 +7,7 @@ use crate::geometry::End;
 use crate::scene::edit::{Edit, General, free_name};
 use crate::scene::facing::{self, Side};
 use crate::scene::keys::Editable as _;
-use crate::scene::{Abutment, ContactSettings, Girder, Initial, Motion, Pier, Scene, placed};
+use crate::scene::{Abutment, ContactSettings, Girder, Initial, Motion, Pier, Scene, Wave, placed};
 use crate::view::Target;
 use crate::view::block::abutment_block;
 
@@ -50,6 +50,12 @@ pub(in crate::app) fn contact(contact: ContactSettings) -> Edit {
 /// Moves the ground otherwise.
 pub(in crate::app) fn motion(motion: Motion) -> Edit {
     Edit::Motion(Box::new(motion))
+}
+
+/// Lets the motion travel: at a speed that was not given.
+pub(in crate::app) fn wave_assumed(scene: &Scene, wave: Option<Wave>) -> Edit {
+    let listed = scene.assumed.iter().cloned().chain(["wave".to_owned()]).collect();
+    Edit::Batch(vec![Edit::Wave(wave), Edit::Assumed(listed)])
 }
 
 /// Runs longer or shorter \[s\].

@@ -180,7 +180,7 @@ pub(in crate::app) fn show_device(ui: &mut Ui, answer: Option<&Answer>, id: Devi
         let name = &history.model().links[number].name;
         ui.label(RichText::new(name).weak());
         let mut rows = vec![
-            (text::STATE.as_str(), now.state.to_owned()),
+            (text::STATE.as_str(), now.state.into()),
             (text::DEVICE_FORCE.as_str(), text::force(now.force.length())),
             (text::DEVICE_DEFORMATION.as_str(), text::length(now.along.deformation[0])),
         ];
@@ -199,7 +199,7 @@ fn phases(ui: &mut Ui, history: &History, number: usize, t: f64, out: &mut Vec<C
     let (all, law) = (history.link_phases(number), &history.model().links[number].device);
     for (n, (from, phase)) in all.iter().enumerate().take(MOST_TOUCHES) {
         let until = all.get(n + 1).map_or(f64::INFINITY, |next| next.0);
-        let words = text::phase(*from, text::device_state(law.state(phase)));
+        let words = text::phase(*from, &law.state(phase));
         if ui.add(egui::Button::selectable((*from..until).contains(&t), words)).clicked() {
             out.push(TimeCommand::Seek(*from).into());
         }

@@ -4,7 +4,7 @@ use egui::Ui;
 
 use crate::app::command::{Command, EditCommand};
 use crate::app::field::{CLICK, Form, sliders};
-use crate::app::text;
+use crate::app::{edits, text};
 use crate::scene::Wave;
 use crate::scene::edit::Edit;
 
@@ -24,7 +24,7 @@ pub(super) fn show(ui: &mut Ui, form: Form<'_>, out: &mut Vec<Command>) {
             }
         }
     };
-    if let Some(change) = change {
-        out.push(EditCommand::Change { edit: Edit::Wave(new), gesture: change.gesture }.into());
-    }
+    let Some(change) = change else { return };
+    let edit = if form.scene.wave.is_none() { edits::wave_assumed(form.scene, new) } else { Edit::Wave(new) };
+    out.push(EditCommand::Change { edit, gesture: change.gesture }.into());
 }

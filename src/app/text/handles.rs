@@ -13,8 +13,7 @@ pub(in crate::app) const APART: Text = Text::new("apart");
 pub(in crate::app) const SIDEWAYS: Text = Text::new("sideways");
 pub(in crate::app) const FACE_WIDE: Text = Text::new("face-wide");
 pub(in crate::app) const HIGH: Text = Text::new("high");
-pub(in crate::app) const DIAMETER: Text = Text::new("diameter");
-pub(in crate::app) const COLUMN_ALONG: Text = Text::new("column-along");
+pub(in crate::app) const COLUMN: Text = Text::new("column-size");
 pub(in crate::app) const SHIFT_X: &str = "Δx";
 pub(in crate::app) const SHIFT_Y: &str = "Δy";
 

@@ -167,33 +167,6 @@ pub(in crate::app) fn used_of(part: f64, strength: f64) -> String {
     Text::new("used-of").with(&values!["part" => short(100.0 * part), "strength" => force(strength)])
 }
 
-/// The word for the state of a device, of soil or of a bearing.
-pub(in crate::app) fn device_state(state: &'static str) -> &'static str {
-    let words = match state {
-        "open" => Text::new("state-open"),
-        "acts" => Text::new("state-acts"),
-        "apart" => Text::new("state-apart"),
-        "pressed" => Text::new("state-pressed"),
-        "slack" => Text::new("state-slack"),
-        "taut" => Text::new("state-taut"),
-        "yields" => Text::new("state-yields"),
-        "broken" => Text::new("state-broken"),
-        "elastic" => Text::new("state-elastic"),
-        "slides" => Text::new("state-slides"),
-        "lifted" => Text::new("state-lifted"),
-        "loaded" => Text::new("state-loaded"),
-        "fails" => Text::new("state-fails"),
-        "lost" => Text::new("state-lost"),
-        "stands" => Text::new("state-stands"),
-        "dropped" => Text::new("state-dropped"),
-        "up" => Text::new("state-up"),
-        "springs back" => Text::new("state-springs-back"),
-        "squeezed" => Text::new("state-squeezed"),
-        other => return other,
-    };
-    words.as_str()
-}
-
 /// A state of a device and when it begins \[s\].
 pub(in crate::app) fn phase(from: f64, state: &str) -> String {
     format!("{from:.4} s  {state}")

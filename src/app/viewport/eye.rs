@@ -5,6 +5,10 @@ use glam::DVec3;
 
 use crate::view::Camera;
 
+/// sin² of the angle between the line of sight and an upright line below which a point of that line is not told: 2°, where a point of the
+/// screen is 30 times as far along the line as beside it.
+const LEAST_BESIDE: f64 = 1e-3;
+
 /// The camera of the view, and the view's place on the screen.
 #[derive(Clone, Copy)]
 pub(in crate::app) struct Eye {
@@ -43,7 +47,7 @@ impl Eye {
         // Square to both lines: of `through + s z − start`, the part beside the ray is least.
         let beside = DVec3::Z - along * along.z;
         let s = (start - through).dot(beside) / beside.z;
-        (beside.z > 1e-3 && s.is_finite()).then(|| through + DVec3::Z * s)
+        (beside.z > LEAST_BESIDE && s.is_finite()).then(|| through + DVec3::Z * s)
     }
 
     /// Where the line of sight meets the level plane; seen edge-on, the upright plane through the camera's target.

@@ -3,6 +3,7 @@
 use glam::DVec3;
 
 use crate::dynamics::connection::{Connection, Separation, SeparationBounds};
+use crate::language::Text;
 
 /// State of a device: which law is in force, and what that law remembers.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
@@ -12,6 +13,9 @@ pub struct Phase {
     /// What the law remembers: a plastic displacement, an elongation at rupture (units of the device).
     pub memory: [f64; 3],
 }
+
+/// The state of a device that has no force any more.
+pub const IS_BROKEN: Text = Text::new("state-broken");
 
 /// A connection with phases. While no force acts, its bodies are integrated without each other, and the search for the
 /// beginning of the force uses [`gap`](Device::gap) and [`gap_curvature`](Device::gap_curvature); while the force acts, its
@@ -41,9 +45,9 @@ pub trait Device: Connection<State = Phase, Motion = Separation> + std::fmt::Deb
         self.is_linear()
     }
 
-    /// The phase in a word, for tables and pictures.
-    fn state(&self, phase: &Phase) -> &'static str {
-        if self.acts(phase) { "acts" } else { "open" }
+    /// The phase in a word.
+    fn state(&self, phase: &Phase) -> Text {
+        Text::new(if self.acts(phase) { "state-acts" } else { "state-open" })
     }
 
     /// Force at which it first yields, or breaks where it does not yield \[N\]; none where it does neither.

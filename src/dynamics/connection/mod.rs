@@ -12,7 +12,7 @@ pub mod separation;
 
 use glam::DVec3;
 
-pub use device::{Device, Evolution, Phase, Switch, SwitchUnit};
+pub use device::{Device, Evolution, IS_BROKEN, Phase, Switch, SwitchUnit};
 pub use link::{Anchor, Link};
 pub use separation::{Kinematics, Separation, SeparationBounds};
 

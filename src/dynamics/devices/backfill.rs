@@ -7,6 +7,7 @@
 use glam::DVec3;
 
 use crate::dynamics::connection::{Connection, Device, Phase, Separation, SeparationBounds, Switch, SwitchUnit};
+use crate::language::Text;
 
 /// Envelope of the resistance: `F = K₀ y/(1 + D y)` up to a push at which it becomes constant.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -161,12 +162,12 @@ impl Device for Backfill {
         phase.law != ENVELOPE || self.envelope.curvature == 0.0
     }
 
-    fn state(&self, phase: &Phase) -> &'static str {
+    fn state(&self, phase: &Phase) -> Text {
         match phase.law {
-            APART => "apart",
-            ELASTIC => "elastic",
-            ENVELOPE => "loaded",
-            _ => "fails",
+            APART => Text::new("state-apart"),
+            ELASTIC => Text::new("state-elastic"),
+            ENVELOPE => Text::new("state-loaded"),
+            _ => Text::new("state-fails"),
         }
     }
 

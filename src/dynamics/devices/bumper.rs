@@ -7,6 +7,7 @@
 use glam::DVec3;
 
 use crate::dynamics::connection::{Connection, Device, Phase, Separation, SeparationBounds, Switch};
+use crate::language::Text;
 
 /// A bumper.
 #[derive(Clone, Debug, PartialEq)]
@@ -135,11 +136,11 @@ impl Device for Bumper {
         phase.law != OPEN
     }
 
-    fn state(&self, phase: &Phase) -> &'static str {
+    fn state(&self, phase: &Phase) -> Text {
         match phase.law {
-            OPEN => "open",
-            _ if Self::is_off(phase) => "springs back",
-            _ => "squeezed",
+            OPEN => Text::new("state-open"),
+            _ if Self::is_off(phase) => Text::new("state-springs-back"),
+            _ => Text::new("state-squeezed"),
         }
     }
 

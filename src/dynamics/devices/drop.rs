@@ -4,6 +4,7 @@
 use glam::DVec3;
 
 use crate::dynamics::connection::{Connection, Device, Phase, Separation, SeparationBounds, Switch};
+use crate::language::Text;
 
 /// Ends the run where its point has dropped by this depth \[m\].
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -45,8 +46,8 @@ impl Device for Drop {
         false
     }
 
-    fn state(&self, phase: &Phase) -> &'static str {
-        if phase.law == DROPPED { "dropped" } else { "up" }
+    fn state(&self, phase: &Phase) -> Text {
+        if phase.law == DROPPED { Text::new("state-dropped") } else { Text::new("state-up") }
     }
 
     fn gap(&self, _: &Phase, motion: &Separation) -> [f64; 2] {

@@ -9,6 +9,7 @@ use glam::{DVec2, DVec3};
 use crate::dynamics::connection::{
     Connection, Device, Evolution, Phase, Separation, SeparationBounds, Switch, SwitchUnit,
 };
+use crate::language::Text;
 
 /// The hysteretic part of a bearing: a spring `k_t` up to the force `Q`.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -124,8 +125,8 @@ impl Device for Hysteresis {
         true
     }
 
-    fn state(&self, phase: &Phase) -> &'static str {
-        if phase.law == 0 { "elastic" } else { "yields" }
+    fn state(&self, phase: &Phase) -> Text {
+        if phase.law == 0 { Text::new("state-elastic") } else { Text::new("state-yields") }
     }
 
     fn strength(&self) -> Option<f64> {

@@ -6,7 +6,10 @@
 use glam::DVec3;
 
 use super::line::Line;
-use crate::dynamics::connection::{Connection, Device, Phase, Separation, SeparationBounds, Switch, SwitchUnit};
+use crate::dynamics::connection::{
+    Connection, Device, IS_BROKEN, Phase, Separation, SeparationBounds, Switch, SwitchUnit,
+};
+use crate::language::Text;
 
 /// A cable that pulls once its slack is used up.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -115,12 +118,12 @@ impl Device for Restrainer {
         matches!(phase.law, TAUT | YIELD)
     }
 
-    fn state(&self, phase: &Phase) -> &'static str {
+    fn state(&self, phase: &Phase) -> Text {
         match phase.law {
-            SLACK => "slack",
-            TAUT => "taut",
-            YIELD => "yields",
-            _ => "broken",
+            SLACK => Text::new("state-slack"),
+            TAUT => Text::new("state-taut"),
+            YIELD => Text::new("state-yields"),
+            _ => IS_BROKEN,
         }
     }
 

@@ -12,6 +12,7 @@ use glam::{DVec2, DVec3};
 use crate::dynamics::connection::{
     Connection, Device, Evolution, Phase, Separation, SeparationBounds, Switch, SwitchUnit,
 };
+use crate::language::Text;
 
 /// Q below which the direction of friction turns as fast as with it, per that at rest: at N = 0 friction has no direction.
 const LEAST_LOAD: f64 = 1e-2;
@@ -157,11 +158,11 @@ impl Device for Slider {
         true
     }
 
-    fn state(&self, phase: &Phase) -> &'static str {
+    fn state(&self, phase: &Phase) -> Text {
         match phase.law {
-            ELASTIC => "elastic",
-            SLIDING => "slides",
-            _ => "lifted",
+            ELASTIC => Text::new("state-elastic"),
+            SLIDING => Text::new("state-slides"),
+            _ => Text::new("state-lifted"),
         }
     }
 

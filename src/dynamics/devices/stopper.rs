@@ -5,7 +5,10 @@
 
 use glam::DVec3;
 
-use crate::dynamics::connection::{Connection, Device, Phase, Separation, SeparationBounds, Switch, SwitchUnit};
+use crate::dynamics::connection::{
+    Connection, Device, IS_BROKEN, Phase, Separation, SeparationBounds, Switch, SwitchUnit,
+};
+use crate::language::Text;
 
 /// One side of a stopper.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -101,12 +104,12 @@ impl Device for Stopper {
         true
     }
 
-    fn state(&self, phase: &Phase) -> &'static str {
+    fn state(&self, phase: &Phase) -> Text {
         match phase.law {
-            OPEN => "open",
-            ON => "pressed",
-            YIELD => "yields",
-            _ => "broken",
+            OPEN => Text::new("state-open"),
+            ON => Text::new("state-pressed"),
+            YIELD => Text::new("state-yields"),
+            _ => IS_BROKEN,
         }
     }
 

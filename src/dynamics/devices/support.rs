@@ -12,6 +12,7 @@ use super::LinearBearing;
 use crate::dynamics::connection::{
     Connection, Device, Evolution, Phase, Separation, SeparationBounds, Switch, SwitchUnit,
 };
+use crate::language::Text;
 use crate::scene::seating::Room;
 
 /// A support.
@@ -101,11 +102,11 @@ impl Device for Support {
         self.law.is_some() || phase.law == LOST
     }
 
-    fn state(&self, phase: &Phase) -> &'static str {
+    fn state(&self, phase: &Phase) -> Text {
         match self.standing(phase) {
             Some(law) => law.state(phase),
-            None if phase.law == LOST => "lost",
-            None => "stands",
+            None if phase.law == LOST => Text::new("state-lost"),
+            None => Text::new("state-stands"),
         }
     }
 

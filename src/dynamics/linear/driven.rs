@@ -2,8 +2,9 @@
 
 use super::exponentials::phi;
 use super::{Complex, Spectrum};
+use crate::motion::support::GroundPath;
 use crate::motion::{Ground, LinearPiece};
-use glam::DVec2;
+use glam::{DVec2, DVec3};
 use nalgebra::DVector;
 
 /// Samples of a record between two at which the driven motion is kept: a compromise of memory and of what a look costs.
@@ -31,7 +32,7 @@ enum Way {
         gains: Vec<[Complex; 2]>,
         omega: f64,
         phase: f64,
-        amplitude: DVec2,
+        path: GroundPath,
     },
     /// Of a record: coefficients at every [`KEPT`]-th sample, one after the other, and the factors that carry them over one interval.
     Record {
@@ -67,7 +68,7 @@ impl Driven {
                     (!near).then(|| [share / (drive - exponent), -share / (-drive - exponent)])
                 };
                 let gains = (0..self.constant.len()).map(gain).collect::<Option<Vec<_>>>()?;
-                Some(Way::Steady { gains, omega: *omega, phase: *phase, amplitude })
+                Some(Way::Steady { gains, omega: *omega, phase: *phase, path: GroundPath::of(ground.clone()) })
             }
             Ground::Record { dt, .. } => Some(self.record(spectrum, ground, *dt)),
         }
@@ -85,7 +86,7 @@ impl Driven {
                 break;
             }
             self.carry(&mut now, &factors, &piece, piece.from);
-            sums = integrated(sums, &piece, piece.from, dt);
+            sums = integrated(sums, &piece, dt);
             number += 1;
             if number.is_multiple_of(KEPT) {
                 kept.extend_from_slice(&now);
@@ -144,19 +145,16 @@ impl Driven {
     fn integrals(&self, t: f64) -> [DVec2; 2] {
         match &self.ground {
             Way::Still => [DVec2::ZERO; 2],
-            Way::Steady { omega, phase, amplitude, .. } => {
-                let ((s0, c0), (s, c)) = (phase.sin_cos(), (omega * t + phase).sin_cos());
-                [*amplitude * ((c0 - c) / omega), *amplitude * (c0 * t / omega - (s - s0) / (omega * omega))]
-            }
+            Way::Steady { path, .. } => path.at(t).map(DVec3::truncate),
             Way::Record { ground, integrals, .. } => {
                 let (number, nearest) = nearest(ground, t);
                 let mut sums = integrals[nearest];
                 for before in nearest * KEPT..number {
                     let piece = ground.piece(before);
-                    sums = integrated(sums, &piece, piece.from, piece.until - piece.from);
+                    sums = integrated(sums, &piece, piece.until - piece.from);
                 }
                 let piece = ground.piece(number);
-                integrated(sums, &piece, piece.from, t - piece.from)
+                integrated(sums, &piece, t - piece.from)
             }
         }
     }
@@ -248,11 +246,7 @@ fn nearest(ground: &Ground, t: f64) -> (usize, usize) {
     (number, number / KEPT)
 }
 
-/// First and second integral after τ from `at` in a piece.
-fn integrated([v, d]: [DVec2; 2], piece: &LinearPiece, at: f64, tau: f64) -> [DVec2; 2] {
-    let (value, slope) = (piece.acceleration(at).truncate(), piece.rate().truncate());
-    [
-        v + value * tau + slope * (0.5 * tau * tau),
-        d + v * tau + value * (0.5 * tau * tau) + slope * (tau * tau * tau / 6.0),
-    ]
+/// First and second integral after τ of a piece, in plan.
+fn integrated(sums: [DVec2; 2], piece: &LinearPiece, tau: f64) -> [DVec2; 2] {
+    piece.carried(sums.map(|sum| sum.extend(0.0)), piece.from, tau).map(DVec3::truncate)
 }

@@ -14,10 +14,10 @@ use crate::dynamics::model::rotation;
 use crate::dynamics::model::single_axis;
 use crate::dynamics::model::{backwall, contact_sites, edge_sites, flexible, pier, supports};
 use crate::motion::Ground;
-use crate::scene::Standing as On;
 use crate::scene::facing::{Facing, SolidId};
 use crate::scene::{
-    Direction, Girder, Kind, Motion, MovingSupports, RecordMotion, Scene, SceneErrors, SyntheticMotion, facing, placed,
+    Direction, Girder, Kind, Motion, MovingSupports, RecordMotion, Scene, SceneErrors, StandsOn, SyntheticMotion,
+    facing, placed,
 };
 
 /// What a run may keep as polynomials \[bytes\]: the steps of an hour of shaking of a few girders.
@@ -178,8 +178,8 @@ fn body(scene: &Scene, girder: &Girder, moving: Option<&MovingSupports>) -> Body
         Kind::Spatial => carry(girder.mass * scene.gravity, &mut bearings, axes),
     };
     // Bearings on piers, and on ground that moves otherwise, are links; here they carry the weight alone.
-    let linked = |bearing: &Bearing, on: On| match on {
-        On::Pier(_) => true,
+    let linked = |bearing: &Bearing, on: StandsOn| match on {
+        StandsOn::Pier(_) => true,
         on => {
             let place = || DVec3::from(girder.position) + axes * bearing.place;
             moving.is_some_and(|moving| moving.under(on, place()).is_some())

@@ -20,11 +20,11 @@ use crate::language::Text;
 use crate::scene::{Abutment, BackfillLaw, ResolvedBackfill, Scene, SceneError, SceneErrors, placed};
 
 /// The number among the bodies of an abutment's wall, behind the girders; `None` for one that stands.
-pub(super) fn number(scene: &Scene, abutment: usize) -> Option<usize> {
-    let supports = scene.moving_supports();
-    let own = |number: usize| supports.as_ref().and_then(|moving| moving.of_abutment(number)).is_some();
-    let moves = |number: &usize| scene.abutments[*number].soil(scene).is_some() || own(*number);
-    moves(&abutment).then(|| scene.girders.len() + (0..abutment).filter(moves).count())
+pub(super) fn number(scene: &Scene, bodies: &[Body], abutment: usize) -> Option<usize> {
+    // Behind the girders; a wall has its abutment's name, which nobody else has there.
+    let (from, name) = (scene.girders.len(), &scene.abutments[abutment].name);
+    let number = bodies.get(from..)?.iter().position(|body| body.name == *name)?;
+    Some(from + number)
 }
 
 /// Adds the walls of a scene that move to its bodies and links, and says which abutment's each is.
@@ -94,9 +94,10 @@ impl WallFrame {
         Prism { length: depth, width: self.length, thickness: self.height, skew: std::f64::consts::FRAC_PI_2 }
     }
 
-    /// The wall, free to move into the soil and out of it, on ground that moves otherwise where one is given; its frame stands at the face's first corner.
+    /// The wall, free to move into the soil and out of it, on ground that moves otherwise where one is given; its frame stands at the
+    /// face's first corner.
     fn body(&self, abutment: &Abutment, soil: &ResolvedBackfill, below: Option<GivenMotion>) -> Body {
-        let prism = self.block(soil.thickness);
+        let (prism, own) = (self.block(soil.thickness), Guided { along: self.inward });
         let radius = prism.corners().iter().map(|c| c.length()).fold(0.0, f64::max);
         let free = [true, true, false, false, false, false];
         let per_mass = prism.inertia_per_mass();
@@ -104,8 +105,8 @@ impl WallFrame {
         Body {
             name: abutment.name.clone(),
             coordinates: BodyCoordinates::Custom(match below {
-                None => Arc::new(Guided { along: self.inward }),
-                Some(ground) => Arc::new(GuidedOnGround { along: self.inward, ground }),
+                None => Arc::new(own),
+                Some(ground) => Arc::new(GuidedOnGround { own, ground }),
             }),
             home: self.corner,
             axes: DMat3::IDENTITY,

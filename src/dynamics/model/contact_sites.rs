@@ -159,7 +159,7 @@ pub(super) fn facade(scene: &Scene, bodies: &[Body], side: Side) -> Result<PairS
     match side {
         Side::Girder(girder, end) => Ok(end_facade(scene.kind, &bodies[girder], girder, end)),
         Side::Flank(girder, _) => flank_facade(scene.kind, &bodies[girder], girder, side),
-        Side::Abutment(number) | Side::Rear(number, _) => abutment_facade(scene, number, side),
+        Side::Abutment(number) | Side::Rear(number, _) => abutment_facade(scene, bodies, number, side),
     }
 }
 
@@ -226,7 +226,7 @@ fn complaint(body: &str, value: Text, remedy: impl Into<Message>) -> SceneErrors
 }
 
 /// A face of an abutment: the front, or of the block behind it.
-fn abutment_facade(scene: &Scene, number: usize, side: Side) -> Result<PairSide, SceneErrors> {
+fn abutment_facade(scene: &Scene, bodies: &[Body], number: usize, side: Side) -> Result<PairSide, SceneErrors> {
     let abutment = &scene.abutments[number];
     let complaint = |value: Text, remedy: Message| complaint(&format!("abutment.{}", abutment.name), value, remedy);
     let front = placed::abutment_face(scene, abutment)
@@ -266,7 +266,7 @@ fn abutment_facade(scene: &Scene, number: usize, side: Side) -> Result<PairSide,
         }
     };
     let name = [&abutment.name, side.label()].concat();
-    Ok(PairSide { side, name: name.into(), body: backwall::number(scene, number), nodes, face, fixed })
+    Ok(PairSide { side, name: name.into(), body: backwall::number(scene, bodies, number), nodes, face, fixed })
 }
 
 #[cfg(test)]

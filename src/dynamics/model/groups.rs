@@ -10,7 +10,7 @@ use crate::dynamics::model::body::BodyCoordinates;
 use crate::dynamics::model::compiled_model::{Model, ModelDevice};
 use crate::dynamics::model::coordinates::elastic::ElasticGirder;
 use crate::scene::device::Joint;
-use crate::scene::{Kind, Scene, Standing};
+use crate::scene::{Kind, Scene, StandsOn};
 
 /// Why a link cannot be put into a model.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, thiserror::Error)]
@@ -124,7 +124,7 @@ impl Model {
     /// The body of the ground or abutment that the second point of a device is on, where that moves otherwise than the ground of
     /// reference.
     fn ground_of(&mut self, name: &str, joint: &Joint) -> Option<usize> {
-        let (on, place) = (joint.abutment.map_or(Standing::Ground, Standing::Abutment), joint.points[1]);
+        let (on, place) = (joint.abutment.map_or(StandsOn::Ground, StandsOn::Abutment), joint.points[1]);
         let motion = self.moving.as_ref()?.supports.under(on, place)?;
         match joint.abutment {
             Some(number) => self.ground_of_abutment(number, (name, place)),

@@ -11,7 +11,7 @@ use crate::dynamics::model::body::Body;
 use crate::dynamics::model::compiled_model::Model;
 use crate::language::{Text, message};
 use crate::scene::{
-    AfterUnseating, Girder, Kind, ResolvedBearing, Scene, SceneError, SceneErrors, Setting, Standing, seating,
+    AfterUnseating, Girder, Kind, ResolvedBearing, Scene, SceneError, SceneErrors, Setting, StandsOn, seating,
 };
 
 impl Model {
@@ -22,7 +22,7 @@ impl Model {
         body: usize,
         girder: &Girder,
         setting: Setting,
-        standing: &[Standing],
+        standing: &[StandsOn],
     ) {
         let mut can_be_lost = false;
         let ends_run = setting.kind == Kind::Planar && girder.after_unseating != Some(AfterUnseating::Continue);
@@ -68,16 +68,16 @@ impl Model {
     }
 
     /// The body below a bearing at this place of a girder \[m\]: a pier, or ground that moves otherwise than the ground of reference.
-    fn body_under(&mut self, (girder, bearing): (usize, usize), place: DVec3, on: Standing) -> Option<usize> {
-        if let Standing::Pier(pier) = on {
+    fn body_under(&mut self, (girder, bearing): (usize, usize), place: DVec3, on: StandsOn) -> Option<usize> {
+        if let StandsOn::Pier(pier) = on {
             return Some(self.piers[pier].body);
         }
         let place = self.bodies[girder].home + self.bodies[girder].axes * place;
         let motion = self.moving.as_ref()?.supports.under(on, place)?;
         let name = format!("{}.bearing{}", self.bodies[girder].name, bearing + 1);
         match on {
-            Standing::Abutment(number) => self.ground_of_abutment(number, (&name, place)),
-            Standing::Ground | Standing::Pier(_) => self.foundation(motion, (&name, place)),
+            StandsOn::Abutment(number) => self.ground_of_abutment(number, (&name, place)),
+            StandsOn::Ground | StandsOn::Pier(_) => self.foundation(motion, (&name, place)),
         }
     }
 

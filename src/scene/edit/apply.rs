@@ -108,7 +108,7 @@ fn remove_pier(scene: &mut Scene, at: usize) -> Result<(), EditError> {
         return Err(missing("pier", at, scene.piers.len()));
     }
     let name = scene.piers.remove(at).name;
-    for on in scene.pier_names().filter(|on| on.as_ref() == Some(&name)) {
+    for on in scene.support_names().filter(|on| on.as_ref() == Some(&name)) {
         *on = None;
     }
     Ok(())
@@ -167,7 +167,7 @@ fn remove_abutment(scene: &mut Scene, at: usize) -> Result<(), EditError> {
 
 /// Takes out the pairs and the devices that name somebody who is gone; what stood there stands on the ground.
 fn drop_references(scene: &mut Scene, gone: &[String]) {
-    for on in scene.pier_names().filter(|on| on.as_ref().is_some_and(|name| gone.contains(name))) {
+    for on in scene.support_names().filter(|on| on.as_ref().is_some_and(|name| gone.contains(name))) {
         *on = None;
     }
     scene.contact.pairs.retain(|pair| !pair.between.iter().any(|name| gone.contains(name)));
@@ -228,7 +228,7 @@ fn rename(scene: &mut Scene, from: &str, to: &str) -> Result<(), EditError> {
     assumed::rename(&mut scene.assumed, from, to);
     let piers = scene.piers.iter_mut().map(|pier| &mut pier.name);
     piers.filter(|name| *name == from).for_each(|name| to.clone_into(name));
-    for on in scene.pier_names().flatten().filter(|name| *name == from) {
+    for on in scene.support_names().flatten().filter(|name| *name == from) {
         to.clone_into(on);
     }
     for device in scene.devices_mut() {

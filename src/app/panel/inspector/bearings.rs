@@ -138,7 +138,7 @@ fn one_by_one(g: &Girder, kind: Kind) -> Bearings {
         Some(Bearings::Deck(deck)) => deck.height,
         _ => None,
     };
-    let piers = g.bearings.as_ref().map(|b| b.piers(g)).unwrap_or_default();
+    let piers = g.bearings.as_ref().map(|b| b.named_supports(g)).unwrap_or_default();
     let pendulum = match &g.bearings {
         Some(Bearings::Deck(deck)) if deck.kind == BearingKind::Pendulum => Some(deck),
         _ => None,

@@ -268,8 +268,7 @@ fn pier_column(pull: &Pull<'_>, i: usize) -> Option<Pulled> {
         PerDirection::Both(_) => PerDirection::Both(side),
         PerDirection::Each(_) => PerDirection::Each([side, across]),
     });
-    let word = if matches!(old.column, Some(PerDirection::Both(_))) { text::DIAMETER } else { text::COLUMN_ALONG };
-    pier(pull, i, Pier { column, ..old.clone() }, text::dragged(word.as_str(), &text::exact_length(side)))
+    pier(pull, i, Pier { column, ..old.clone() }, text::dragged(text::COLUMN.as_str(), &text::exact_length(side)))
 }
 
 /// Another pier at this number; its stiffness is read below what was dragged.

@@ -110,7 +110,7 @@ fn on_plate(grip: Grip, typing: &Typing, unit: Unit) -> String {
         Grip::Offset(_) => one(0, text::SIDEWAYS.as_str()),
         Grip::FaceWidth(..) => one(0, text::FACE_WIDE.as_str()),
         Grip::PierHeight(_) => one(0, text::HIGH.as_str()),
-        Grip::PierColumn(_) => one(0, text::DIAMETER.as_str()),
+        Grip::PierColumn(_) => one(0, text::COLUMN.as_str()),
     }
 }
 

@@ -8,16 +8,13 @@ use glam::DVec3;
 
 use crate::dynamics::model::closed_form::{ClosedForm, GroundSpring};
 use crate::dynamics::model::motion_bounds::MotionBounds;
+use crate::motion::responses::responses;
 use crate::motion::{Ground, LinearPiece};
 
 /// Longest stretch of a flight \[rad of its oscillation\]. Tuned: that of explicit steps, whose samples show every sign change.
 const STRETCH: f64 = 1.25;
 /// Most samples of the record that bounds look ahead.
 const AHEAD: usize = 8;
-/// ω τ below which the integrals are summed as series, whose terms beyond the last are below rounding.
-const SMALL: f64 = 0.5;
-/// Terms of these series: 0.5¹⁶/18! of the first is below 1e-20.
-const TERMS: i32 = 8;
 /// Numbers of a flight: stiffness, load, displacement and rate at the start, then displacement and rate at each sample of the
 /// record since.
 const HEAD: usize = 4;
@@ -78,26 +75,6 @@ impl<'a> Parts<'a> {
         let (&[stiffness, load, u, v], kept) = numbers.split_first_chunk::<HEAD>()?;
         Some(Self { spring: GroundSpring { stiffness, load }, own: [u, v], kept: kept.as_chunks().0 })
     }
-}
-
-/// `C, S0, S1, S2` over τ.
-fn responses(omega2: f64, tau: f64) -> [f64; 4] {
-    let omega = omega2.sqrt();
-    if omega * tau > SMALL {
-        let (sin, cos) = (0.5 * omega * tau).sin_cos();
-        let (less, s0) = (2.0 * sin * sin, 2.0 * sin * cos / omega);
-        return [1.0 - less, s0, less / omega2, (tau - s0) / omega2];
-    }
-    // S1 = τ² Σ x^k/(2k + 2)!, S2 = τ³ Σ x^k/(2k + 3)!, x = −ω² τ².
-    let x = -omega2 * tau * tau;
-    let (mut s1, mut s2) = (0.0, 0.0);
-    for k in (0..TERMS).rev() {
-        let n = f64::from(2 * k);
-        s1 = (1.0 + x * s1) / ((n + 1.0) * (n + 2.0));
-        s2 = (1.0 + x * s2) / ((n + 2.0) * (n + 3.0));
-    }
-    let (s1, s2) = (tau * tau * s1, tau * tau * tau * s2);
-    [1.0 - omega2 * s1, tau - omega2 * s2, s1, s2]
 }
 
 /// What a motion comes to: least and greatest displacement \[m\], greatest speed \[m/s\] and acceleration \[m/s²\].

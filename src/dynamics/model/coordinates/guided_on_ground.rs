@@ -3,11 +3,12 @@
 
 use std::ops::Range;
 
-use glam::{DMat3, DQuat, DVec3};
+use glam::{DQuat, DVec3};
 
 use crate::contact::Frame;
 use crate::dynamics::model::body::{Body, Coordinates, Counted, Point};
 use crate::dynamics::model::coordinates::given_motion::GivenMotion;
+use crate::dynamics::model::coordinates::guided::Guided;
 use crate::dynamics::model::ground_now::GroundNow;
 use crate::dynamics::model::motion_bounds::MotionBounds;
 use crate::dynamics::model::reference_pose::ReferencePose;
@@ -18,8 +19,8 @@ const PLACE: usize = 0;
 /// The degree of freedom u, on ground of given motion.
 #[derive(Clone, Debug)]
 pub(in crate::dynamics) struct GuidedOnGround {
-    /// Unit vector along which it moves, world axes.
-    pub along: DVec3,
+    /// Its motion on still ground.
+    pub own: Guided,
     /// Motion of the ground below.
     pub ground: GivenMotion,
 }
@@ -32,7 +33,7 @@ impl GuidedOnGround {
 
     /// Displacement or velocity, of the half of a state.
     fn whole(&self, half: &[f64]) -> DVec3 {
-        self.along * half[PLACE] + self.ground.vector(&half[1..])
+        self.own.along * half[PLACE] + self.ground.vector(&half[1..])
     }
 
     fn relative_acceleration(&self, ground: GroundNow) -> DVec3 {
@@ -68,32 +69,28 @@ impl Coordinates for GuidedOnGround {
         self.frame(body, section, state)
     }
 
-    fn attitude(&self, _: &Body, _: &[f64]) -> (f64, DQuat) {
-        (0.0, DQuat::IDENTITY)
+    fn attitude(&self, body: &Body, state: &[f64]) -> (f64, DQuat) {
+        self.own.attitude(body, state)
     }
 
-    fn reference(&self, _: &Body, numbers: &[f64]) -> ReferencePose {
-        let at = numbers.get(..2).map_or(DVec3::ZERO, |at| DVec3::new(at[0], at[1], 0.0));
-        ReferencePose::level(at, 0.0, DMat3::ZERO)
+    // The ground's displacement is never summed over a run: counted from where it was placed.
+    fn reference(&self, body: &Body, numbers: &[f64]) -> ReferencePose {
+        self.own.reference(body, numbers)
     }
 
-    fn rebase(&self, _: &Body, state: &mut [f64]) -> ReferencePose {
-        let base = ReferencePose::level(self.along * state[PLACE], 0.0, DMat3::ZERO);
-        state[PLACE] = 0.0;
-        base
+    fn rebase(&self, body: &Body, state: &mut [f64]) -> ReferencePose {
+        self.own.rebase(body, state)
     }
 
     fn restore(&self, numbers: &[f64], state: &mut [f64]) {
-        if let [x, y, ..] = *numbers {
-            state[PLACE] += self.along.x * x + self.along.y * y;
-        }
+        self.own.restore(numbers, state);
     }
 
     fn slope(&self, body: &Body, now: Counted<'_>, contact: &[Wrench], ground: GroundNow, out: &mut [f64]) {
         let (places, rates) = out.split_at_mut(self.places());
         places.copy_from_slice(&now.state[self.places()..]);
         let given = self.relative_acceleration(ground);
-        rates[PLACE] = (contact[0].force / body.mass - ground.acceleration - given).dot(self.along);
+        rates[PLACE] = (contact[0].force / body.mass - ground.acceleration - given).dot(self.own.along);
         (0..self.ground.axes).for_each(|axis| rates[1 + axis] = given[axis]);
     }
 
@@ -120,12 +117,12 @@ impl Coordinates for GuidedOnGround {
         MotionBounds { speed: own + given, acceleration: own_gain + given_gain, ..MotionBounds::still(f64::INFINITY) }
     }
 
-    fn acceleration(&self, body: &Body, _: Point<'_>, force: DVec3) -> DVec3 {
-        self.along * (force.dot(self.along) / body.mass)
+    fn acceleration(&self, body: &Body, point: Point<'_>, force: DVec3) -> DVec3 {
+        self.own.acceleration(body, point, force)
     }
 
     fn port(&self, body: &Body, _: Point<'_>, force: DVec3, [response, load]: [&mut [f64]; 2]) {
-        let force = force.dot(self.along);
+        let force = force.dot(self.own.along);
         let rate = self.places() + PLACE;
         (response[rate], load[rate]) = (force / body.mass, force);
     }
@@ -149,7 +146,7 @@ impl Coordinates for GuidedOnGround {
     }
 
     fn powers(&self, body: &Body, state: &[f64], ground: GroundNow) -> [f64; 3] {
-        let felt = (ground.acceleration + self.relative_acceleration(ground)).dot(self.along);
+        let felt = (ground.acceleration + self.relative_acceleration(ground)).dot(self.own.along);
         [-body.mass * felt * state[self.places() + PLACE], 0.0, 0.0]
     }
 }
