@@ -47,3 +47,20 @@ fn pictures_of_the_ground_motion() {
     wait(&mut harness);
     harness.render().expect("drawn").save("target/quake.png").expect("written");
 }
+
+#[test]
+fn the_motion_travels_at_an_assumed_speed_until_it_is_taken_back() {
+    let mut harness = open("viaduct-5");
+    let before = harness.state().files.document.scene().clone();
+    reach(&mut harness, "Let it travel along the bridge");
+    press(&mut harness, "Let it travel along the bridge");
+    settle(&mut harness);
+    let scene = harness.state().files.document.scene();
+    assert!(scene.wave.is_some() && scene.assumed.iter().any(|path| path == "wave"), "{:?}", scene.assumed);
+    assert!(harness.query_all_by_label_contains("Direction of the wave").next().is_some(), "its numbers are there");
+    reach(&mut harness, "Let the ground move as one");
+    press(&mut harness, "Let the ground move as one");
+    settle(&mut harness);
+    assert_eq!(*harness.state().files.document.scene(), before, "as it was, assumed values too");
+    assert_eq!(harness.state().replay.runner.problems(), None, "and it runs");
+}
