@@ -8,6 +8,7 @@ use super::impact::forces;
 use super::quadrature::integrate;
 use super::touches::flight_rate;
 use super::{EventKind, History, Ledger};
+use crate::dynamics::free_flight::body_motion::BodyMotion;
 use crate::dynamics::impact2d::LastingInterval;
 use crate::dynamics::model::ground_now::GroundNow;
 use crate::dynamics::penalty3d::contact_state::Contact;
@@ -69,7 +70,7 @@ impl Books {
             ledger.work_ground += given;
         }
         for (link, account) in self.devices.iter().enumerate() {
-            let [loss, given] = account.at(t, |a, b| integrate(a, b, |s| device_powers(history, link, s)));
+            let [loss, given] = account.at(t, |a, b| device_works(history, link, [a, b]));
             ledger.work_ground += given;
             let entry = if self.bearings[link] { &mut ledger.loss_bearing } else { &mut ledger.loss_device };
             *entry += loss;
@@ -153,7 +154,7 @@ fn balance(ledger: &mut Ledger, initial: f64) {
 fn body_account(history: &History, body: usize) -> Account<4> {
     let mut account = Account::new();
     let rate = flight_rate(history, body) * PER_LOOK;
-    let closed = history.model().bodies[body].closed_works();
+    let closed = history.free_motion(body).is_some_and(BodyMotion::has_works);
     for span in history.paths[body].spans().take_while(|span| span.from < history.end()) {
         let until = span.until.min(history.end());
         let cells = if span.flies && !closed { (until - span.from) * rate } else { 1.0 };
@@ -219,11 +220,28 @@ fn device_account(history: &History, link: usize) -> Account<2> {
         }
         let bodies = model.links[link].bodies.into_iter().flatten();
         for w in step_borders(history, bodies, *from, until).windows(2).filter(|w| w[1] > w[0]) {
-            account.add(w[0], w[1], integrate(w[0], w[1], |t| device_powers(history, link, t)));
+            account.add(w[0], w[1], device_works(history, link, [w[0], w[1]]));
         }
         account.add(until, until, [0.0; 2]);
     }
     account
+}
+
+/// Loss in a device over a cell, and work of the ground that moves as given \[J\]. What a linear bearing takes while its bodies fly
+/// together is booked with the works of their flight.
+fn device_works(history: &History, link: usize, [a, b]: [f64; 2]) -> [f64; 2] {
+    let own = &history.model().links[link];
+    if own.device.is_linear() && own.bodies.into_iter().flatten().any(|body| flies_with_works(history, body, a)) {
+        return [0.0; 2];
+    }
+    integrate(a, b, |t| device_powers(history, link, t))
+}
+
+/// Whether a body is in a flight at `t` that says its works.
+fn flies_with_works(history: &History, body: usize, t: f64) -> bool {
+    let flight = history.paths[body].spans_after(t).next().is_some_and(|span| span.flies);
+    // Ground that moves as given always flies.
+    flight && !history.model().moves_as_given(body) && history.free_motion(body).is_some_and(BodyMotion::has_works)
 }
 
 /// Times in a stretch at which the steps of any of these bodies begin, with its ends.

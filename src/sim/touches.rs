@@ -2,6 +2,7 @@
 
 use super::{History, Touch, impact};
 use crate::contact::Mode;
+use crate::dynamics::free_flight::body_motion::BodyMotion;
 use crate::dynamics::penalty3d::contact_state::Contact;
 
 /// Looks per step of an integrator when a peak is searched; a step is short against the contact's period.
@@ -169,7 +170,8 @@ pub(super) fn looks(history: &History, body: usize) -> Vec<f64> {
 pub(super) fn flight_rate(history: &History, body: usize) -> f64 {
     use crate::motion::Ground;
     let model = history.model();
-    let omega = model.bodies[body].fastest();
+    let together = history.free_motion(body).map_or(0.0, BodyMotion::fastest);
+    let omega = model.bodies[body].fastest().max(together);
     let drive = match &model.ground {
         Ground::Still => 0.0,
         Ground::Sine { omega, .. } => *omega,

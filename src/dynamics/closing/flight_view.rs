@@ -6,6 +6,7 @@ use crate::contact::Frame;
 use crate::dynamics::closing::constants::RECORD_SAMPLES_PER_SEARCH;
 use crate::dynamics::free_flight::body_motion::{BodyFlight, BodyMotion};
 use crate::dynamics::free_flight::relative_bounds::{BodyInFlight, GirderInFlight, RelativeBounds};
+use crate::dynamics::linear::Parts;
 use crate::dynamics::model::motion_bounds::MotionBounds;
 use crate::dynamics::world::World;
 use crate::dynamics::world::tracks::{PairTrack, Trajectory};
@@ -42,8 +43,10 @@ impl FlightSample {
         let phase = world.model.ground.phase(t);
         // The pose of an abutment is that of the contact's site, which replaces this one.
         let mut frames = [Frame::fixed(DVec3::ZERO); 2];
+        let mut parts = None;
         let flyers = [0, 1].map(|side| {
-            let (frame, flyer) = flyer(world, [slots[side]?, sections[side]], t, phase, horizon)?;
+            let times = ([t, horizon], phase);
+            let (frame, flyer) = flyer(world, [slots[side]?, sections[side]], times, &mut parts)?;
             frames[side] = frame;
             Some(flyer)
         });
@@ -52,13 +55,14 @@ impl FlightSample {
     }
 }
 
-fn flyer(
-    world: &World,
+/// A body in flight at `t`, for at most `horizon` \[s\], with the ground's phase; `shared` is the block and the parts of its flight that
+/// were computed last.
+fn flyer<'a>(
+    world: &'a World,
     [slot, section]: [usize; 2],
-    t: f64,
-    phase: [f64; 2],
-    horizon: f64,
-) -> Option<(Frame, BodyInFlight<'_>)> {
+    ([t, horizon], phase): ([f64; 2], [f64; 2]),
+    shared: &mut Option<(Option<usize>, Parts)>,
+) -> Option<(Frame, BodyInFlight<'a>)> {
     let track = &world.bodies[slot];
     let body = &world.model.bodies[track.body];
     let (Trajectory::Flight(flight), Some(motion)) = (&track.now, &track.system) else { return None };
@@ -68,10 +72,12 @@ fn flyer(
         let girder = Some(GirderInFlight { system, state, free });
         return Some((body.planar_frame(&state), BodyInFlight { bound, girder }));
     }
-    Some((
-        motion.frame(body, section, flight, t),
-        BodyInFlight { bound: motion.bounds(flight, t, horizon), girder: None },
-    ))
+    if shared.as_ref().is_none_or(|(block, _)| block.is_none() || *block != track.block) {
+        *shared = Some((track.block, motion.parts(flight, t)));
+    }
+    let (_, parts) = shared.as_ref()?;
+    let (frame, bound) = motion.look((body, section), (flight, parts), [t, horizon]);
+    Some((frame, BodyInFlight { bound, girder: None }))
 }
 
 /// End of one search \[s\]: a period of a sine, [`RECORD_SAMPLES_PER_SEARCH`] samples of a record, or the end of the

@@ -9,6 +9,7 @@ use crate::dynamics::ContactSite;
 use crate::dynamics::closing::constants::CUT_SEARCH_WORK;
 use crate::dynamics::closing::flight_view::{FlightSample, horizon, remember};
 use crate::dynamics::closing::found::NextClosing;
+use crate::dynamics::closing::shared::{Shared, in_block};
 use crate::dynamics::locate::advancement::{AdvanceOutcome, Advancement, BoundedGap, polish};
 use crate::dynamics::locate::constants::MAX_ADVANCES;
 use crate::dynamics::locate::constants::RESOLUTION;
@@ -44,13 +45,14 @@ impl OpenContact<'_> {
 
 /// Searches a pair from `t` on: enters the closings of the contacts that close first, and returns the time of the
 /// closing or of the end of the search, infinite without either \[s\].
-pub(in crate::dynamics) fn search(world: &mut World, pair: usize, t: f64) -> NextClosing {
+pub(in crate::dynamics) fn search(world: &mut World, pair: usize, t: f64, shared: &mut Shared) -> NextClosing {
     let duration = world.model.duration;
     let until = horizon(&world.model.ground, t, duration);
     remember(world, world.pairs[pair].slots, until);
     let present = &*world;
     let mut evaluations = 1;
-    let first = FlightSample::of_pair(present, pair, t, duration);
+    let first = shared.flight_sample(present, pair, [t, duration]);
+    let until = if in_block(present, pair) { until.min(t + first.between.window) } else { until };
     let mut open_contacts = open(present, pair, t, &first);
     // Contacts armed at `t`; the search can arm others later.
     let armed: Vec<usize> = open_contacts.iter().filter(|q| q.advancement.armed()).map(|q| q.contact).collect();

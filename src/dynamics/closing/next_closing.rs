@@ -11,7 +11,7 @@ pub(in crate::dynamics) fn search(world: &mut World, pair: usize, t: f64, shared
     let step_end = first_step_end(world, world.pairs[pair].slots);
     match shared.parted(world, pair, (t, step_end)) {
         Parted::Near => {}
-        Parted::Until(from) => return in_flight::search(world, pair, from),
+        Parted::Until(from) => return in_flight::search(world, pair, from, shared),
         Parted::Throughout(until) => {
             // The first pair of the two bodies leads the search of all.
             return NextClosing::at(if world.leads(pair) { until } else { f64::INFINITY });
@@ -22,6 +22,6 @@ pub(in crate::dynamics) fn search(world: &mut World, pair: usize, t: f64, shared
     }
     collinear_pair::search(world, pair, t).unwrap_or_else(|| match step_end {
         Some(until) => NextClosing::at(in_steps::search(world, pair, [t, until], shared)),
-        None => in_flight::search(world, pair, t),
+        None => in_flight::search(world, pair, t, shared),
     })
 }

@@ -18,6 +18,9 @@ use crate::motion::Ground;
 
 /// Searches the end of the phase of a link that acts on a body in flight, from `t` on, and enters it in the link's track.
 pub(super) fn search(world: &mut World, link: usize, t: f64) -> NextClosing {
+    if world.is_linear_link(link) {
+        return NextClosing::at(f64::INFINITY);
+    }
     let (duration, until) = (world.model.duration, horizon(world, t));
     let Some(slot) = world.links[link].slots[0] else { return NextClosing::at(f64::INFINITY) };
     remember(world, world.links[link].slots, until);

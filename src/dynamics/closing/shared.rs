@@ -11,15 +11,20 @@ use crate::dynamics::closing::flight_view::{FlightSample, horizon, remember};
 use crate::dynamics::closing::step_samples::{StepSamples, excursion};
 use crate::dynamics::penalty3d::contact_state::Contact;
 use crate::dynamics::world::World;
-use crate::dynamics::world::tracks::Apart;
+use crate::dynamics::world::tracks::{Apart, PairTrack};
 
 /// Of searches from one time on, on the same trajectories.
 #[derive(Default)]
 pub(in crate::dynamics) struct Shared {
     samples: Option<StepSamples>,
+    /// Where two bodies in flight are, by slots, sections and time.
+    look: Option<(FlightKey, FlightSample)>,
     /// Number of a meeting, and how long its bodies stand apart.
     parted: Option<(usize, Parted)>,
 }
+
+/// Slots, sections and time of a [`FlightSample`], and how far its bounds are asked for \[s\].
+type FlightKey = ([Option<usize>; 2], [usize; 2], [f64; 2]);
 
 /// How long two bodies stand apart.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -37,6 +42,16 @@ impl Shared {
     pub(super) fn samples(&mut self, world: &World, pair: usize, [t, until]: [f64; 2]) -> &mut StepSamples {
         let known = self.samples.take().filter(|samples| samples.are_of(world, pair, [t, until]));
         self.samples.insert(known.unwrap_or_else(|| StepSamples::begin(world, pair, t, until)))
+    }
+
+    /// Poses of a pair's bodies in flight at `t`, with bounds up to `until` at most.
+    pub(super) fn flight_sample(&mut self, world: &World, pair: usize, [t, until]: [f64; 2]) -> FlightSample {
+        let PairTrack { slots, sections, .. } = world.pairs[pair];
+        let key = (slots, sections, [t, until]);
+        match &self.look {
+            Some((known, sample)) if *known == key => *sample,
+            _ => self.look.insert((key, FlightSample::of(world, slots, sections, t, until))).1,
+        }
     }
 
     /// How long the bodies of a pair stand apart from `t` on, in the planned step that ends at `step_end` or in flight. Nodes of the
@@ -78,12 +93,13 @@ fn in_step(world: &World, meeting: usize, samples: &StepSamples) -> Parted {
 }
 
 /// By conservative advancement: from a distance `d` on the bodies are `near` apart for as long as `(d − near)/v` at the least, with `v`
-/// a bound on the speed at which it changes. It ends within twice `near`, so that a touch is always ahead of the time from which
-/// the pairs are searched.
+/// a bound on the speed at which it changes, and for as long as `v₀ τ + a τ²/2` is less, with the speed `v₀` at the look and a bound `a`
+/// on its rate. It ends within twice `near`, so that a touch is always ahead of the time from which the pairs are searched.
 fn in_flight(world: &mut World, (number, pair): (usize, usize), t: f64) -> Parted {
     let duration = world.model.duration;
-    let until = horizon(&world.model.ground, t, duration);
+    let mut until = horizon(&world.model.ground, t, duration);
     remember(world, world.pairs[pair].slots, until);
+    let in_block = in_block(world, pair);
     let meeting = &world.model.meetings[number];
     let near = NEAR * meeting.least_side;
     let mut from = t;
@@ -93,15 +109,33 @@ fn in_flight(world: &mut World, (number, pair): (usize, usize), t: f64) -> Parte
         if apart <= 2.0 * near {
             break;
         }
-        let turning = |side: usize| sample.bounds[side].spin * meeting.solids[side].radius;
+        let turning = |of: &dyn Fn(usize) -> f64| of(0) * meeting.solids[0].radius + of(1) * meeting.solids[1].radius;
         let window = sample.bounds.iter().map(|bound| bound.window).fold(sample.between.window, f64::min);
-        let advance = (apart - near) / (sample.between.speed + turning(0) + turning(1));
+        if in_block {
+            until = until.min(t + window);
+        }
+        let speed = sample.between.speed + turning(&|side| sample.bounds[side].spin);
+        let [a, b] = &sample.frames;
+        let now = (a.velocity - b.velocity).length() + turning(&|side| sample.frames[side].spin.length());
+        let gains = turning(&|side| sample.bounds[side].spin_rate + sample.bounds[side].spin.powi(2));
+        let advance = ((apart - near) / speed).max(soonest(apart - near, now, sample.between.acceleration + gains));
         from += advance.min(window);
         if from >= until {
             return Parted::Throughout(if until >= duration { f64::INFINITY } else { until });
         }
     }
     if from > t { Parted::Until(from) } else { Parted::Near }
+}
+
+/// The time within which nothing goes a way that has this speed now, which grows at this rate at most \[s\].
+fn soonest(way: f64, speed: f64, gain: f64) -> f64 {
+    2.0 * way / (speed + (speed * speed + 2.0 * gain * way).sqrt())
+}
+
+/// Whether a body of a pair is of a linear block, of which any event ends the searches of all its pairs: none of these looks further than
+/// the first bounds hold.
+pub(super) fn in_block(world: &World, pair: usize) -> bool {
+    world.pairs[pair].slots.into_iter().flatten().any(|slot| world.bodies[slot].block.is_some())
 }
 
 /// Ends the search of a pair whose bodies stand apart; `false` where one of its contacts is closed.

@@ -106,16 +106,14 @@ impl ContactRun {
         self.rebuild(now, first_of_touch(pace));
     }
 
-    /// Ends at `t` the trajectories of bodies and of all bodies in an island with them: their states, and the method
+    /// Ends at `t` the trajectories of bodies and of all bodies in an island or a block with them: their states, and the method
     /// and length of their integrators' next steps.
     pub(in crate::dynamics) fn release(&mut self, slots: &[usize], t: f64) -> (EventInstant, ControllerState) {
         let mut all = BTreeSet::new();
         let mut pace = ControllerState::default();
         for &slot in slots {
             match self.world.bodies[slot].now {
-                Trajectory::Placed | Trajectory::Flight(_) => {
-                    all.insert(slot);
-                }
+                Trajectory::Placed | Trajectory::Flight(_) => all.extend(self.world.flies_with(slot)),
                 Trajectory::Island { island, .. } => {
                     if let Some(island) = &self.world.islands[island] {
                         all.extend(island.slots.iter().copied());

@@ -110,12 +110,23 @@ impl ContactRun {
     }
 
     /// Gives bodies their new trajectories from the time of the event on: bodies joined by closed contacts or acting
-    /// devices form islands; of the others planar ones fly in closed form and spatial ones are integrated alone.
+    /// devices form islands, but for linear blocks with nothing else on them, which fly in closed form; of the others planar
+    /// ones fly and spatial ones are integrated alone.
     /// `pace` is the method and the length of the islands' first steps.
     pub(in crate::dynamics) fn rebuild(&mut self, now: EventInstant, pace: ControllerState) {
         let EventInstant { t, slots, bases, mut states, .. } = now;
         let mut new_islands = Vec::new();
         for members in self.world.joined(&slots) {
+            let together: Vec<usize> = members.iter().map(|&i| slots[i]).collect();
+            if self.world.moves_as_block(&together) {
+                for &i in &members {
+                    let body = &self.world.model.bodies[self.world.bodies[slots[i]].body];
+                    body.restore(&bases[i].numbers(), &mut states[i]);
+                }
+                let states: Vec<&[f64]> = members.iter().map(|&i| states[i].as_slice()).collect();
+                self.start_block(&together, &states, t);
+                continue;
+            }
             let first = slots[members[0]];
             let alone = members.len() == 1 && !self.world.is_joined(first);
             let may_fly = members.len() == 1 && !alone && self.world.bodies[first].system.is_some();
@@ -132,7 +143,7 @@ impl ContactRun {
             } else {
                 let y: Vec<f64> = members.iter().flat_map(|&i| states[i].iter().copied()).collect();
                 let bases = members.iter().map(|&i| bases[i]).collect();
-                Start { members: &members.iter().map(|&i| slots[i]).collect::<Vec<_>>(), bases, y, t }
+                Start { members: &together, bases, y, t }
             };
             let pace = if alone { ControllerState::default() } else { pace };
             new_islands.push(self.islands.create(&mut self.world, &self.store, start, pace));
@@ -141,6 +152,17 @@ impl ContactRun {
             step_planning::plan(&mut self.world, &mut self.schedule, island);
         }
         self.search().around(&slots, t);
+    }
+
+    /// Begins the flights of a block's bodies, which are in these states.
+    fn start_block(&mut self, slots: &[usize], states: &[&[f64]], t: f64) {
+        for (own, &slot) in slots.iter().enumerate() {
+            end_flight(&mut self.world, slot, t);
+            let track = &mut self.world.bodies[slot];
+            if let Some(system) = &track.system {
+                track.now = Trajectory::Flight(system.fly_among(t, states, own));
+            }
+        }
     }
 
     /// Begins a flight in closed form, on springs to the ground where these act; whether there is one.

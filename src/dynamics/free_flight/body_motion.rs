@@ -5,6 +5,7 @@ use std::sync::Arc;
 use crate::contact::Frame;
 use crate::dynamics::free_flight::flight::{Flight, FreeMotion};
 use crate::dynamics::free_flight::uncoupled_axis::UncoupledAxis;
+use crate::dynamics::linear::Parts;
 use crate::dynamics::model::body::{Body, BodyCoordinates};
 use crate::dynamics::model::closed_form::{ClosedForm, GroundSpring};
 use crate::dynamics::model::coordinates::BodyState;
@@ -51,12 +52,18 @@ impl BodyMotion {
         }
     }
 
-    /// Begins a flight.
+    /// Begins a flight of a body that moves alone.
     pub fn fly(&self, start: f64, state: &[f64]) -> BodyFlight {
+        self.fly_among(start, &[state], 0)
+    }
+
+    /// Begins the flight of one of several bodies that move together, by its number among them and the states of all.
+    pub fn fly_among(&self, start: f64, states: &[&[f64]], own: usize) -> BodyFlight {
+        let state = states[own];
         match (self, in_a_row(state)) {
             (Self::Girder(motion), [state]) => BodyFlight::Girder(motion.fly(start, *state)),
             (Self::Custom(form), _) => {
-                let (state, numbers) = (state.into(), form.begin(start, state));
+                let (state, numbers) = (state.into(), form.begin(start, states));
                 BodyFlight::Custom(Box::new(CustomFlight { start, state, numbers }))
             }
             // A state of other width is of no girder.
@@ -127,10 +134,51 @@ impl BodyMotion {
         }
     }
 
+    /// [`ClosedForm::parts`] of a flight; nothing of a girder.
+    pub(in crate::dynamics) fn parts(&self, flight: &BodyFlight, t: f64) -> Parts {
+        match (self, flight) {
+            (Self::Custom(form), BodyFlight::Custom(own)) => form.parts(own.start, &own.numbers, t),
+            _ => Parts::default(),
+        }
+    }
+
+    /// Pose and twist of a section of the body at `t` in `flight`, with bounds on the motion from then on for at most `horizon` \[s\];
+    /// from the parts of the flight.
+    pub(in crate::dynamics) fn look(
+        &self,
+        (body, section): (&Body, usize),
+        (flight, parts): (&BodyFlight, &Parts),
+        [t, horizon]: [f64; 2],
+    ) -> (Frame, MotionBounds) {
+        match (self, flight) {
+            (Self::Custom(form), BodyFlight::Custom(own)) => {
+                let mut state = BodyState::from_elem(0.0, own.state.len());
+                let bounds = form.look((own.start, &own.numbers), parts, [t, horizon], &mut state);
+                // As it was, to the last bit.
+                let state = if t == own.start { &own.state } else { &state };
+                (body.frame(section, state), bounds)
+            }
+            _ => (self.frame(body, section, flight, t), self.bounds(flight, t, horizon)),
+        }
+    }
+
     /// [`ClosedForm::works`] of a flight.
     pub fn works(&self, flight: &BodyFlight, span: [f64; 2]) -> Option<[f64; 4]> {
         let (Self::Custom(form), BodyFlight::Custom(own)) = (self, flight) else { return None };
         form.works(own.start, &own.numbers, span)
+    }
+
+    /// [`ClosedForm::has_works`]; a girder has none.
+    pub fn has_works(&self) -> bool {
+        matches!(self, Self::Custom(form) if form.has_works())
+    }
+
+    /// [`ClosedForm::fastest`]; 0 for a girder, whose own that is \[rad/s\].
+    pub fn fastest(&self) -> f64 {
+        match self {
+            Self::Girder(_) => 0.0,
+            Self::Custom(form) => form.fastest(),
+        }
     }
 
     /// Stores the states from which evaluations up to `t` start.

@@ -1,6 +1,6 @@
 //! The motion that a constant load and the ground drive, in the coefficients of the exponentials: a particular solution.
 
-use super::exponentials::phi;
+use super::exponentials::exponential_and_integrals;
 use super::{Complex, Spectrum};
 use crate::motion::support::GroundPath;
 use crate::motion::{Ground, LinearPiece};
@@ -8,7 +8,7 @@ use glam::{DVec2, DVec3};
 use nalgebra::DVector;
 
 /// Samples of a record between two at which the driven motion is kept: a compromise of memory and of what a look costs.
-const KEPT: usize = 16;
+const KEPT: usize = 4;
 /// Distance of an exponent from the ground's frequency below which there is no steady motion to speak of, in parts of it.
 const RESONANT: f64 = 1e-6;
 
@@ -103,8 +103,8 @@ impl Driven {
 
     fn carry(&self, now: &mut [Complex], factors: &[[Complex; 3]], piece: &LinearPiece, at: f64) {
         let (value, slope) = (piece.acceleration(at).truncate(), piece.rate().truncate());
-        for (k, (c, [exp, first, second])) in now.iter_mut().zip(factors).enumerate() {
-            *c = *exp * *c + *first * self.rate(k, value) + *second * self.rate(k, slope);
+        for (k, (c, factors)) in now.iter_mut().zip(factors).enumerate() {
+            *c = carried(*c, factors, [self.rate(k, value), self.rate(k, slope)]);
         }
     }
 
@@ -125,9 +125,11 @@ impl Driven {
                     self.carry(out, factors, &piece, piece.from);
                 }
                 let piece = ground.piece(number);
-                let rest: Vec<[Complex; 3]> =
-                    spectrum.exponents.iter().map(|exponent| interval(*exponent, t - piece.from)).collect();
-                self.carry(out, &rest, &piece, piece.from);
+                let (value, slope) = (piece.acceleration(piece.from).truncate(), piece.rate().truncate());
+                for (k, (c, exponent)) in out.iter_mut().zip(&spectrum.exponents).enumerate() {
+                    let factors = interval(*exponent, t - piece.from);
+                    *c = carried(*c, &factors, [self.rate(k, value), self.rate(k, slope)]);
+                }
             }
         }
         out.iter_mut().zip(&self.constant).for_each(|(c, constant)| *c += *constant);
@@ -176,6 +178,12 @@ impl Driven {
     /// Greatest rate of a coefficient by the ground \[1/s\].
     pub fn fastest_gain(&self, k: usize, peak: f64) -> f64 {
         self.by_ground[0][k].norm().hypot(self.by_ground[1][k].norm()) * peak
+    }
+
+    /// Modulus of the constant part of a coefficient.
+    pub fn constant_size(&self, k: usize) -> f64 {
+        let constant = self.constant[k];
+        if constant == Complex::from(0.0) { 0.0 } else { constant.norm() }
     }
 
     /// The constant part of a coefficient.
@@ -232,11 +240,14 @@ fn coefficients(spectrum: &Spectrum, load: &[f64]) -> Vec<Complex> {
     rates.iter().copied().collect()
 }
 
+/// A coefficient carried over an interval by its factors, under a rate and the slope of that.
+fn carried(c: Complex, [exp, first, second]: &[Complex; 3], [rate, slope]: [Complex; 2]) -> Complex {
+    *exp * c + *first * rate + *second * slope
+}
+
 /// `e^{λτ}`, `∫ e^{λ(τ−s)} ds`, `∫ s e^{λ(τ−s)} ds` over τ.
 fn interval(exponent: Complex, tau: f64) -> [Complex; 3] {
-    let z = exponent * tau;
-    let exp = z.exp();
-    let [first, second] = phi(z, exp);
+    let [exp, first, second] = exponential_and_integrals(exponent * tau);
     [exp, first * tau, second * (tau * tau)]
 }
 

@@ -6,31 +6,45 @@ use super::Complex;
 const SMALL: f64 = 0.5;
 const TERMS: u32 = 16;
 
-/// `φ1(z) = (e^z − 1)/z` and `φ2(z) = (e^z − 1 − z)/z²`, from `e^z`.
-pub(super) fn phi(z: Complex, exp: Complex) -> [Complex; 2] {
-    if z.norm() > SMALL {
-        let first = (exp - 1.0) / z;
-        return [first, (first - 1.0) / z];
-    }
-    let second = series(z, 2);
-    [second * z + 1.0, second]
-}
+/// |z| below which the shorter of both sums is exact to rounding.
+const TINY: f64 = 0.1;
+/// `1/(n + 2)!`.
+const FACTORIALS: [f64; 13] = [
+    1.0 / 2.0,
+    1.0 / 6.0,
+    1.0 / 24.0,
+    1.0 / 120.0,
+    1.0 / 720.0,
+    1.0 / 5040.0,
+    1.0 / 40_320.0,
+    1.0 / 362_880.0,
+    1.0 / 3_628_800.0,
+    1.0 / 39_916_800.0,
+    1.0 / 479_001_600.0,
+    1.0 / 6_227_020_800.0,
+    1.0 / 87_178_291_200.0,
+];
+/// Terms of the shorter sum: the first that is left out is `TINY⁹/11!`.
+const TINY_TERMS: usize = 9;
 
-/// `Σ z^k k₀!/(k + k₀)!/k₀!`: φ of order `from`, with `φ_n(z) = Σ z^k/(k + n)!`.
-fn series(z: Complex, from: u32) -> Complex {
-    let factorial: f64 = (1..=from).map(f64::from).product();
-    let (mut term, mut sum) = (Complex::from(1.0 / factorial), Complex::from(0.0));
-    for k in 1..=TERMS {
-        sum += term;
-        term *= z / f64::from(k + from);
+/// `e^z`, `φ1(z) = (e^z − 1)/z` and `φ2(z) = (e^z − 1 − z)/z²`; where z is small all from the series of φ2, `Σ zⁿ/(n + 2)!`.
+pub(super) fn exponential_and_integrals(z: Complex) -> [Complex; 3] {
+    let size2 = z.norm_sqr();
+    if size2 > SMALL * SMALL {
+        let exp = z.exp();
+        let first = (exp - 1.0) / z;
+        return [exp, first, (first - 1.0) / z];
     }
-    sum
+    let terms = if size2 > TINY * TINY { &FACTORIALS[..] } else { &FACTORIALS[..TINY_TERMS] };
+    let second = terms.iter().rev().fold(Complex::from(0.0), |sum, term| sum * z + *term);
+    let first = second * z + 1.0;
+    [first * z + 1.0, first, second]
 }
 
 /// `∫₀^h τ^p e^{σ τ} dτ` for p = 0, 1, 2.
 pub(super) fn moments(sigma: Complex, h: f64) -> [Complex; 3] {
     let z = sigma * h;
-    if z.norm() > SMALL {
+    if z.norm_sqr() > SMALL * SMALL {
         let exp = z.exp();
         let zeroth = (exp - 1.0) / sigma;
         let first = (exp * h - zeroth) / sigma;
@@ -56,14 +70,19 @@ mod tests {
         for angle in [0.0, 1.0, 2.5, 3.1] {
             let z = |r: f64| Complex::from_polar(r, angle);
             let [below, above] = [z(SMALL * (1.0 - 1e-12)), z(SMALL * (1.0 + 1e-12))];
-            for (a, b) in phi(below, below.exp()).into_iter().zip(phi(above, above.exp())) {
+            for (a, b) in exponential_and_integrals(below).into_iter().zip(exponential_and_integrals(above)) {
                 assert!((a - b).norm() < 1e-11, "φ at {angle}: {a} against {b}");
             }
+            let tiny = z(TINY * (1.0 - 1e-12));
+            let [exp, first, second] = exponential_and_integrals(tiny);
+            assert!((exp - tiny.exp()).norm() < 2e-16, "exponential at {angle}: {exp}");
+            let [long, longer] = [(exp - 1.0) / tiny - first, (first - 1.0) / tiny - second].map(Complex::norm);
+            assert!(long < 1e-14 && longer < 1e-14, "φ at {angle}: {long}, {longer} apart");
             for (a, b) in moments(below, 1.0).into_iter().zip(moments(above, 1.0)) {
                 assert!((a - b).norm() < 1e-11, "moment at {angle}: {a} against {b}");
             }
         }
-        assert_eq!(phi(0.0.into(), 1.0.into()), [1.0.into(), 0.5.into()], "at 0");
+        assert_eq!(exponential_and_integrals(0.0.into()), [1.0.into(), 1.0.into(), 0.5.into()], "at 0");
         let [a, b, c] = moments(0.0.into(), 2.0).map(|m| m.re);
         assert_eq!((a, b), (2.0, 2.0), "powers of time");
         assert!((c - 8.0 / 3.0).abs() < 1e-15, "{c}");

@@ -12,6 +12,10 @@ pub struct LinearMotion {
     pub driven: Driven,
     /// Greatest acceleration of the ground \[m/s²\].
     pub peak: f64,
+    /// Of each exponent: its modulus \[1/s\], and the greatest rate of its coefficient by the ground.
+    sizes: Vec<[f64; 2]>,
+    /// The least of these moduli \[1/s\].
+    slowest: f64,
 }
 
 /// What a flight is computed from: place and speed of each drift at the start, then the free part of each coefficient.
@@ -39,7 +43,11 @@ impl LinearMotion {
     /// form to rely on.
     pub fn of(spectrum: Spectrum, load: &[f64], by_ground: [&[f64]; 2], ground: &Ground) -> Option<Self> {
         let driven = Driven::of(&spectrum, load, by_ground, ground)?;
-        Some(Self { spectrum, driven, peak: ground.peak() })
+        let peak = ground.peak();
+        let size = |(k, exponent): (usize, &Complex)| [exponent.norm(), driven.fastest_gain(k, peak)];
+        let sizes: Vec<[f64; 2]> = spectrum.exponents.iter().enumerate().map(size).collect();
+        let slowest = sizes.iter().map(|[fast, _]| *fast).fold(f64::INFINITY, f64::min);
+        Some(Self { spectrum, driven, peak, sizes, slowest })
     }
 
     /// Numbers of a flight that begins at `start` with these places and speeds.
@@ -73,41 +81,46 @@ impl LinearMotion {
         Parts { drifts: drifts.as_chunks().0.iter().enumerate().map(drift).collect(), free, all }
     }
 
-    /// Places and speeds of all coordinates.
-    pub fn read(&self, parts: &Parts, places: &mut [f64], speeds: &mut [f64]) {
+    /// Places and speeds of coordinates in a row, from `first` on.
+    pub fn read(&self, parts: &Parts, first: usize, places: &mut [f64], speeds: &mut [f64]) {
         let spectrum = &self.spectrum;
         places.fill(0.0);
         speeds.fill(0.0);
         for (&i, [place, speed]) in spectrum.drifts.iter().zip(&parts.drifts) {
-            (places[i], speeds[i]) = (*place, *speed);
+            if (first..first + places.len()).contains(&i) {
+                (places[i - first], speeds[i - first]) = (*place, *speed);
+            }
         }
         for (k, (c, exponent)) in parts.all.iter().zip(&spectrum.exponents).enumerate() {
             let (c, shape) = (*c * spectrum.share(k), spectrum.shapes.column(k));
-            let rate = c * exponent;
-            for (i, v) in shape.iter().enumerate() {
-                places[i] += v.re * c.re - v.im * c.im;
-                speeds[i] += v.re * rate.re - v.im * rate.im;
+            let (shape, rate) = (shape.rows(first, places.len()), c * exponent);
+            for ((v, place), speed) in shape.iter().zip(places.iter_mut()).zip(speeds.iter_mut()) {
+                *place += v.re * c.re - v.im * c.im;
+                *speed += v.re * rate.re - v.im * rate.im;
             }
         }
     }
 
     /// How long bounds from a look hold, at most `horizon`: under a record a fraction of what the slowest exponential takes \[s\].
     pub fn window(&self, horizon: f64) -> f64 {
-        let slowest = self.spectrum.exponents.iter().map(|exponent| exponent.norm()).fold(f64::INFINITY, f64::min);
-        if self.driven.is_steady() { horizon } else { horizon.min(0.5 / slowest) }
+        if self.driven.is_steady() { horizon } else { horizon.min(0.5 / self.slowest) }
     }
 
     /// Bounds of a coefficient from a look on for a window \[s\]: its modulus; what its motion does to speeds; to accelerations, those by
     /// the ground itself under a record apart.
     pub fn largest(&self, parts: &Parts, k: usize, window: f64) -> [f64; 3] {
-        let (constant, fast) = (self.driven.constant(k), self.spectrum.exponents[k].norm());
+        let (constant, [fast, gain]) = (self.driven.constant(k), self.sizes[k]);
         // A free part only falls.
         if let Some([steady, drive]) = self.driven.steady(k) {
             let free = parts.free[k].norm();
-            return [free + steady + constant.norm(), fast * (free + steady), fast * (fast * free + drive * steady)];
+            return [
+                free + steady + self.driven.constant_size(k),
+                fast * (free + steady),
+                fast * (fast * free + drive * steady),
+            ];
         }
-        let swinging = (parts.all[k] - constant).norm() + self.driven.fastest_gain(k, self.peak) * window;
-        [swinging + constant.norm(), fast * swinging, fast * fast * swinging]
+        let swinging = (parts.all[k] - constant).norm() + gain * window;
+        [swinging + self.driven.constant_size(k), fast * swinging, fast * fast * swinging]
     }
 
     /// Greatest acceleration by the ground itself where coefficients are bounded with what drives them; 0 where the driven motion is

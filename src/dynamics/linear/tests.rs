@@ -94,7 +94,10 @@ fn flights_agree_with_integration() {
             for end in [0.13, 0.31, 1.7] {
                 let parts = motion.at(Flight { start, numbers: &numbers }, end);
                 let (mut places, mut speeds) = ([0.0; SIZE], [0.0; SIZE]);
-                motion.read(&parts, &mut places, &mut speeds);
+                motion.read(&parts, 0, &mut places, &mut speeds);
+                let (mut place, mut speed) = ([0.0; 2], [0.0; 2]);
+                motion.read(&parts, 1, &mut place, &mut speed);
+                assert_eq!([&place[..], &speed[..]], [&places[1..3], &speeds[1..3]], "some of them");
                 let wanted = integrated(free, &ground, [start, end]);
                 for (i, (a, b)) in places.iter().chain(&speeds).zip(&wanted).enumerate() {
                     assert!((a - b).abs() < 2e-9, "free {free}, {ground:?} at {end}: component {i}, {a} against {b}");
@@ -111,9 +114,7 @@ fn work_and_loss_are_the_integrals_of_powers() {
         let numbers = motion.begin(start, &PLACES, &SPEEDS);
         let flight = Flight { start, numbers: &numbers };
         let [_, c] = matrices(false);
-        let root = c.cholesky().expect("positive").l();
-        let rows: Vec<(f64, Vec<f64>)> = root.column_iter().map(|row| (1.0, row.iter().copied().collect())).collect();
-        let form = PowerForm::of(&motion, &rows);
+        let form = PowerForm::of(&motion, &c).expect("dashpots");
         let (mut t, end, mut work, mut loss) = (start, 0.9, 0.0, 0.0);
         while t < end {
             let until = end.min(ground.next_kink(t));

@@ -6,10 +6,10 @@ use super::driven::Forced;
 use super::exponentials::moments;
 use super::{Complex, Flight, LinearMotion};
 
-/// A quadratic form of the speeds, `Σ d_r (row_r·ξ̇)²`: the power that dashpots take \[W\], in the exponentials.
+/// A quadratic form of the speeds, `ξ̇ᵀ D ξ̇`: the power that dashpots take \[W\], in the exponentials.
 #[derive(Clone, Debug)]
 pub struct PowerForm {
-    /// `Σ d y yᵀ` and `Σ d y y*` with `y_k = λ_k row·v_k`.
+    /// `Vᵀ D V` and `Vᵀ D V̄` with the columns `λ_k v_k` of V, counted twice for a conjugate pair, and the dashpots D.
     plain: DMatrix<Complex>,
     mixed: DMatrix<Complex>,
 }
@@ -21,22 +21,18 @@ struct Term {
 }
 
 impl PowerForm {
-    /// Of rows over the coordinates, each with its dashpot; what drifts has none.
-    pub fn of(motion: &LinearMotion, rows: &[(f64, Vec<f64>)]) -> Self {
-        let spectrum = &motion.spectrum;
-        let count = spectrum.exponents.len();
-        let (mut plain, mut mixed) = (DMatrix::zeros(count, count), DMatrix::zeros(count, count));
-        for (dashpot, row) in rows.iter().filter(|(dashpot, _)| *dashpot != 0.0) {
-            let speed = |k: usize| speed(motion, row, k);
-            let y: Vec<Complex> = (0..count).map(speed).collect();
-            for l in 0..count {
-                for k in 0..count {
-                    plain[(k, l)] += y[k] * y[l] * *dashpot;
-                    mixed[(k, l)] += y[k] * y[l].conj() * *dashpot;
-                }
-            }
+    /// Of dashpots over the coordinates, a symmetric matrix; what drifts has none. Nothing where all are 0.
+    pub fn of(motion: &LinearMotion, damping: &DMatrix<f64>) -> Option<Self> {
+        if damping.iter().all(|dashpot| *dashpot == 0.0) {
+            return None;
         }
-        Self { plain, mixed }
+        let spectrum = &motion.spectrum;
+        let mut speeds = spectrum.shapes.clone();
+        for (k, mut column) in speeds.column_iter_mut().enumerate() {
+            column *= spectrum.exponents[k] * spectrum.share(k);
+        }
+        let resisted = damping.map(Complex::from) * &speeds;
+        Some(Self { plain: speeds.transpose() * &resisted, mixed: resisted.transpose() * speeds.conjugate() })
     }
 
     /// Its integral from `from` to `until`, within one piece of the ground's motion \[J\].

@@ -13,6 +13,7 @@ use crate::contact::Frame;
 use crate::dynamics::model::bearing::{Bearing, BearingQuantities, PlanarBearings, Standing};
 use crate::dynamics::model::closed_form::ClosedForm;
 use crate::dynamics::model::ground_now::GroundNow;
+use crate::dynamics::model::linear_block::part::LinearPart;
 use crate::dynamics::model::motion_bounds::MotionBounds;
 use crate::dynamics::model::rate_bounds::RateBounds;
 use crate::dynamics::model::reference_pose::ReferencePose;
@@ -191,6 +192,11 @@ pub trait Coordinates: Debug + Send + Sync {
         None
     }
 
+    /// The body as a part of a linear block; `None` where its motion is not linear.
+    fn linear_part(&self, _body: &Body) -> Option<LinearPart> {
+        None
+    }
+
     /// The next time after `t` at which the rate of a state has a kink that the ground of reference has not \[s\].
     fn next_kink(&self, _t: f64) -> f64 {
         f64::INFINITY
@@ -214,11 +220,6 @@ pub trait Coordinates: Debug + Send + Sync {
     /// Strain energy of the body itself \[J\].
     fn own_strain(&self, _state: &[f64]) -> f64 {
         0.0
-    }
-
-    /// Whether flights in closed form say what [`ClosedForm::works`] is asked for.
-    fn closed_works(&self) -> bool {
-        false
     }
 
     /// Power lost in the body itself \[W\].

@@ -2,6 +2,7 @@
 
 use std::fmt::Debug;
 
+use crate::dynamics::linear::Parts;
 use crate::dynamics::model::motion_bounds::MotionBounds;
 
 /// Force of connections between the ground and a body of one coordinate u, per unit mass: `load − stiffness u`.
@@ -18,9 +19,9 @@ pub struct GroundSpring {
 /// A flight is computed from when it began \[s\] and from the numbers that [`begin`](Self::begin) makes of the state then; states
 /// are those since the body was placed.
 pub trait ClosedForm: Debug + Send + Sync {
-    /// What a flight from this state at `start` is computed from.
-    fn begin(&self, _start: f64, state: &[f64]) -> Vec<f64> {
-        state.to_vec()
+    /// What a flight at `start` is computed from: from the states of the bodies that move together, in their order.
+    fn begin(&self, _start: f64, states: &[&[f64]]) -> Vec<f64> {
+        states.concat()
     }
 
     /// What a flight from this state on springs to the ground is computed from; `None` where that has no closed form.
@@ -52,9 +53,31 @@ pub trait ClosedForm: Debug + Send + Sync {
     /// Bounds on the motion of any section in a flight from `t` on for at most `horizon` \[s\].
     fn bounds(&self, start: f64, numbers: &[f64], t: f64, horizon: f64) -> MotionBounds;
 
+    /// Fastest circular frequency of the motion of the bodies that move together, as rigid ones; 0 where that is the body's own \[rad/s\].
+    fn fastest(&self) -> f64 {
+        0.0
+    }
+
+    /// What states and bounds of all bodies that move together are computed from at `t`, where they share it.
+    fn parts(&self, _start: f64, _numbers: &[f64], _t: f64) -> Parts {
+        Parts::default()
+    }
+
+    /// State and bounds at `t` together, from these parts.
+    fn look(&self, (start, numbers): (f64, &[f64]), _parts: &Parts, t: [f64; 2], out: &mut [f64]) -> MotionBounds {
+        let [t, horizon] = t;
+        self.state(start, numbers, t, out);
+        self.bounds(start, numbers, t, horizon)
+    }
+
     /// Work of the ground's inertia forces and of pushes, losses in bearings and in the body, over a stretch without a kink of the
-    /// ground's motion \[J\]; `None` where they are left to quadrature.
+    /// ground's motion \[J\], with those of bodies that move together at the first of them; `None` where they are left to quadrature.
     fn works(&self, _start: f64, _numbers: &[f64], _span: [f64; 2]) -> Option<[f64; 4]> {
         None
+    }
+
+    /// Whether it says what [`works`](Self::works) asks for.
+    fn has_works(&self) -> bool {
+        false
     }
 }

@@ -83,7 +83,7 @@ impl World {
 }
 
 /// Connected components of the numbers below `count` that `edges` join: each ascending, in the order of their least.
-fn components(count: usize, edges: impl Iterator<Item = [usize; 2]>) -> Vec<Vec<usize>> {
+pub(super) fn components(count: usize, edges: impl Iterator<Item = [usize; 2]>) -> Vec<Vec<usize>> {
     let mut root: Vec<usize> = (0..count).collect();
     for [a, b] in edges {
         let (a, b) = (root_of(&mut root, a), root_of(&mut root, b));

@@ -6,5 +6,9 @@ pub(super) const AXIAL_GAP_ROUNDING: f64 = 4.0 * f64::EPSILON;
 /// Impact speed at which the frequency of a pair's contact is evaluated for its simultaneity interval \[m/s\]. The
 /// frequency of a linear law is independent of it, that of Hertz's law grows with its fifth root.
 pub(super) const NOMINAL_IMPACT_SPEED: f64 = 1.0;
+/// Most coordinates of a linear block. Its decomposition costs their cube, and a look at one body of it their number, where the state of a
+/// step costs the same for every size: measured, a run with its readings is not slower up to about 30, the run alone up to about 60
+/// (docs/cost.md#viaducts).
+pub(super) const MOST_BLOCK_COORDINATES: usize = 36;
 /// Circular frequency that stands for that of a device without stiffness \[rad/s\]: such a device has no time scale.
 pub(super) const NOMINAL_FREQUENCY: f64 = 1.0;

@@ -5,6 +5,7 @@
 //! reads a world and enters what it finds, `contact_model` changes it.
 
 pub(in crate::dynamics) mod axial_gap;
+mod blocks;
 pub(in crate::dynamics) mod connectivity;
 mod constants;
 pub(in crate::dynamics) mod contact_points;
@@ -35,6 +36,8 @@ pub(in crate::dynamics) struct World {
     pub contacts: Vec<ContactTrack>,
     /// Links.
     pub links: Vec<LinkTrack>,
+    /// Slots of the bodies of each linear block, ascending.
+    pub blocks: Vec<Vec<usize>>,
     /// Bodies that are integrated together; `None` at a vacant number.
     pub islands: Vec<Option<Box<Island>>>,
 }

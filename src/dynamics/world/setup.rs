@@ -29,6 +29,7 @@ impl World {
             pairs: Vec::new(),
             contacts: Vec::new(),
             links: Vec::new(),
+            blocks: Vec::new(),
             islands: Vec::new(),
         };
         world.gather(group);
@@ -53,12 +54,14 @@ impl World {
         for &number in &model.group_links[number] {
             self.add_link(&model, number, model.links[number].bodies.map(slot));
         }
+        self.find_blocks();
     }
 
     fn add_body(&mut self, model: &Model, body: usize) {
         self.bodies.push(BodyTrack {
             body,
             system: BodyMotion::of(&model.bodies[body], &model.ground, model.duration),
+            block: None,
             now: Trajectory::Placed,
             path: StoredPath::default(),
             pairs: Vec::new(),

@@ -32,6 +32,8 @@ pub(in crate::dynamics) struct BodyTrack {
     pub body: usize,
     /// Free motion of the body; `None` where that has no closed form.
     pub system: Option<BodyMotion>,
+    /// Number of the linear block that it is of.
+    pub block: Option<usize>,
     /// Present trajectory.
     pub now: Trajectory,
     /// Past trajectory.

@@ -252,6 +252,18 @@ fn three_spans_that_pound_are_those_of_an_integration_by_hand() {
 }
 
 #[test]
+fn a_viaduct_that_nothing_hits_takes_no_step_and_keeps_its_energy() {
+    let history =
+        run(&three_spans(60.0, 2.0, RATIO, "[motion]\nkind = \"sine\"\namplitude_g = 0.1\nfrequency_hz = 0.7"));
+    assert_eq!(history.effort().steps, 0, "steps of the integrator");
+    for t in [0.7, 1.9, 2.5] {
+        let ledger = history.ledger(t);
+        let part = ledger.residual.abs() / ledger.scale;
+        assert!(part < 1e-13, "{part} of the energy at {t} s");
+    }
+}
+
+#[test]
 fn a_mirrored_viaduct_moves_as_its_image() {
     let motion = |angle: f64| {
         format!("[motion]\nkind = \"sine\"\namplitude_m_s2 = 3.0\nfrequency_hz = 1.0\nangle_deg = {angle}")

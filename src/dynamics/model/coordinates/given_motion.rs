@@ -144,14 +144,10 @@ impl Coordinates for GivenMotion {
     fn powers(&self, _: &Body, _: &[f64], _: GroundNow) -> [f64; 3] {
         [0.0; 3]
     }
-
-    fn closed_works(&self) -> bool {
-        true
-    }
 }
 
 impl ClosedForm for GivenMotion {
-    fn begin(&self, _: f64, _: &[f64]) -> Vec<f64> {
+    fn begin(&self, _: f64, _: &[&[f64]]) -> Vec<f64> {
         Vec::new()
     }
 
@@ -177,5 +173,9 @@ impl ClosedForm for GivenMotion {
 
     fn works(&self, _: f64, _: &[f64], _: [f64; 2]) -> Option<[f64; 4]> {
         Some([0.0; 4])
+    }
+
+    fn has_works(&self) -> bool {
+        true
     }
 }

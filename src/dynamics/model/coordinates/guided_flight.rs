@@ -101,8 +101,8 @@ impl Extremes {
 }
 
 impl ClosedForm for GuidedFlight {
-    fn begin(&self, _: f64, state: &[f64]) -> Vec<f64> {
-        self.begin_on(state, GroundSpring::default()).unwrap_or_default()
+    fn begin(&self, _: f64, states: &[&[f64]]) -> Vec<f64> {
+        states.first().and_then(|state| self.begin_on(state, GroundSpring::default())).unwrap_or_default()
     }
 
     fn begin_on(&self, state: &[f64], spring: GroundSpring) -> Option<Vec<f64>> {

@@ -20,6 +20,7 @@ use smallvec::SmallVec;
 use crate::contact::Frame;
 use crate::dynamics::model::body::{Body, BodyCoordinates, Coordinates, Counted, Point};
 use crate::dynamics::model::ground_now::GroundNow;
+use crate::dynamics::model::linear_block::part::LinearPart;
 use crate::dynamics::model::motion_bounds::MotionBounds;
 use crate::dynamics::model::reference_pose::ReferencePose;
 use crate::dynamics::model::wrench::Wrench;
@@ -244,9 +245,9 @@ impl Body {
         of_each!(self, c => c.own_strain(state))
     }
 
-    /// [`Coordinates::closed_works`].
-    pub fn closed_works(&self) -> bool {
-        of_each!(self, c => c.closed_works())
+    /// [`Coordinates::linear_part`].
+    pub fn linear_part(&self) -> Option<LinearPart> {
+        of_each!(self, c => c.linear_part(self))
     }
 
     /// [`Coordinates::own_loss`].

@@ -3,10 +3,12 @@
 use std::ops::Range;
 
 use glam::{DMat3, DQuat, DVec3};
+use nalgebra::DMatrix;
 
 use crate::contact::Frame;
 use crate::dynamics::model::body::{Body, Coordinates, Counted, Point};
 use crate::dynamics::model::ground_now::GroundNow;
+use crate::dynamics::model::linear_block::part::{LinearPart, SectionShape};
 use crate::dynamics::model::motion_bounds::MotionBounds;
 use crate::dynamics::model::reference_pose::ReferencePose;
 use crate::dynamics::model::rigid_body;
@@ -245,6 +247,22 @@ impl Coordinates for Planar {
 
     fn along(&self, body: &Body, axis: usize) -> Option<[usize; 2]> {
         body.straight[axis].then_some([axis, RATES + axis])
+    }
+
+    fn linear_part(&self, body: &Body) -> Option<LinearPart> {
+        let matrix = |m: &DMat3| DMatrix::from_fn(RATES, RATES, |i, j| m.col(j)[i]);
+        let ([x, y, .., turn], Body { mass, push, moment, .. }) = (body.start, body);
+        Some(LinearPart {
+            masses: vec![*mass, *mass, mass * body.gyration2],
+            free: free(body).to_vec(),
+            stiffness: matrix(&body.planar.stiffness),
+            damping: matrix(&body.planar.damping),
+            own_damping: vec![0.0; RATES],
+            push: vec![push.x, push.y, moment.z],
+            start: vec![x, y, turn],
+            lever: 0.0,
+            sections: vec![SectionShape::default()],
+        })
     }
 
     fn fastest(&self, body: &Body) -> f64 {

@@ -7,9 +7,7 @@ use super::section::{Section, SectionFrame, station_and_offset};
 use crate::dynamics::connection::Kinematics;
 use crate::dynamics::elastic::Modes;
 use crate::dynamics::model::body::Body;
-
-/// Coordinates x, y, θ that come before the modes.
-pub(in crate::dynamics) const RIGID: usize = 3;
+use crate::dynamics::model::linear_block::part::RIGID;
 
 /// Part of the distance of an end from G that the end's frame is taken to be displaced by at most, where bounds need it: far beyond what
 /// a linear beam stands for.

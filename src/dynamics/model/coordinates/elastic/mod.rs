@@ -5,10 +5,9 @@
 //! balances to rounding. Against displacements linear in φ it differs by φ²/2 of an offset.
 
 mod bearings;
-mod free;
 mod girder;
+mod part;
 mod section;
-mod section_bounds;
 mod section_forces;
 mod turn;
 
@@ -22,17 +21,19 @@ use crate::dynamics::model::body::{Body, Coordinates, Counted, Point};
 use crate::dynamics::model::closed_form::ClosedForm;
 use crate::dynamics::model::coordinates::planar;
 use crate::dynamics::model::ground_now::GroundNow;
+use crate::dynamics::model::linear_block::part::{LinearPart, RIGID};
+use crate::dynamics::model::linear_block::{BlockMember, LinearBlock};
 use crate::dynamics::model::motion_bounds::MotionBounds;
 use crate::dynamics::model::reference_pose::ReferencePose;
 use crate::dynamics::model::rigid_body;
+use crate::dynamics::model::section_bounds::SectionBounds;
 use crate::dynamics::model::wrench::Wrench;
 use crate::geometry::End;
 use crate::motion::Ground;
 pub(in crate::dynamics) use bearings::BearingAxis;
-use girder::{DEFORMED, RIGID};
+use girder::DEFORMED;
 pub use girder::{ElasticGirder, ModalDamping};
 use section::{SectionFrame, Turns};
-use section_bounds::SectionBounds;
 pub use section_forces::{Equilibrium, SectionForces};
 use turn::{in_space, planar_turn};
 
@@ -301,7 +302,12 @@ impl Coordinates for ElasticGirder {
     }
 
     fn free_motion(&self, ground: &Ground) -> Option<Arc<dyn ClosedForm>> {
-        free::FreeGirder::of(self, ground).map(|free| Arc::new(free) as Arc<dyn ClosedForm>)
+        let block = Arc::new(LinearBlock::of(&[self.part()], &[], ground)?);
+        Some(Arc::new(BlockMember { block, member: 0 }))
+    }
+
+    fn linear_part(&self, _: &Body) -> Option<LinearPart> {
+        Some(self.part())
     }
 
     fn fastest(&self, body: &Body) -> f64 {
@@ -325,10 +331,6 @@ impl Coordinates for ElasticGirder {
 
     fn own_strain(&self, state: &[f64]) -> f64 {
         self.strain(&self.halves(state).0[RIGID..])
-    }
-
-    fn closed_works(&self) -> bool {
-        true
     }
 
     fn own_loss(&self, state: &[f64]) -> f64 {

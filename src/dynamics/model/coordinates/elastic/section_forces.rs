@@ -2,9 +2,10 @@
 
 use glam::{DVec2, DVec3};
 
-use super::girder::{ElasticGirder, RIGID};
+use super::girder::ElasticGirder;
 use super::section::Turns;
 use crate::dynamics::elastic::legendre::{integrals_to_end, moments_to_end, slopes, values};
+use crate::dynamics::model::linear_block::part::RIGID;
 use crate::dynamics::model::wrench::Wrench;
 
 /// Normal force N, tension positive \[N\]; shear force Q \[N\]; bending moment M, positive where it compresses the +y edge \[N·m\].

@@ -4,7 +4,7 @@ use crate::dynamics::model::motion_bounds::MotionBounds;
 
 /// Bounds on the motion of the mean axes and of a section against them, and what they say of the section's frame.
 #[derive(Clone, Copy, Debug, Default)]
-pub(super) struct SectionBounds {
+pub(in crate::dynamics) struct SectionBounds {
     pub speed: f64,
     pub acceleration: f64,
     pub spin: f64,
@@ -18,7 +18,7 @@ pub(super) struct SectionBounds {
 impl SectionBounds {
     /// Of the frame's origin, `G + a` with `a = R(θ)(s + u) − R(θ + φ) s`, where |a| is at most `apart`:
     /// `ä = θ̈ ẑ × a + θ̇ ẑ × (ȧ + R u̇) + R ü − φ̈ ẑ × R′ s + φ̇ (θ̇ + φ̇) R′ s`.
-    pub(super) fn of_frame(&self, lever: f64, apart: f64, window: f64) -> MotionBounds {
+    pub(in crate::dynamics) fn of_frame(&self, lever: f64, apart: f64, window: f64) -> MotionBounds {
         let ([u, uu], [p, pp]) = (self.moved, self.turned);
         let against = u + lever * p;
         let carried = self.spin * apart + against;
