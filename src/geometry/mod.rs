@@ -5,6 +5,7 @@
 pub mod broad;
 pub mod face;
 pub mod prism;
+pub mod rectangle;
 pub mod shape;
 
 pub use face::{Face, FaceError};

@@ -1,9 +1,12 @@
 //! How many polynomials a girder needs, (F9): from the stiffness of its contacts against its own.
 
-use glam::{DMat2, DVec2};
+use glam::{DMat2, DVec2, DVec3};
+use nalgebra::{Matrix3, SymmetricEigen};
 
 use super::beam::Beam;
 use super::modes::Modes;
+use super::space_beam::SpaceBeam;
+use super::space_modes::SpaceModes;
 
 /// Degree from which the flexibility of an end is exact.
 const EXACT_ENDS: usize = 6;
@@ -26,6 +29,17 @@ impl Softness {
         let at = |xi: f64, r: DVec2| largest(&modes.flexibility(&modes.point(xi, r)));
         let most = offsets.iter().flat_map(|&r| [at(-1.0, r), at(1.0, r)]).fold(0.0, f64::max);
         Self { kappa: stiffness * beam.length / beam.axial, end: stiffness * most }
+    }
+
+    /// The same in space: the girder yields upwards and twists, too.
+    pub fn in_space(beam: &SpaceBeam, stiffness: f64, offsets: &[DVec3]) -> Self {
+        let modes = SpaceModes::of(*beam, EXACT_ENDS);
+        let at = |xi: f64, r: DVec3| {
+            let flexibility = modes.flexibility(&modes.point(xi, r)).to_cols_array();
+            SymmetricEigen::new(Matrix3::from_column_slice(&flexibility)).eigenvalues.max()
+        };
+        let most = offsets.iter().flat_map(|&r| [at(-1.0, r), at(1.0, r)]).fold(0.0, f64::max);
+        Self { kappa: stiffness * beam.plan.length / beam.plan.axial, end: stiffness * most }
     }
 }
 

@@ -4,9 +4,15 @@
 
 pub mod beam;
 pub mod degree;
+pub mod fields;
 pub mod legendre;
 pub mod modes;
+pub mod space_beam;
+pub mod space_modes;
 
 pub use beam::Beam;
 pub use degree::{Softness, automatic_degree};
+pub use fields::Fields;
 pub use modes::Modes;
+pub use space_beam::SpaceBeam;
+pub use space_modes::SpaceModes;
