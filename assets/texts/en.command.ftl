@@ -71,6 +71,7 @@ run-not-negligible = not negligible: { $names }
 run-returned = , returned e = { $e }
 run-hit-of = at { $t } s for { $time } ms{ $restitution }; { $ringing } J left ringing
 run-section-forces = mid-span |N| to { $axial } MN at { $t } s (strain differs by { $difference }), |M| to { $moment } MN·m; fibre to { $stress } MPa at s = { $s } m
+run-section-forces-space = |M_y| to { $moment } MN·m, |T| to { $torque } MN·m
 run-degrees = degree { $one } against { $other }: force { $force }, impulse { $impulse }, ends { $ends }, N at mid-span { $section }
 warning = warning: { $what }
 warning-more-outside = warning: { $more } more quantities outside the domain
@@ -175,6 +176,7 @@ check-flexible-rigid = rigid: elastic part below { $tol }
 check-flexible-degree = degree { $degree }, { $count } modes from { $frequencies } Hz
 check-flexible-twice = K is about E A / a₀: where it stands for the girder's own flexibility (64), that counts twice
 check-flexible = elastic { $name }: A = { $area } m², I_z = { $second } m⁴, E A = { $axial } N, E I_z = { $bending } N·m², k_s G A = { $shear } N
+check-flexible-space = I_y = { $second } m⁴, J_t = { $constant } m⁴, E I_y = { $bending } N·m², G J_t = { $torsion } N·m²
 check-flexible-b = c = { $speed } m/s, a₀/c = { $transit } ms, κ = { $kappa }, κ_e = { $kappae }: { $degree }{ $twice }
 check-ground = the ground
 check-device = { $kind } { $name }: { $girder } at { $first } m to { $to } at { $second } m, { $length } m apart
@@ -225,6 +227,7 @@ render-frames = { $place }: { $count } frames, { $drawn } different
 wrong-no-quantity = { $name }: the run has no such quantity{ $meant }; `--list` prints all names
 wrong-girder-flag = --girder { $name }: nobody is called that; there are { $names }
 wrong-no-wave = no girder bends, so no wave runs in one: give it [girder.elastic], and contacts stiff enough that it softens them
+wrong-force-in-space = { $force } is a section force of spatial scenes: set kind = "spatial", or ask for another
 wrong-picture-backwards = --to { $to }: the picture begins at { $from } s: give a later time
 wrong-no-from = --to without --from: say when the picture begins
 waves-largest = { $what }: largest { $largest }

@@ -73,8 +73,6 @@ found-slider-wave = a slider on ground that moves otherwise
 wrong-slider-wave = in space a slider goes by the force of its own spring on the ground of reference: use a planar scene, or other bearings
 wrong-stiffness-twice = K = E A / L comes from young_modulus_pa, area_m2 and contact_length_m: give either those or stiffness_n_per_m
 wrong-no-amplitude = give the amplitude: amplitude_g, or amplitude_m_s2
-wrong-elastic-in-space = elastic girders are known in planar scenes only so far: set kind = "planar", or leave it out
-found-elastic-in-space = an elastic girder in a spatial scene
 wrong-no-such-girder = no girder has this name; { $names }
 wrong-one-girder = both points are on one girder: name another body, or leave it out for the ground
 wrong-no-such-body = nobody has this name: leave it out for the ground; { $names }

@@ -71,6 +71,7 @@ run-not-negligible = 無視できない：{ $names }
 run-returned = 、反発 e = { $e }
 run-hit-of = { $t } s、接触 { $time } ms{ $restitution }。振動に { $ringing } J
 run-section-forces = 中央の |N| 最大 { $axial } MN（{ $t } s、ひずみの差 { $difference }）、|M| 最大 { $moment } MN·m。縁応力 最大 { $stress } MPa（s = { $s } m）
+run-section-forces-space = |M_y| 最大 { $moment } MN·m、|T| 最大 { $torque } MN·m
 run-degrees = 次数 { $one } と { $other }：力 { $force }、力積 { $impulse }、端 { $ends }、中央の N { $section }
 warning = 警告：{ $what }
 warning-more-outside = 警告：ほか { $more } 件が検証範囲外
@@ -175,6 +176,7 @@ check-flexible-rigid = 剛体：弾性分は { $tol } 未満
 check-flexible-degree = 次数 { $degree }、{ $count } モード、{ $frequencies } Hz から
 check-flexible-twice = K は E A / a₀ に近い：桁自身のたわみ性 (64) を表す値なら二重になる
 check-flexible = 弾性 { $name }：A = { $area } m²、I_z = { $second } m⁴、E A = { $axial } N、E I_z = { $bending } N·m²、k_s G A = { $shear } N
+check-flexible-space = I_y = { $second } m⁴、J_t = { $constant } m⁴、E I_y = { $bending } N·m²、G J_t = { $torsion } N·m²
 check-flexible-b = c = { $speed } m/s、a₀/c = { $transit } ms、κ = { $kappa }、κ_e = { $kappae }：{ $degree }{ $twice }
 check-ground = 地盤
 check-device = { $kind } { $name }：{ $girder } の { $first } m と { $to } の { $second } m、距離 { $length } m
@@ -225,6 +227,7 @@ render-frames = { $place }：{ $count } 枚、うち異なる図 { $drawn } 枚
 wrong-no-quantity = { $name }：計算にその名前の量はない{ $meant }。`--list` で全ての名前を表示する
 wrong-girder-flag = --girder { $name }：その名前の桁はない：あるもの：{ $names }
 wrong-no-wave = たわむ桁がなく、波も伝わらない：[girder.elastic] と、それで軟らかくなるほど硬い接触を与える
+wrong-force-in-space = { $force } は立体シーンの断面力。kind = "spatial" とするか、ほかの断面力を指定する
 wrong-picture-backwards = --to { $to }：図は { $from } s に始まる：それより後の時刻を与える
 wrong-no-from = --to だけで --from がない：図の始まりを与える
 waves-largest = { $what }：最大 { $largest }

@@ -73,8 +73,6 @@ found-slider-wave = 基準と異なって動く地盤の上のすべり支承
 wrong-slider-wave = 立体のすべり支承は基準の地盤に立つ自身のばねの力で決まる。平面シーンとするか、ほかの支承とする
 wrong-stiffness-twice = K = E A / L は young_modulus_pa、area_m2、contact_length_m から決まる。それらか stiffness_n_per_m の一方を与える
 wrong-no-amplitude = 振幅を与える：amplitude_g、または amplitude_m_s2
-wrong-elastic-in-space = 弾性の桁は今のところ平面シーンだけ。kind = "planar" とするか、これを外す
-found-elastic-in-space = 立体シーンの弾性の桁
 wrong-no-such-girder = その名前の桁はない。{ $names }
 wrong-one-girder = 両方の点が同じ桁にある。別の物体を名指すか、外して地盤とする
 wrong-no-such-body = その名前の物体はない。外すと地盤となる。{ $names }

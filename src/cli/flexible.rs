@@ -64,7 +64,15 @@ fn hit(run: &FlexibleRun) -> Option<(String, String)> {
 }
 
 fn forces(run: &FlexibleRun) -> String {
-    said!(
+    let in_space = run.vertical_moment.zip(run.torque).map_or_else(String::new, |(moment, torque)| {
+        let text = said!(
+            "run-section-forces-space",
+            "moment" => six(moment[0] * 1e-6),
+            "torque" => six(torque[0] * 1e-6)
+        );
+        format!("; {text}")
+    });
+    let plan = said!(
         "run-section-forces",
         "axial" => six(run.axial[0] * 1e-6),
         "t" => format!("{:.4}", run.axial[1]),
@@ -72,7 +80,8 @@ fn forces(run: &FlexibleRun) -> String {
         "moment" => six(run.moment[0] * 1e-6),
         "stress" => six(run.stress[0] * 1e-6),
         "s" => six(run.stress[2])
-    )
+    );
+    format!("{plan}{in_space}")
 }
 
 fn checked(check: &DegreeCheck) -> String {

@@ -14,6 +14,7 @@ use super::output::write_files;
 use super::plot_files::plot_files;
 use crate::files::check_folder;
 use crate::language::{Text, said};
+use crate::scene::Kind;
 use crate::sim::{History, OfSection};
 use crate::study::waves::{Wanted, Waves};
 
@@ -25,7 +26,7 @@ pub(super) struct WavesArgs {
     /// The girder, by its name; the first that bends when left out
     #[arg(long, value_name = "NAME")]
     girder: Option<String>,
-    /// What is drawn: axial (N), shear (Q), moment (M), stress of the extreme fibre
+    /// What is drawn: axial (N), shear (Q), moment (M), stress of the extreme fibre; in space `shear_z`, `moment_y`, torque, too
     #[arg(long, value_name = "FORCE", value_parser = section_force(), default_value = "axial")]
     force: OfSection,
     /// When the picture begins [s]; shortly before the hardest hit when left out
@@ -48,6 +49,16 @@ pub(super) fn section_force() -> impl TypedValueParser<Value = OfSection> {
     PossibleValuesParser::new(OfSection::ALL.map(|(name, _)| name)).try_map(of)
 }
 
+/// Whether girders of a scene of this kind have a section force.
+///
+/// # Errors
+/// What it is and what to do where they have not.
+pub(super) fn known_in(force: OfSection, kind: Kind) -> Result<(), Failure> {
+    let word = OfSection::ALL.iter().find(|(_, what)| *what == force).map_or("", |(word, _)| word);
+    let known = OfSection::of(kind).any(|(_, what)| what == force);
+    if known { Ok(()) } else { Err(Failure::Input(said!("wrong-force-in-space", "force" => word))) }
+}
+
 /// Does it.
 ///
 /// # Errors
@@ -55,6 +66,7 @@ pub(super) fn section_force() -> impl TypedValueParser<Value = OfSection> {
 /// picture has been written.
 pub(super) fn run(args: &WavesArgs, console: &mut Console) -> Result<(), Failure> {
     let scene = args.scene.load()?;
+    known_in(args.force, scene.kind)?;
     args.threads.start()?;
     check_folder(&args.out)?;
     domain::warn(&scene, console);

@@ -122,13 +122,17 @@ table! {
             "ρ, kg/m³: A is the mass over ρ a₀";
         second_moment: Option<f64> = "second_moment_m4" as "field-second-moment", Range::Positive, Fallback::Words("A b₀²/12"),
             "I_z of the section, for bending in plan, m⁴";
+        second_moment_vertical: Option<f64> = "second_moment_vertical_m4" as "field-second-moment-vertical", Range::Positive,
+            Fallback::Words("A t₀²/12"), "I_y of the section, for vertical bending, m⁴; spatial scenes", in in_space;
+        torsion_constant: Option<f64> = "torsion_constant_m4" as "field-torsion-constant", Range::Positive,
+            Fallback::Words("of a solid rectangle b₀ × t₀"), "J of the section, for torsion, m⁴; spatial scenes", in in_space;
         shear_factor: ShearFactor = "shear_factor" as "field-shear-factor", Range::Positive, Fallback::Number(RECTANGLE),
             "k_s of the section; none is rigid in shear";
         damping_ratio: Option<f64> = "damping_ratio" as "field-damping-zeta", Range::NotNegative, Fallback::Words("0.02"),
             "ζ of every mode; not together with rayleigh";
         rayleigh: Option<Rayleigh> = "rayleigh", Range::Free, Fallback::Words("none"), "Rayleigh damping, see below";
         modes: Degree = "modes" as "field-degree", Range::Within(DEGREES), Fallback::Word("auto"),
-            "degree n of the polynomials, 3n − 1 modes; auto is what the contacts need";
+            "degree n of the polynomials, 3n − 1 modes, in space 6n − 2; auto is what the contacts need";
         tolerance: f64 = "tol_flex" as "field-rigid-below", Range::NotNegative, Fallback::Number(1e-4),
             "softening κ_e of the contacts below which auto takes the girder as rigid";
         strength: Option<f64> = "strength_pa" as "field-strength", Range::Positive, Fallback::Words("not looked at"),

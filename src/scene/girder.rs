@@ -150,7 +150,7 @@ table! {
         #[serde(default)]
         seat: Seat = "seat_m", Range::Free, Fallback::Words("none"), "length of seat under each end, see below";
         elastic: Option<Elastic> = "elastic", Range::Free, Fallback::Words("none: it is rigid"),
-            "how it bends and shortens, see below; planar scenes under the contact model";
+            "how it bends and shortens, see below; under the contact model";
         after_unseating: Option<AfterUnseating> = "after_unseating" as "field-off-a-seat", Range::Words(AfterUnseating::WORDS),
             Fallback::Words("stop where a bearing has travel_m; seats are only measured"),
             "what a planar run does when a bearing loses its support; given, bearings are lost over the front edges of seats as well";

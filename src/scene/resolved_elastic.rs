@@ -2,6 +2,7 @@
 
 use super::elastic::{DEGREES, Elastic, Rayleigh};
 use super::girder::Girder;
+use crate::geometry::rectangle::torsion_constant;
 use crate::language::{Message, Text, message};
 
 /// `k_s G A` of a girder that is rigid in shear, in parts of `G A`.
@@ -22,6 +23,14 @@ pub struct ResolvedElastic {
     pub shear: f64,
     /// `I_z` \[m⁴\].
     pub second_moment: f64,
+    /// `I_y` \[m⁴\].
+    pub second_moment_vertical: f64,
+    /// `E I_y` \[N·m²\].
+    pub vertical_bending: f64,
+    /// `J_t` \[m⁴\].
+    pub torsion_constant: f64,
+    /// `G J_t` \[N·m²\].
+    pub torsion: f64,
     /// ζ, or α and β.
     pub damping: Result<f64, Rayleigh>,
     /// Degree where it is given.
@@ -34,6 +43,9 @@ impl Elastic {
         let by_density = |density: f64| girder.mass / (density * girder.length);
         let area = self.area.or(self.density.map(by_density)).unwrap_or(f64::NAN);
         let second_moment = self.second_moment.unwrap_or(area * girder.width * girder.width / 12.0);
+        let vertical = self.second_moment_vertical.unwrap_or(area * girder.thickness * girder.thickness / 12.0);
+        let torsion_constant =
+            self.torsion_constant.unwrap_or_else(|| torsion_constant(girder.width, girder.thickness));
         let shear_modulus = 0.5 * self.young_modulus / (1.0 + self.poisson_ratio);
         let damping = self.rayleigh.map_or(Ok(self.damping_ratio.unwrap_or(0.02)), Err);
         #[expect(clippy::cast_possible_truncation, clippy::cast_sign_loss, reason = "a degree, checked")]
@@ -44,6 +56,10 @@ impl Elastic {
             bending: self.young_modulus * second_moment,
             shear: self.shear_factor.0.unwrap_or(RIGID_IN_SHEAR) * shear_modulus * area,
             second_moment,
+            second_moment_vertical: vertical,
+            vertical_bending: self.young_modulus * vertical,
+            torsion_constant,
+            torsion: shear_modulus * torsion_constant,
             damping,
             degree,
         }

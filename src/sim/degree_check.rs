@@ -52,7 +52,7 @@ impl History {
         for (number, girder) in scene.girders.iter_mut().enumerate() {
             let made = self.flexible(number).and_then(|flexible| flexible.girder.as_ref());
             let (Some(made), Some(elastic)) = (made, girder.elastic.as_mut()) else { continue };
-            let degree = made.modes.degree;
+            let degree = made.degree();
             let more = (3 * degree).div_ceil(2).min(LARGEST_DEGREE);
             elastic.modes = Degree(Some(more as f64));
             largest = largest.max([degree, more]);

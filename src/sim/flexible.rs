@@ -4,7 +4,9 @@ use glam::DVec3;
 
 use super::readings::{Extreme, largest, largest_of_each};
 use super::{History, Touch};
-use crate::dynamics::model::coordinates::elastic::{ElasticGirder, Equilibrium, SectionForces};
+use crate::dynamics::elastic::Fields;
+use crate::dynamics::model::coordinates::section_forces::{Equilibrium, SectionForces};
+use crate::dynamics::model::elastic_body::ElasticBody;
 use crate::dynamics::model::flexible::Flexible;
 use crate::dynamics::model::pair::Pair;
 use crate::dynamics::model::wrench::Wrench;
@@ -69,6 +71,8 @@ pub struct FlexibleReading {
     pub axial: Extreme,
     /// Largest |M| at mid-span \[N·m\].
     pub moment: Extreme,
+    /// Largest |`M_y`| and |T| at mid-span \[N·m\], of a girder in space.
+    pub in_space: Option<[Extreme; 2]>,
     /// Largest stress of the extreme fibre \[Pa\].
     pub stress: Extreme,
     /// Its station \[m\].
@@ -88,14 +92,14 @@ impl History {
     }
 
     /// What acts on an elastic girder at `t`.
-    pub fn equilibrium(&self, girder: usize, t: f64) -> Option<Equilibrium<'_>> {
-        let made = self.flexible(girder)?.girder.as_deref()?;
+    pub fn equilibrium(&self, girder: usize, t: f64) -> Option<Equilibrium> {
+        let made = self.flexible(girder)?.girder.as_ref()?;
         let t = t.clamp(0.0, self.end());
         Some(self.equilibrium_in(girder, made, (t, &self.state(girder, t))))
     }
 
     /// The same of a girder that is in this state at `t`.
-    fn equilibrium_in<'a>(&self, girder: usize, made: &'a ElasticGirder, (t, state): (f64, &[f64])) -> Equilibrium<'a> {
+    fn equilibrium_in(&self, girder: usize, made: &ElasticBody, (t, state): (f64, &[f64])) -> Equilibrium {
         let body = &self.model().bodies[girder];
         let mut wrenches = vec![Wrench::default(); body.sections()];
         let pairs = self.model().pairs.iter().filter(|pair| pair.bodies.contains(&Some(girder)));
@@ -119,20 +123,28 @@ impl History {
         self.equilibrium(girder, t).map_or(SectionForces::default(), |equilibrium| equilibrium.at(station))
     }
 
-    /// Displacement u, v of the centre of a section and its turn φ against the mean axes, girder axes \[m, rad\].
-    pub fn deformation(&self, girder: usize, station: f64, t: f64) -> DVec3 {
+    /// Displacement of the centre of a section and its turn against the mean axes, girder axes \[m, rad\].
+    pub fn deformation(&self, girder: usize, station: f64, t: f64) -> Fields {
         let Some(made) = self.flexible(girder).and_then(|flexible| flexible.girder.as_ref()) else {
-            return DVec3::ZERO;
+            return Fields::default();
         };
         made.deformation(&self.state(girder, t), station)
     }
 
-    /// Displacement against the mean axes of a point at this place, and its rate, girder axes \[m, m/s\]; 0 of a rigid girder.
+    /// Displacement against the mean axes of a point at this place, and its rate, in axes as placed \[m, m/s\]; 0 of a rigid girder.
     pub(super) fn displaced(&self, girder: usize, place: DVec3, t: f64) -> [DVec3; 2] {
-        let made = self.flexible(girder).and_then(|flexible| flexible.girder.as_ref());
-        made.map_or([DVec3::ZERO; 2], |made| {
-            made.displaced(&self.state(girder, t), place.truncate()).map(|d| d.extend(0.0))
-        })
+        let Some(made) = self.flexible(girder).and_then(|flexible| flexible.girder.as_ref()) else {
+            return [DVec3::ZERO; 2];
+        };
+        let [bent, rate] = made.displaced(&self.state(girder, t), place);
+        if matches!(made, ElasticBody::Plan(_)) {
+            return [bent, rate];
+        }
+        // R d and its rate, in the girder's axes as placed.
+        let (body, here) = (&self.model().bodies[girder], self.frame(girder, t));
+        let axes = &body.axes;
+        let [bent, rate] = [bent, rate].map(|d| here.turn(*axes * d));
+        [bent, rate + here.spin.cross(bent)].map(|d| axes.mul_transpose_vec3(d))
     }
 
     /// Energy in the elastic modes of a girder at `t` \[J\].
@@ -141,7 +153,7 @@ impl History {
         made.ringing(&self.state(girder, t))
     }
 
-    /// Stress of the extreme fibre, the larger of both edges \[Pa\].
+    /// Stress of the extreme fibre, the largest of all edges \[Pa\].
     pub fn stress(&self, girder: usize, station: f64, t: f64) -> f64 {
         self.fibre_stress(girder, &self.section_forces(girder, station, t))
     }
@@ -152,9 +164,11 @@ impl History {
     }
 
     fn stress_of(&self, girder: usize, flexible: &Flexible, forces: &SectionForces) -> f64 {
-        let width = self.model().bodies[girder].prism.width;
+        let prism = &self.model().bodies[girder].prism;
         let section = &flexible.section;
-        forces.axial.abs() / section.area + forces.moment.abs() * 0.5 * width / section.second_moment
+        let in_plan = forces.moment.abs() * 0.5 * prism.width / section.second_moment;
+        let upwards = forces.vertical_moment.abs() * 0.5 * prism.thickness / section.second_moment_vertical;
+        forces.axial.abs() / section.area + in_plan + upwards
     }
 
     /// What the run did to its elastic girders that bend.
@@ -162,7 +176,7 @@ impl History {
         let all = 0..self.model().girders().len();
         let bending = all.filter_map(|girder| {
             let flexible = self.flexible(girder)?;
-            Some((girder, flexible, flexible.girder.as_deref()?))
+            Some((girder, flexible, flexible.girder.as_ref()?))
         });
         bending.map(|(girder, flexible, made)| self.flexible_reading(girder, flexible, made)).collect()
     }
@@ -176,10 +190,10 @@ impl History {
         (0..self.model().girders().len()).filter_map(of).fold(0.0, f64::max)
     }
 
-    fn flexible_reading(&self, girder: usize, flexible: &Flexible, made: &ElasticGirder) -> FlexibleReading {
+    fn flexible_reading(&self, girder: usize, flexible: &Flexible, made: &ElasticBody) -> FlexibleReading {
         let half = 0.5 * flexible.beam.length;
         let times = self.wave_looks(girder, flexible);
-        let worst = |equilibrium: &Equilibrium<'_>| {
+        let worst = |equilibrium: &Equilibrium| {
             let stress = |xi: f64| (self.stress_of(girder, flexible, &equilibrium.at(xi * half)), xi * half);
             STATIONS.map(stress).into_iter().fold((0.0, 0.0), |a, b| if b.0 > a.0 { b } else { a })
         };
@@ -190,16 +204,24 @@ impl History {
             let [spin, bent] = made.spin_and_deflection(&state);
             [middle.axial.abs(), middle.moment.abs(), worst(&equilibrium).0, spin, bent]
         });
+        let in_space = flexible.space.map(|_| {
+            largest_of_each(&times, |t| {
+                let middle = self.section_forces(girder, 0.0, t);
+                [middle.vertical_moment.abs(), middle.torque.abs()]
+            })
+        });
         let by_strain = self.equilibrium(girder, axial.t).map_or(0.0, |e| e.by_strain(0.0).axial.abs());
         let at_worst = self.equilibrium_in(girder, made, (stress.t, &self.state(girder, stress.t)));
-        let frequencies: Vec<f64> = made.modes.frequencies().take(LISTED).collect();
+        let frequencies: Vec<f64> = made.frequencies().into_iter().take(LISTED).collect();
         let first = frequencies.first().copied().unwrap_or(f64::INFINITY);
-        let buckling = (std::f64::consts::PI / flexible.beam.length).powi(2) * flexible.beam.bending;
+        let bending = flexible.space.map_or(f64::INFINITY, |space| space.bending).min(flexible.beam.bending);
+        let buckling = (std::f64::consts::PI / flexible.beam.length).powi(2) * bending;
         FlexibleReading {
             girder,
             frequencies,
             axial,
             moment,
+            in_space,
             stress,
             stressed_at: worst(&at_worst).1,
             local_error: if axial.value > 0.0 { (by_strain - axial.value).abs() / axial.value } else { 0.0 },

@@ -270,7 +270,7 @@ impl Quantity {
             Self::Girder(_, G::Theta) => Unit::Radian,
             Self::Girder(_, G::Vx | G::Vy) | Self::Contact(_, C::Sliding) => Unit::MetrePerSecond,
             Self::Girder(_, G::Omega) => Unit::RadianPerSecond,
-            Self::Section(_, _, OfSection::Moment) => Unit::NewtonMetre,
+            Self::Section(_, _, OfSection::Moment | OfSection::VerticalMoment | OfSection::Torque) => Unit::NewtonMetre,
             Self::Section(_, _, OfSection::Stress) => Unit::Pascal,
             Self::Section(..)
             | Self::Pair(_, P::Force)

@@ -2,7 +2,7 @@
 
 use super::History;
 use super::section_quantity::OfSection;
-use crate::dynamics::model::coordinates::elastic::SectionForces;
+use crate::dynamics::model::coordinates::section_forces::SectionForces;
 
 /// Values over stations and times, SI.
 #[derive(Clone, Debug, PartialEq)]
@@ -30,6 +30,9 @@ impl History {
             OfSection::Shear => forces.shear,
             OfSection::Moment => forces.moment,
             OfSection::Stress => self.fibre_stress(girder, forces),
+            OfSection::VerticalShear => forces.vertical_shear,
+            OfSection::VerticalMoment => forces.vertical_moment,
+            OfSection::Torque => forces.torque,
         }
     }
 

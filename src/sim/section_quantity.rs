@@ -1,6 +1,7 @@
 //! Section forces of elastic girders as quantities: `deck.axial_mid`, `deck.moment_quarter+x`, `deck.stress_mid`.
 
 use super::History;
+use crate::scene::Kind;
 
 /// What of a section of an elastic girder (`docs/physics.md#flexible-girders`).
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -13,11 +14,27 @@ pub enum OfSection {
     Moment,
     /// Stress of the extreme fibre, without sign.
     Stress,
+    /// Vertical shear force, of spatial scenes.
+    VerticalShear,
+    /// Vertical bending moment, positive where it stretches the upper side; of spatial scenes.
+    VerticalMoment,
+    /// Torque about the axis, of spatial scenes.
+    Torque,
 }
 
 impl OfSection {
     /// All, each with its word.
-    pub const ALL: [(&'static str, Self); 4] = OF_SECTION;
+    pub const ALL: [(&'static str, Self); 7] = OF_SECTION;
+
+    /// Those of a scene of this kind.
+    pub fn of(kind: Kind) -> impl Iterator<Item = (&'static str, Self)> {
+        OF_SECTION.into_iter().filter(move |(_, what)| kind == Kind::Spatial || !what.is_spatial())
+    }
+
+    /// Whether only girders in space have it.
+    pub const fn is_spatial(self) -> bool {
+        matches!(self, Self::VerticalShear | Self::VerticalMoment | Self::Torque)
+    }
 
     /// What it is, with its sign, for titles and legends.
     pub const fn label(self) -> &'static str {
@@ -26,14 +43,17 @@ impl OfSection {
             Self::Shear => "shear force Q",
             Self::Moment => "bending moment M, + compresses the +y edge",
             Self::Stress => "stress of the extreme fibre",
+            Self::VerticalShear => "vertical shear force Q_z",
+            Self::VerticalMoment => "vertical bending moment M_y, + stretches the upper side",
+            Self::Torque => "torque T",
         }
     }
 
     /// The unit that it is shown in, and SI units in one of it.
     pub const fn unit(self) -> (&'static str, f64) {
         match self {
-            Self::Axial | Self::Shear => ("MN", 1e6),
-            Self::Moment => ("MN·m", 1e6),
+            Self::Axial | Self::Shear | Self::VerticalShear => ("MN", 1e6),
+            Self::Moment | Self::VerticalMoment | Self::Torque => ("MN·m", 1e6),
             Self::Stress => ("MPa", 1e6),
         }
     }
@@ -44,11 +64,14 @@ impl OfSection {
     }
 }
 
-const OF_SECTION: [(&str, OfSection); 4] = [
+const OF_SECTION: [(&str, OfSection); 7] = [
     ("axial", OfSection::Axial),
     ("shear", OfSection::Shear),
     ("moment", OfSection::Moment),
     ("stress", OfSection::Stress),
+    ("shear_z", OfSection::VerticalShear),
+    ("moment_y", OfSection::VerticalMoment),
+    ("torque", OfSection::Torque),
 ];
 /// Stations with a name, in parts of half the length: the ends, the quarters, mid-span.
 pub(super) const STATIONS: [(&str, f64); 5] =
@@ -59,8 +82,10 @@ pub(super) fn named(history: &History, girder: usize) -> Vec<(String, usize, OfS
     if history.flexible(girder).is_none() {
         return Vec::new();
     }
-    let at =
-        |(station, (at, _)): (usize, (&str, f64))| OF_SECTION.map(|(of, what)| (format!("{of}_{at}"), station, what));
+    let kind = history.model().kind;
+    let at = |(station, (at, _)): (usize, (&'static str, f64))| {
+        OfSection::of(kind).map(move |(of, what)| (format!("{of}_{at}"), station, what))
+    };
     STATIONS.into_iter().enumerate().flat_map(at).collect()
 }
 

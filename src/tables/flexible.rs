@@ -2,6 +2,7 @@
 
 use serde::Serialize;
 
+use crate::dynamics::model::elastic_body::ElasticBody;
 use crate::sim::{ElasticHit, FlexibleReading, History, NEGLIGIBLE, Neglected};
 
 /// An elastic girder in short, SI.
@@ -37,6 +38,12 @@ pub struct FlexibleRun {
     pub axial: [f64; 2],
     /// Largest |M| at mid-span \[N·m\], and when \[s\].
     pub moment: [f64; 2],
+    /// Largest |`M_y`| at mid-span \[N·m\], and when \[s\]; of a girder in space.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub vertical_moment: Option<[f64; 2]>,
+    /// Largest |T| at mid-span \[N·m\], and when \[s\]; of a girder in space.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub torque: Option<[f64; 2]>,
     /// Largest stress of the extreme fibre \[Pa\], when \[s\], and at which station \[m\].
     pub stress: [f64; 3],
     /// Its strength, where the scene gives one \[Pa\].
@@ -65,8 +72,8 @@ pub(super) fn of(history: &History) -> Vec<FlexibleReport> {
             kappa: flexible.softness.kappa,
             kappa_e: flexible.softness.end,
             tol_flex: flexible.tolerance,
-            degree: made.map_or(0, |made| made.modes.degree),
-            modes: made.map_or(0, |made| made.count()),
+            degree: made.map_or(0, ElasticBody::degree),
+            modes: made.map_or(0, ElasticBody::count),
             frequencies: reading.map_or(Vec::new(), |reading| reading.frequencies.iter().map(hertz).collect()),
             transit_time: flexible.beam.transit_time(),
             run: reading.map(|reading| run(history, reading)),
@@ -82,6 +89,8 @@ fn run(history: &History, reading: &FlexibleReading) -> FlexibleRun {
         hit: reading.hit,
         axial: [reading.axial.value, reading.axial.t],
         moment: [reading.moment.value, reading.moment.t],
+        vertical_moment: reading.in_space.map(|[moment, _]| [moment.value, moment.t]),
+        torque: reading.in_space.map(|[_, torque]| [torque.value, torque.t]),
         stress: [reading.stress.value, reading.stress.t, reading.stressed_at],
         strength,
         strength_passed: strength.is_some_and(|strength| reading.stress.value > strength),

@@ -3,8 +3,9 @@
 //! An end that faces something is drawn where it is, so that no gap seems to close that is open: what is drawn larger is the
 //! deformation relative to such ends.
 
-use glam::DVec3;
+use glam::{DVec2, DVec3};
 
+use crate::dynamics::elastic::Fields;
 use crate::geometry::End;
 use crate::scene::facing::Side;
 use crate::sim::{History, OfSection, SectionField};
@@ -77,7 +78,7 @@ fn largest_part(history: &History, girder: usize) -> f64 {
             let shape = Shape::of(history, girder, fixed, t);
             for k in 0..STATIONS {
                 let s = length * (k as f64 / (STATIONS - 1) as f64 - 0.5);
-                most = most.max(shape.beyond(history, s).truncate().length());
+                most = most.max(shape.beyond(history, s).moved.length());
             }
         }
     }
@@ -103,8 +104,8 @@ pub(super) struct Shape {
     t: f64,
     /// Of the girder \[m\].
     pub(super) length: f64,
-    /// u, v, φ of the ends.
-    ends: [DVec3; 2],
+    /// Motion of the ends.
+    ends: [Fields; 2],
     fixed: [bool; 2],
 }
 
@@ -117,11 +118,11 @@ impl Shape {
 
     /// What is not drawn larger at a station: the motion of the end that faces something as a rigid body; of both, the cubic between
     /// them; of none, nothing.
-    fn carried(&self, s: f64) -> DVec3 {
-        let with = |end: DVec3, from: f64| DVec3::new(end.x, end.y + end.z * (s - from), end.z);
+    fn carried(&self, s: f64) -> Fields {
+        let with = |end: Fields, from: f64| Fields { moved: end.displacement(DVec3::X * (s - from)), ..end };
         let half = 0.5 * self.length;
         match self.fixed {
-            [false, false] => DVec3::ZERO,
+            [false, false] => Fields::default(),
             [true, false] => with(self.ends[0], -half),
             [false, true] => with(self.ends[1], half),
             [true, true] => cubic(self.ends, self.length, s / self.length + 0.5),
@@ -129,25 +130,32 @@ impl Shape {
     }
 
     /// What is.
-    fn beyond(&self, history: &History, s: f64) -> DVec3 {
-        history.deformation(self.girder, s, self.t) - self.carried(s)
+    fn beyond(&self, history: &History, s: f64) -> Fields {
+        history.deformation(self.girder, s, self.t) + self.carried(s) * -1.0
     }
 
     /// What is drawn.
-    pub(super) fn drawn(&self, history: &History, s: f64, factor: f64) -> DVec3 {
-        self.carried(s) + factor * self.beyond(history, s)
+    pub(super) fn drawn(&self, history: &History, s: f64, factor: f64) -> Fields {
+        self.carried(s) + self.beyond(history, s) * factor
     }
 }
 
-/// u linear, v the cubic of Hermite with the ends' turns as slopes, φ its slope; x from 0 to 1.
-fn cubic([a, b]: [DVec3; 2], length: f64, x: f64) -> DVec3 {
+/// u and ψ linear, v and w the cubic of Hermite with the ends' turns `φ_z` and `−φ_y` as slopes, φ its slope; x from 0 to 1.
+fn cubic([a, b]: [Fields; 2], length: f64, x: f64) -> Fields {
     let (x2, x3) = (x * x, x * x * x);
-    let v = a.y * (1.0 - 3.0 * x2 + 2.0 * x3)
-        + b.y * (3.0 * x2 - 2.0 * x3)
-        + length * (a.z * (x - 2.0 * x2 + x3) + b.z * (x3 - x2));
-    let slope =
-        (b.y - a.y) * (6.0 * x - 6.0 * x2) / length + a.z * (1.0 - 4.0 * x + 3.0 * x2) + b.z * (3.0 * x2 - 2.0 * x);
-    DVec3::new(a.x + (b.x - a.x) * x, v, slope)
+    let [[from, slope], [to, slope_to]] =
+        [a, b].map(|end| [DVec2::new(end.moved.y, end.moved.z), DVec2::new(end.turned.z, -end.turned.y)]);
+    let across = from * (1.0 - 3.0 * x2 + 2.0 * x3)
+        + to * (3.0 * x2 - 2.0 * x3)
+        + length * (slope * (x - 2.0 * x2 + x3) + slope_to * (x3 - x2));
+    let slope = (to - from) * (6.0 * x - 6.0 * x2) / length
+        + slope * (1.0 - 4.0 * x + 3.0 * x2)
+        + slope_to * (3.0 * x2 - 2.0 * x);
+    let linear = |a: f64, b: f64| a + (b - a) * x;
+    Fields {
+        moved: DVec3::new(linear(a.moved.x, b.moved.x), across.x, across.y),
+        turned: DVec3::new(linear(a.turned.x, b.turned.x), -slope.y, slope.x),
+    }
 }
 
 #[cfg(test)]
@@ -156,11 +164,15 @@ mod tests {
 
     #[test]
     fn the_cubic_keeps_places_and_turns_of_both_ends() {
-        let ends = [DVec3::new(0.1, 0.2, 0.03), DVec3::new(-0.1, 0.5, -0.02)];
+        let end = |moved: [f64; 3], turned: [f64; 3]| Fields { moved: moved.into(), turned: turned.into() };
+        let ends = [end([0.1, 0.2, -0.3], [0.01, 0.02, 0.03]), end([-0.1, 0.5, 0.1], [0.0, 0.04, -0.02])];
         assert_eq!(cubic(ends, 30.0, 0.0), ends[0]);
-        assert!((cubic(ends, 30.0, 1.0) - ends[1]).length() < 1e-15);
-        let [before, after] = [0.4999, 0.5001].map(|x| cubic(ends, 30.0, x).y);
-        assert!(((after - before) / (30.0 * 0.0002) - cubic(ends, 30.0, 0.5).z).abs() < 1e-8, "φ is the slope of v");
+        let away = cubic(ends, 30.0, 1.0) + ends[1] * -1.0;
+        assert!(away.moved.length() + away.turned.length() < 1e-15);
+        let [before, after] = [0.4999, 0.5001].map(|x| cubic(ends, 30.0, x).moved);
+        let (slope, turned) = ((after - before) / (30.0 * 0.0002), cubic(ends, 30.0, 0.5).turned);
+        assert!((slope.y - turned.z).abs() < 1e-8, "φ_z is the slope of v");
+        assert!((slope.z + turned.y).abs() < 1e-8, "φ_y is that of w, downwards");
     }
 
     #[test]

@@ -1,11 +1,12 @@
 //! Girders that bend, drawn in slices as they are bent, coloured by a section force.
 
-use glam::{DVec2, DVec3};
+use glam::DVec3;
 
 use super::ViewInput;
 use super::bending::{Bent, Shape, ends_that_face};
 use super::list::{Line, Rgba, Solid};
 use super::palette::{NEGATIVE, NEUTRAL, POSITIVE, Palette, SELECTED};
+use crate::dynamics::elastic::Fields;
 use crate::scene::Girder;
 use crate::sim::{History, Motion};
 
@@ -30,22 +31,22 @@ pub(super) fn slices(
     let _ = history.flexible(number)?;
     let t = if input.t.is_finite() { input.t.clamp(0.0, history.end()) } else { 0.0 };
     let shape = Shape::of(history, number, ends_that_face(history, number), t);
-    let rims: Vec<[DVec3; 2]> = (0..=SLICES)
+    let rims: Vec<Rim> = (0..=SLICES)
         .map(|i| {
             let s = shape.length * (i as f64 / SLICES as f64 - 0.5);
-            rim(girder, motion, s, shape.drawn(history, s, bent.factor))
+            Rim::of(girder, motion, s, shape.drawn(history, s, bent.factor))
         })
         .collect();
     let colors = colors(history, number, (t, shape.length), bent, palette);
-    let up = motion.attitude * DVec3::Z * girder.thickness;
-    let solid = |(i, ends): (usize, &[[DVec3; 2]])| {
-        let [[a, b], [d, c]] = [ends[0], ends[1]];
+    let solid = |(i, ends): (usize, &[Rim])| {
+        let [[a, b], [d, c]] = [ends[0].lower, ends[1].lower];
+        let up = ends[0].up.midpoint(ends[1].up);
         // The underside, seen from below.
         let face = [a, b, c, d].map(DVec3::as_vec3);
         Solid { name: girder.name.clone(), face, sweep: up.as_vec3(), color: colors[i] }
     };
     let solids = rims.windows(2).enumerate().map(solid).collect();
-    let lines = outline(&rims, up);
+    let lines = outline(&rims);
     let line = |group, width: f32, color| {
         let width = width * input.pixels_per_point;
         move |[from, to]: &[DVec3; 2]| Line { group, from: from.as_vec3(), to: to.as_vec3(), width, color }
@@ -55,25 +56,39 @@ pub(super) fn slices(
     Some(Slices { solids, edges, outline })
 }
 
-/// The lower corners of a section that is displaced by (u, v, φ): of the −y edge, of the +y edge \[m\].
-fn rim(girder: &Girder, motion: &Motion, s: f64, moved: DVec3) -> [DVec3; 2] {
-    let prism = girder.prism();
-    [-0.5, 0.5].map(|part| {
-        let offset = DVec2::new(part * prism.width * prism.shear(), part * prism.width);
-        let place = DVec2::new(s, 0.0) + offset + moved.truncate() + offset.perp() * moved.z;
-        motion.place + motion.attitude * place.extend(-0.5 * girder.thickness)
-    })
+/// A section as it is drawn.
+#[derive(Clone, Copy)]
+struct Rim {
+    /// Lower corners, of the −y edge, of the +y edge \[m\].
+    lower: [DVec3; 2],
+    /// From these to the upper ones \[m\].
+    up: DVec3,
+}
+
+impl Rim {
+    /// The section at s, moved.
+    fn of(girder: &Girder, motion: &Motion, s: f64, moved: Fields) -> Self {
+        let prism = girder.prism();
+        let lower = [-0.5, 0.5].map(|part| {
+            let across = part * prism.width;
+            let offset = DVec3::new(across * prism.shear(), across, -0.5 * girder.thickness);
+            motion.place + motion.attitude * (DVec3::X * s + offset + moved.displacement(offset))
+        });
+        let up = DVec3::Z * girder.thickness;
+        Self { lower, up: motion.attitude * (up + moved.turned.cross(up)) }
+    }
 }
 
 /// Edges along the girder and around its ends.
-fn outline(rims: &[[DVec3; 2]], up: DVec3) -> Vec<[DVec3; 2]> {
+fn outline(rims: &[Rim]) -> Vec<[DVec3; 2]> {
     let mut lines = Vec::new();
     for ends in rims.windows(2) {
-        for (from, to) in ends[0].into_iter().zip(ends[1]) {
-            lines.extend([DVec3::ZERO, up].map(|above| [from + above, to + above]));
+        let [near, far] = [ends[0], ends[1]];
+        for (from, to) in near.lower.into_iter().zip(far.lower) {
+            lines.extend([[from, to], [from + near.up, to + far.up]]);
         }
     }
-    for [a, b] in [rims.first(), rims.last()].into_iter().flatten().copied() {
+    for Rim { lower: [a, b], up } in [rims.first(), rims.last()].into_iter().flatten().copied() {
         lines.extend([[a, b], [a + up, b + up], [a, a + up], [b, b + up]]);
     }
     lines

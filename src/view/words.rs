@@ -32,6 +32,9 @@ pub fn section_force(force: OfSection) -> Text {
         OfSection::Shear => Text::new("section-shear"),
         OfSection::Moment => Text::new("section-moment"),
         OfSection::Stress => Text::new("section-stress"),
+        OfSection::VerticalShear => Text::new("section-vertical-shear"),
+        OfSection::VerticalMoment => Text::new("section-vertical-moment"),
+        OfSection::Torque => Text::new("section-torque"),
     }
 }
 

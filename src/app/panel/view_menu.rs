@@ -8,6 +8,7 @@ use crate::app::field::slider_row;
 use crate::app::style::size::SCALES;
 use crate::app::text;
 use crate::language::Language;
+use crate::scene::Kind;
 use crate::sim::OfSection;
 use crate::view::{Bending, section_force};
 
@@ -18,7 +19,7 @@ pub(in crate::app) fn menu(ui: &mut Ui, sight: Sight, document: &Document, out: 
     ui.checkbox(&mut new.section, text::GAP_SECTION);
     ui.checkbox(&mut new.lecture, text::LECTURE);
     ui.separator();
-    bending(ui, &mut new.bent);
+    bending(ui, &mut new.bent, document.scene().kind);
     ui.separator();
     ui.label(text::FOLLOW);
     let girder = document.girder_shown();
@@ -51,14 +52,14 @@ pub(in crate::app) fn menu(ui: &mut Ui, sight: Sight, document: &Document, out: 
 }
 
 /// How girders that bend are drawn: as rigid ones, or bent, plain or coloured by a section force.
-fn bending(ui: &mut Ui, bent: &mut Option<Bending>) {
+fn bending(ui: &mut Ui, bent: &mut Option<Bending>, kind: Kind) {
     let mut on = bent.is_some();
     if ui.checkbox(&mut on, text::BENT).changed() {
         *bent = on.then(Bending::default);
     }
     if let Some(bending) = bent {
         ui.radio_value(&mut bending.force, None, text::BENT_PLAIN);
-        for (_, force) in OfSection::ALL {
+        for (_, force) in OfSection::of(kind) {
             ui.radio_value(&mut bending.force, Some(force), section_force(force).as_str());
         }
     }

@@ -21,10 +21,11 @@ fn text(body: &Body, flexible: &Flexible) -> String {
     let degree = match &flexible.girder {
         None => said!("check-flexible-rigid", "tol" => format!("{:e}", flexible.tolerance)),
         Some(made) => {
-            let first: Vec<String> = made.modes.frequencies().take(LISTED).map(|omega| six(omega / TAU)).collect();
+            let first: Vec<String> =
+                made.frequencies().into_iter().take(LISTED).map(|omega| six(omega / TAU)).collect();
             said!(
                 "check-flexible-degree",
-                "degree" => made.modes.degree,
+                "degree" => made.degree(),
                 "count" => made.count(),
                 "frequencies" => first.join(", ")
             )
@@ -35,8 +36,18 @@ fn text(body: &Body, flexible: &Flexible) -> String {
     } else {
         String::new()
     };
+    let in_space = flexible.space.map_or_else(String::new, |_| {
+        let text = said!(
+            "check-flexible-space",
+            "second" => six(section.second_moment_vertical),
+            "constant" => six(section.torsion_constant),
+            "bending" => six(section.vertical_bending),
+            "torsion" => six(section.torsion)
+        );
+        format!("\n  {text}")
+    });
     format!(
-        "{}\n  {}\n",
+        "{}{in_space}\n  {}\n",
         said!(
             "check-flexible",
             "name" => body.name.as_str(),

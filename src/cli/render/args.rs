@@ -7,7 +7,7 @@ use super::mark_args::{MarkArgs, PAPERS_CAMERA};
 use crate::cli::args::{SceneArgs, Threads, not_negative, positive};
 use crate::cli::failure::Failure;
 use crate::cli::limits::after_end;
-use crate::cli::waves::section_force;
+use crate::cli::waves::{known_in, section_force};
 use crate::files;
 use crate::language::{Text, said};
 use crate::scene::{Layer, Scene, ViewPreset};
@@ -72,7 +72,8 @@ pub(crate) struct RenderArgs {
     /// Draw girders that bend as they are bent, so many times larger; `auto` draws the largest deflection as 3 % of the length
     #[arg(long, value_name = "FACTOR|auto", value_parser = bending_factor, allow_negative_numbers = true)]
     bent: Option<BendingFactor>,
-    /// Colour them by a section force: axial (N), shear (Q), moment (M), stress of the extreme fibre
+    /// Colour them by a section force: axial (N), shear (Q), moment (M), stress of the extreme fibre; in space `shear_z`, `moment_y`,
+    /// torque, too
     #[arg(long, value_name = "FORCE", value_parser = section_force(), requires = "bent")]
     force: Option<OfSection>,
     /// Title; the scene's name when left out
@@ -105,6 +106,14 @@ impl RenderArgs {
             bent: self.bent.map(|factor| Bending { factor: factor.0, force: self.force }),
             marks: self.marks.diameter(scene),
         }
+    }
+
+    /// The section force that colours girders.
+    ///
+    /// # Errors
+    /// One that the scene's girders have not.
+    pub(super) fn force_of(&self, scene: &Scene) -> Result<Option<OfSection>, Failure> {
+        self.force.map(|force| known_in(force, scene.kind).map(|()| force)).transpose()
     }
 
     /// Width and height \[pixels\].

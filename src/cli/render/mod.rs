@@ -26,6 +26,7 @@ use args::{Wanted, reaches};
 pub(super) fn run(args: &RenderArgs, console: &mut Console) -> Result<(), Failure> {
     let scene = args.scene.load()?;
     args.check_out()?;
+    args.force_of(&scene)?;
     args.threads.start()?;
     // Before the run, so that a machine that cannot draw says so at once.
     let mut studio = Studio::open(args.quality.quality()).map_err(Failure::from)?;

@@ -5,12 +5,12 @@ use std::ops::{Add, AddAssign, Mul};
 
 use glam::{DMat3, DVec3};
 
-/// Displacement and turn of a section: u, v, w and ψ, φ_y, φ_z.
+/// Displacement and turn of a section: u, v, w and ψ, `φ_y`, `φ_z`.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
 pub struct Fields {
     /// (u, v, w), of its centre.
     pub moved: DVec3,
-    /// (ψ, φ_y, φ_z), the small rotation vector.
+    /// (ψ, `φ_y`, `φ_z`), the small rotation vector.
     pub turned: DVec3,
 }
 

@@ -9,7 +9,7 @@ use super::beam::Beam;
 pub struct SpaceBeam {
     /// Length, mass, and its stiffness along the axis and in plan.
     pub plan: Beam,
-    /// J, rotary inertia of a section per mass \[m²\]: of the offsets `(Y cot β, Y, Z)`, so that ψ and φ_y are coupled where the
+    /// J, rotary inertia of a section per mass \[m²\]: of the offsets `(Y cot β, Y, Z)`, so that ψ and `φ_y` are coupled where the
     /// sections are oblique.
     pub rotary: DMat3,
     /// `E I_y` \[N·m²\].

@@ -14,7 +14,7 @@ use super::space_beam::SpaceBeam;
 pub struct SpaceModes {
     /// The beam.
     pub beam: SpaceBeam,
-    /// Degree n of the polynomials of u, v, w and ψ; φ_y and φ_z have one less.
+    /// Degree n of the polynomials of u, v, w and ψ; `φ_y` and `φ_z` have one less.
     pub degree: usize,
     all: Vec<Mode>,
 }
@@ -31,7 +31,7 @@ struct Mode {
 enum Field {
     /// w, upwards.
     Up,
-    /// φ_y, about the axis across.
+    /// `φ_y`, about the axis across.
     Pitch,
     /// ψ, about the axis along.
     Roll,
@@ -94,8 +94,8 @@ impl SpaceModes {
     }
 }
 
-/// The space of w, φ_y and ψ without rigid motions, in parts that neither mass nor stiffness couples: w by the parity of its polynomials
-/// with those of φ_y that are its derivatives; ψ with the φ_y of its own parity, or alone where the sections are square to the axis.
+/// The space of w, `φ_y` and ψ without rigid motions, in parts that neither mass nor stiffness couples: w by the parity of its polynomials
+/// with those of `φ_y` that are its derivatives; ψ with the `φ_y` of its own parity, or alone where the sections are square to the axis.
 fn blocks(beam: &SpaceBeam, n: usize) -> Vec<Vec<Shape>> {
     let one = |field: Field, k: usize| vec![(field, k, 1.0)];
     let coupling = beam.rotary.x_axis.y;
@@ -116,7 +116,7 @@ fn blocks(beam: &SpaceBeam, n: usize) -> Vec<Vec<Shape>> {
     blocks
 }
 
-/// Mean axes: of ψ₀, φ_y0 and w₁ only what has no moment of momentum about the axis (roll ψ = 1) nor across it (pitch φ_y = 1, w = −s).
+/// Mean axes: of ψ₀, `φ_y0` and `w₁` only what has no moment of momentum about the axis (roll ψ = 1) nor across it (pitch `φ_y` = 1, w = −s).
 fn slant(beam: &SpaceBeam) -> Shape {
     let DMat3 { x_axis, y_axis, .. } = beam.rotary;
     let sixth = beam.plan.length / 6.0;
@@ -140,7 +140,7 @@ fn solve(beam: &SpaceBeam, n: usize, block: &[Shape]) -> Vec<Mode> {
         DMatrix::from_fn(block.len(), block.len(), |i, j| of(i, j) / (root[i] * root[j]))
     };
     let stiff = scaled(&|i, j| sum(i, j, &|one, other| stiffness(beam, one, other)));
-    // The mass of a body of some extent is positive; only one of no thickness at all is not.
+    // The coupling of sections thinner than 1e-8 of their width, which rounding makes indefinite, is left out.
     let lower = scaled(&mass).cholesky().map_or_else(|| DMatrix::identity(block.len(), block.len()), |c| c.l());
     let half = lower.solve_lower_triangular(&stiff).unwrap_or_else(|| stiff.clone());
     let reduced = lower.solve_lower_triangular(&half.transpose()).unwrap_or(half);

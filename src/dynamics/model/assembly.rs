@@ -248,7 +248,11 @@ fn pair(
     });
     let numbers = &facing.contact;
     let flat = |side: Option<usize>| {
-        side.is_none_or(|b| bodies[b].free[2..5] == [false; 3] && bodies[b].start[3..5] == [0.0; 2])
+        // The ends of a girder that bends move and turn upwards although its mean axes are held flat.
+        side.is_none_or(|b| {
+            let body = &bodies[b];
+            body.free[2..5] == [false; 3] && body.start[3..5] == [0.0; 2] && body.sections() == 1
+        })
     };
     let one_way = vertical && (kind == Kind::Planar || sides.into_iter().all(flat));
     let law = law_of_pair(&numbers.law(facing.mass, one_way));

@@ -2,13 +2,15 @@
 
 use std::sync::Arc;
 
-use glam::DVec2;
+use glam::{DVec2, DVec3};
 
 use crate::dynamics::connection::Phase;
 use crate::dynamics::devices::laws;
-use crate::dynamics::elastic::{Beam, Modes, Softness, automatic_degree};
-use crate::dynamics::model::body::{Body, BodyCoordinates};
+use crate::dynamics::elastic::{Beam, Modes, Softness, SpaceBeam, SpaceModes, automatic_degree};
+use crate::dynamics::model::body::Body;
 use crate::dynamics::model::coordinates::elastic::{ElasticGirder, ModalDamping};
+use crate::dynamics::model::coordinates::elastic_space::SpatialElasticGirder;
+use crate::dynamics::model::elastic_body::ElasticBody;
 use crate::geometry::Prism;
 use crate::scene::device::{DeviceId, Joint, Part};
 use crate::scene::facing::Facing;
@@ -17,8 +19,10 @@ use crate::scene::{Elastic, Girder, Kind, ResolvedBearing, ResolvedElastic, Scen
 /// What is known of a girder that the scene calls elastic.
 #[derive(Clone, Debug)]
 pub struct Flexible {
-    /// Its beam.
+    /// Its beam, along the axis and in plan.
     pub beam: Beam,
+    /// The same with vertical bending and torsion, in a spatial scene.
+    pub space: Option<SpaceBeam>,
     /// Section and moduli.
     pub section: ResolvedElastic,
     /// How soft it is against the stiffest of its contacts and devices, or of its bearings where it has neither.
@@ -26,7 +30,7 @@ pub struct Flexible {
     /// `κ_e` below which it is taken as rigid.
     pub tolerance: f64,
     /// Its degrees of freedom; nothing where it is as good as rigid.
-    pub girder: Option<Arc<ElasticGirder>>,
+    pub girder: Option<ElasticBody>,
 }
 
 /// Beam of a girder of that section.
@@ -43,38 +47,63 @@ pub fn beam(girder: &Girder, section: &ResolvedElastic) -> Beam {
     }
 }
 
-/// Gives the elastic girders of a planar scene their degrees of freedom; for each girder what is known of it.
+/// The same in space.
+fn space_beam(girder: &Girder, section: &ResolvedElastic) -> SpaceBeam {
+    SpaceBeam {
+        plan: beam(girder, section),
+        rotary: SpaceBeam::rotary_of(girder.width, girder.thickness, girder.prism().shear()),
+        bending: section.vertical_bending,
+        // k_s of a rectangle is the same both ways.
+        shear: section.shear,
+        torsion: section.torsion,
+    }
+}
+
+/// Gives the elastic girders of a scene their degrees of freedom; for each girder what is known of it.
 pub(super) fn add(scene: &Scene, facings: &[Facing], bodies: &mut [Body]) -> Vec<Option<Flexible>> {
-    let planar = scene.kind == Kind::Planar;
     let girders = scene.girders.iter().enumerate();
-    girders
-        .map(|(n, girder)| girder.elastic.filter(|_| planar).map(|e| one(scene, &e, (n, facings), &mut bodies[n])))
-        .collect()
+    girders.map(|(n, girder)| girder.elastic.map(|e| one(scene, &e, (n, facings), &mut bodies[n]))).collect()
 }
 
 fn one(scene: &Scene, elastic: &Elastic, (number, facings): (usize, &[Facing]), body: &mut Body) -> Flexible {
     let girder = &scene.girders[number];
     let section = elastic.resolve(girder);
     let beam = beam(girder, &section);
+    let space = (scene.kind == Kind::Spatial).then(|| space_beam(girder, &section));
     let of_contacts = facings.iter().filter(|facing| !facing.met);
     let of_contacts = of_contacts.filter(|f| [f.first, f.second].into_iter().any(|side| side.girder() == Some(number)));
     let stiffest = of_contacts.map(|facing| facing.contact.stiffness).fold(of_devices(scene, number, &beam), f64::max);
     let stiffness = if stiffest > 0.0 { stiffest } else { of_bearings(scene, girder, &beam) };
     let half = 0.5 * girder.width;
     let corner = |y: f64| DVec2::new(y * body.prism.shear(), y);
-    let softness = Softness::of(&beam, stiffness, &[corner(half), corner(-half)]);
+    let softness = space.as_ref().map_or_else(
+        || Softness::of(&beam, stiffness, &[corner(half), corner(-half)]),
+        |space| Softness::in_space(space, stiffness, &corners_in_space(girder)),
+    );
     let degree = section.degree.or_else(|| automatic_degree(&softness, elastic.tolerance));
     let damping = section.damping.map_or_else(
         |rayleigh| ModalDamping::Rayleigh { mass: rayleigh.mass, stiffness: rayleigh.stiffness },
         ModalDamping::Ratio,
     );
-    let made = degree.map(|degree| Arc::new(ElasticGirder::new(body, Modes::of(beam, degree), damping)));
+    let made = degree.map(|degree| match space {
+        None => ElasticBody::Plan(Arc::new(ElasticGirder::new(body, Modes::of(beam, degree), damping))),
+        Some(space) => {
+            ElasticBody::Space(Arc::new(SpatialElasticGirder::new(body, SpaceModes::of(space, degree), damping)))
+        }
+    });
     if let Some(made) = &made {
         body.rate_bounds.mobility = made.mobility();
         body.straight = [false; 2];
-        body.coordinates = BodyCoordinates::Custom(Arc::<ElasticGirder>::clone(made));
+        body.coordinates = made.coordinates();
     }
-    Flexible { beam, section, softness, tolerance: elastic.tolerance, girder: made }
+    Flexible { beam, space, section, softness, tolerance: elastic.tolerance, girder: made }
+}
+
+/// Offsets of an end's corners from its centre \[m\].
+fn corners_in_space(girder: &Girder) -> [DVec3; 4] {
+    let (half, cot) = (0.5 * girder.width, girder.prism().shear());
+    [[-1.0, -1.0], [1.0, -1.0], [1.0, 1.0], [-1.0, 1.0]]
+        .map(|[y, z]| DVec3::new(y * half * cot, y * half, 0.5 * z * girder.thickness))
 }
 
 /// Stiffness of the stiffest device at a girder \[N/m\].
@@ -93,9 +122,10 @@ fn of_devices(scene: &Scene, girder: usize, beam: &Beam) -> f64 {
 /// Stiffness of the stiffest bearing of a girder before it yields or slides \[N/m\].
 fn of_bearings(scene: &Scene, girder: &Girder, beam: &Beam) -> f64 {
     let of = |bearing: &ResolvedBearing| {
-        let [[along, across, _], [c_along, c_across, _]] = [bearing.stiffness, bearing.damping];
-        let spring = along.max(across) + bearing.yielding.map_or(0.0, |yielding| yielding.stiffness());
-        spring.max(of_dashpot(c_along.max(c_across), beam))
+        let [[along, across, up], [c_along, c_across, c_up]] = [bearing.stiffness, bearing.damping];
+        let upwards = |of: f64| if scene.kind == Kind::Spatial { of } else { 0.0 };
+        let spring = along.max(across).max(upwards(up)) + bearing.yielding.map_or(0.0, |yielding| yielding.stiffness());
+        spring.max(of_dashpot(c_along.max(c_across).max(upwards(c_up)), beam))
     };
     girder.supports(scene.setting()).iter().map(of).fold(0.0, f64::max)
 }

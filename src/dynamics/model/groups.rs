@@ -6,9 +6,7 @@ use glam::{DMat3, DVec3};
 
 use crate::dynamics::connection::{Anchor, Device, Kinematics, Link};
 use crate::dynamics::devices::{Law, laws};
-use crate::dynamics::model::body::BodyCoordinates;
 use crate::dynamics::model::compiled_model::{Model, ModelDevice};
-use crate::dynamics::model::coordinates::elastic::ElasticGirder;
 use crate::scene::device::Joint;
 use crate::scene::{Kind, Scene, StandsOn};
 
@@ -86,8 +84,8 @@ impl Model {
     fn section_of_link(&mut self, body: usize, arm: DVec3, kinematics: Kinematics) -> usize {
         let flexible = self.flexible.get_mut(body).and_then(Option::as_mut);
         let Some(girder) = flexible.and_then(|flexible| flexible.girder.as_mut()) else { return 0 };
-        let section = Arc::make_mut(girder).section_of_link(arm, kinematics);
-        self.bodies[body].coordinates = BodyCoordinates::Custom(Arc::<ElasticGirder>::clone(girder));
+        let section = girder.section_of_link(arm, kinematics);
+        self.bodies[body].coordinates = girder.coordinates();
         section
     }
 

@@ -10,6 +10,7 @@ pub(in crate::dynamics) mod contact_sites;
 pub mod coordinates;
 pub mod edge_node;
 mod edge_sites;
+pub mod elastic_body;
 pub mod face_choice;
 pub mod flexible;
 mod foundation;

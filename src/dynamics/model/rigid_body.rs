@@ -19,7 +19,18 @@ pub(in crate::dynamics) fn accelerations(body: &Body, here: &Frame, contact: &Wr
     if body.moment.truncate() != DVec2::ZERO {
         wrench.moment += body.moment.with_z(0.0);
     }
-    [wrench.force / body.mass - ground, spin_rate(body, here, wrench.moment)]
+    newton_euler(body, here, &wrench, ground)
+}
+
+/// The same by all that acts on the body.
+#[inline]
+pub(in crate::dynamics) fn newton_euler(body: &Body, here: &Frame, all: &Wrench, ground: DVec3) -> [DVec3; 2] {
+    [all.force / body.mass - ground, spin_rate(body, here, all.moment)]
+}
+
+/// What the preloads of a rigid body's bearings and its weight leave.
+pub(in crate::dynamics) fn standing(body: &Body, here: &Frame) -> Wrench {
+    Wrench { force: DVec3::Z * body.standing.left, moment: first_moment(body, here).cross(DVec3::Z) }
 }
 
 /// `Σ f l` of the preloads where the body is now, in the world: across the upward vertical it is their moment \[N·m\].
@@ -134,9 +145,14 @@ pub(in crate::dynamics) fn kinetic_energy(body: &Body, here: &Frame) -> f64 {
 
 /// Strain energy of the bearings \[J\]. The preloads are constant vertical forces; they pay for the weight \[N\].
 pub(in crate::dynamics) fn strain_energy(body: &Body, here: &Frame, weight: f64) -> f64 {
+    let stored: f64 = bearing_motions(body, here).map(|(b, motion, _)| b.stored_energy(&(), &motion)).sum();
+    stored - paid(body, here, weight)
+}
+
+/// Work of the preloads of a rigid body since it was placed \[J\].
+pub(in crate::dynamics) fn paid(body: &Body, here: &Frame, weight: f64) -> f64 {
     let turned = here.turned * (body.axes * body.standing.first_moment);
-    let paid = (weight + body.standing.left) * here.shift.z + turned.z;
-    bearing_motions(body, here).map(|(b, motion, _)| b.stored_energy(&(), &motion)).sum::<f64>() - paid
+    (weight + body.standing.left) * here.shift.z + turned.z
 }
 
 /// Power lost in the bearings \[W\].

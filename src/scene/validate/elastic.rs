@@ -1,18 +1,14 @@
 //! Numbers of an elastic girder.
 
 use super::complaints::At;
-use crate::language::Text;
 use crate::scene::keys;
 use crate::scene::{Girder, Kind};
 
 pub(super) fn check(girder: &Girder, kind: Kind, at: &mut At<'_>) {
     let Some(elastic) = &girder.elastic else { return };
-    if kind == Kind::Spatial {
-        let remedy = Text::new("wrong-elastic-in-space");
-        at.add("elastic", Text::new("found-elastic-in-space"), remedy);
-    }
     let mut at = at.below("elastic", keys::ELASTIC);
     at.all(elastic);
+    at.fits(elastic, kind);
     for (key, value, remedy) in elastic.faults(girder) {
         at.add(key, value, remedy);
     }

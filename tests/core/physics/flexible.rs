@@ -5,6 +5,8 @@ mod connections;
 mod invariants;
 mod reference;
 mod scenes;
+mod space;
+mod space_connections;
 
 use girderbench::scene::{Degree, Elastic, Scene, Sharing, ShearFactor, Tension};
 use girderbench::sim::History;

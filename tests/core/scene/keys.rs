@@ -432,7 +432,7 @@ fn a_planar_scene_refuses_every_key_of_space_and_a_spatial_one_has_it() {
             checked += 1;
         }
     }
-    assert_eq!(checked, 15, "keys of spatial scenes");
+    assert_eq!(checked, 17, "keys of spatial scenes");
 }
 
 /// Lines of the room of scenes, its tests left out, where a word stands.

@@ -61,6 +61,8 @@ fn number(girder: &Girder, elastic: &Elastic, key: &str) -> f64 {
         "area_m2" => section.area,
         "density_kg_m3" => girder.mass / (section.area * girder.length),
         "second_moment_m4" => section.second_moment,
+        "second_moment_vertical_m4" => section.second_moment_vertical,
+        "torsion_constant_m4" => section.torsion_constant,
         "damping_ratio" => section.damping.unwrap_or(0.0),
         // What a reader begins with where nothing is asked for.
         "modes" => 8.0,

@@ -47,11 +47,8 @@ pub(super) fn show(
         let look = Look { without: Without::Off(&some), ..look(Place { table: &seats, ..place }) };
         grid(ui, "seat", |ui| rows(ui, &look, &mut new.seat, &[]))
     });
-    // Rigid it is in space.
-    let bends = kind == Kind::Planar || girder.elastic.is_some();
-    let bends = bends
-        .then(|| section(ui, text::ELASTIC_SECTION.as_str(), false, |ui| elastic::show(ui, form, place, &mut new)));
-    let change = first.or(stands).or(more.flatten()).or(seat.flatten()).or(bends.flatten().flatten());
+    let bends = section(ui, text::ELASTIC_SECTION.as_str(), false, |ui| elastic::show(ui, form, place, &mut new));
+    let change = first.or(stands).or(more.flatten()).or(seat.flatten()).or(bends.flatten());
     push(change, out, || edits::girders_alike(form.scene, i, &new, selected));
 }
 

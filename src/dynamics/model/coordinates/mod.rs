@@ -4,11 +4,13 @@
 //! [`planar`] or [`spatial`]; those of another body are one file with an implementation of the trait.
 
 pub mod elastic;
+pub mod elastic_space;
 pub(in crate::dynamics) mod given_motion;
 pub(in crate::dynamics) mod guided;
 mod guided_flight;
 pub(in crate::dynamics) mod guided_on_ground;
 pub mod planar;
+pub mod section_forces;
 pub mod spatial;
 pub(in crate::dynamics) mod state_layout;
 

@@ -42,7 +42,8 @@ fn quaternion(state: &[f64]) -> DQuat {
     DQuat::from_slice(&state[TURN])
 }
 
-fn set_quaternion(state: &mut [f64], q: DQuat) {
+/// Writes a quaternion to a state or to the rate of one.
+pub(super) fn set_quaternion(state: &mut [f64], q: DQuat) {
     state[TURN].copy_from_slice(&q.to_array());
 }
 
@@ -54,11 +55,28 @@ pub fn slope(body: &Body, here: &Frame, state: &[f64], contact: &Wrench, ground:
         out[VELOCITY.start + i] = if body.free[i] { acceleration[i] } else { 0.0 };
         out[SPIN.start + i] = spin_rate[i];
     }
-    let w = here.spin;
-    let q = turn(state);
-    // q̇ = ½ ω q, ω in the world.
-    let rate = DQuat::from_xyzw(w.x, w.y, w.z, 0.0) * q * 0.5;
-    set_quaternion(out, rate);
+    set_quaternion(out, turn_rate(state, here.spin));
+}
+
+/// `q̇ = ½ ω q`, ω in the world.
+#[inline]
+pub(super) fn turn_rate(state: &[f64], w: DVec3) -> DQuat {
+    DQuat::from_xyzw(w.x, w.y, w.z, 0.0) * turn(state) * 0.5
+}
+
+/// Restores the length of the quaternion.
+pub(super) fn normalise_turn(state: &mut [f64]) {
+    let q = &mut state[TURN];
+    let length = square(q).sqrt();
+    for x in q {
+        *x /= length;
+    }
+}
+
+/// Adds to the quaternion what it gains in `dt` by the rate of the angular velocity.
+pub(super) fn bend_turn(state: &mut [f64], spin_rate: DVec3, dt: f64) {
+    let more = DQuat::from_vec4(spin_rate.extend(0.0)) * quaternion(state) * (0.25 * dt * dt);
+    state[TURN].iter_mut().zip(more.to_array()).for_each(|(component, more)| *component += more);
 }
 
 /// Horizontal part of a body's axis, along and across the axis as placed \[–\].
@@ -168,18 +186,12 @@ impl Coordinates for Spatial {
     }
 
     fn normalise(&self, state: &mut [f64]) {
-        let q = &mut state[TURN];
-        let length = square(q).sqrt();
-        for x in q {
-            *x /= length;
-        }
+        normalise_turn(state);
     }
 
     fn add_accelerations(&self, state: &mut [f64], slope: &[f64], dt: f64) {
         (0..3).for_each(|i| state[i] += 0.5 * dt * dt * slope[VELOCITY.start + i]);
-        let spin = DVec3::from_slice(&slope[SPIN]);
-        let more = DQuat::from_vec4(spin.extend(0.0)) * quaternion(state) * (0.25 * dt * dt);
-        state[TURN].iter_mut().zip(more.to_array()).for_each(|(component, more)| *component += more);
+        bend_turn(state, DVec3::from_slice(&slope[SPIN]), dt);
     }
 
     #[inline]

@@ -11,10 +11,10 @@ use crate::dynamics::model::linear_block::part::RIGID;
 
 /// Part of the distance of an end from G that the end's frame is taken to be displaced by at most, where bounds need it: far beyond what
 /// a linear beam stands for.
-pub(super) const DEFORMED: f64 = 0.1;
+pub(in crate::dynamics) const DEFORMED: f64 = 0.1;
 
 /// Stations that differ by less than this part of half the length are one \[–\]: rounding of places, far below what a beam tells apart.
-const SAME_STATION: f64 = 1e-12;
+pub(in crate::dynamics) const SAME_STATION: f64 = 1e-12;
 
 /// Damping of the elastic modes.
 #[derive(Clone, Copy, Debug, PartialEq)]

@@ -5,10 +5,10 @@
 //! balances to rounding. Against displacements linear in φ it differs by φ²/2 of an offset.
 
 mod bearings;
-mod girder;
+mod equilibrium;
+pub(super) mod girder;
 mod part;
-mod section;
-mod section_forces;
+pub(super) mod section;
 mod turn;
 
 use std::ops::Range;
@@ -34,7 +34,6 @@ pub(in crate::dynamics) use bearings::BearingAxis;
 use girder::DEFORMED;
 pub use girder::{ElasticGirder, ModalDamping};
 use section::{SectionFrame, Turns};
-pub use section_forces::{Equilibrium, SectionForces};
 use turn::{in_space, planar_turn};
 
 impl ElasticGirder {

@@ -11,7 +11,7 @@ use crate::dynamics::elastic::Modes;
 
 /// Station of the oblique section that carries a point \[m\], and the point's offset from its centre, girder axes \[m\]; points beyond the
 /// ends, at ±`half`, are carried by the end sections. `shear` is cot β.
-pub(super) fn station_and_offset(place: DVec2, shear: f64, half: f64) -> (f64, DVec2) {
+pub(in crate::dynamics) fn station_and_offset(place: DVec2, shear: f64, half: f64) -> (f64, DVec2) {
     let [oblique, across] = [place.x - place.y * shear, place.y * shear];
     let station = oblique.clamp(-half, half);
     (station, DVec2::new(across + (oblique - station), place.y))

@@ -1,0 +1,75 @@
+//! What acts on an elastic girder in plan, for its section forces, (F10).
+
+use glam::{DMat2, DMat3, DVec2, DVec3};
+
+use super::girder::ElasticGirder;
+use super::section::Turns;
+use crate::dynamics::elastic::Fields;
+use crate::dynamics::model::coordinates::section_forces::{Equilibrium, Load, SectionStiffness};
+use crate::dynamics::model::linear_block::part::RIGID;
+use crate::dynamics::model::wrench::Wrench;
+
+impl ElasticGirder {
+    /// What acts in a state since the girder was placed, under wrenches on its sections about the origins of their frames, and the
+    /// ground.
+    pub fn equilibrium(&self, state: &[f64], wrenches: &[Wrench], ground: DVec3) -> Equilibrium {
+        let (place, _) = self.halves(state);
+        let modal = self.accelerations(state, wrenches, ground).split_off(RIGID);
+        let mut loads = self.on_sections(state, wrenches);
+        loads.extend(self.on_bearings(state).map(|(axis, w, v)| {
+            let force = axis.along * -(axis.stiffness * w + axis.damping * v);
+            in_plan(axis.station, force, axis.offset.perp_dot(force))
+        }));
+        loads.push(in_plan(0.0, self.girder_axes(self.rigid.push.truncate()), self.rigid.moment.z));
+        // A load on G's own section stands for what no end carries.
+        let [force, moment] = Equilibrium::sum(&loads);
+        let rigid = Fields {
+            moved: force / self.rigid.mass,
+            turned: DVec3::Z * (moment.z / (self.rigid.mass * self.rigid.gyration2)),
+        };
+        let sums = |q: &[f64]| {
+            let mut sums = vec![Fields::default(); self.modes.degree + 1];
+            for (j, q) in q.iter().enumerate() {
+                sums.iter_mut().zip(self.modes.coefficients(j)).for_each(|(sum, c)| *sum += Fields::plane(*c * *q));
+            }
+            sums
+        };
+        let (fields, strained, beam) = (sums(&modal), sums(&place[RIGID..]), &self.modes.beam);
+        Equilibrium {
+            size: [beam.length, beam.mass],
+            rotary: DMat3::from_diagonal(DVec3::Z * beam.rotary),
+            stiffness: SectionStiffness {
+                forces: DVec3::new(beam.axial, beam.shear, 0.0),
+                moments: DVec3::Z * beam.bending,
+            },
+            loads,
+            rigid,
+            fields,
+            strained,
+        }
+    }
+
+    /// Loads of wrenches on the sections.
+    fn on_sections(&self, state: &[f64], wrenches: &[Wrench]) -> Vec<Load> {
+        let (place, rate) = self.halves(state);
+        let of = |(section, wrench): (usize, &Wrench)| {
+            let (force, moment) = (wrench.force.truncate(), wrench.moment.z);
+            let Some(end) = self.deforming(section) else {
+                let back = DMat2::from_angle(-place[2]) * force;
+                return in_plan(0.0, self.girder_axes(back), moment);
+            };
+            let turns = Turns::of(place[2], end.deformation(&place[RIGID..], &rate[RIGID..]).of.z);
+            let load = end.load(&turns, force, moment);
+            in_plan(end.station, self.girder_axes(load.force), load.moment)
+        };
+        wrenches.iter().enumerate().filter(|(_, w)| w.force != DVec3::ZERO || w.moment != DVec3::ZERO).map(of).collect()
+    }
+
+    fn girder_axes(&self, world: DVec2) -> DVec2 {
+        (self.rigid.axes.transpose() * world.extend(0.0)).truncate()
+    }
+}
+
+fn in_plan(station: f64, force: DVec2, moment: f64) -> Load {
+    Load { station, force: force.extend(0.0), moment: DVec3::Z * moment }
+}

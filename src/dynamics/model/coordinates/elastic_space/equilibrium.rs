@@ -1,0 +1,70 @@
+//! What acts on an elastic girder in space, for its section forces, (F10): those beyond the dead load's, whose shape is the zero of q.
+
+use glam::DVec3;
+
+use super::girder::SpatialElasticGirder;
+use crate::dynamics::elastic::Fields;
+use crate::dynamics::model::coordinates::section_forces::{Equilibrium, Load, SectionStiffness};
+use crate::dynamics::model::wrench::Wrench;
+
+impl SpatialElasticGirder {
+    /// What acts in a state since the girder was placed, under wrenches on its sections about the origins of their frames.
+    pub fn equilibrium(&self, state: &[f64], wrenches: &[Wrench]) -> Equilibrium {
+        let here = self.mean_axes(state);
+        let mut modal = vec![0.0; self.count()];
+        let _ = self.load(&here, state, wrenches, &mut modal);
+        let loads = self.loads(state, wrenches);
+        let [force, moment] = Equilibrium::sum(&loads);
+        // Beyond the dead load a weight acts by what the rotation changes of its direction, the same everywhere: it is in the sum.
+        let rigid = Fields { moved: force / self.rigid.mass, turned: self.rigid.inertia[1] * moment };
+        let sums = |q: &[f64]| {
+            let mut sums = vec![Fields::default(); self.modes.degree + 1];
+            for (j, q) in q.iter().enumerate() {
+                sums.iter_mut().zip(self.modes.coefficients(j)).for_each(|(sum, c)| *sum += *c * *q);
+            }
+            sums
+        };
+        let beam = &self.modes.beam;
+        Equilibrium {
+            size: [beam.plan.length, beam.plan.mass],
+            rotary: beam.rotary,
+            stiffness: SectionStiffness {
+                forces: DVec3::new(beam.plan.axial, beam.plan.shear, beam.shear),
+                moments: DVec3::new(beam.torsion, beam.bending, beam.plan.bending),
+            },
+            loads,
+            rigid,
+            fields: sums(&modal),
+            strained: sums(self.modal(state)[0]),
+        }
+    }
+
+    /// All loads, in girder axes, as the modes see them.
+    fn loads(&self, state: &[f64], wrenches: &[Wrench]) -> Vec<Load> {
+        let (here, modal) = (self.mean_axes(state), self.modal(state));
+        let girder_axes = |placed: DVec3| self.rigid.axes.mul_transpose_vec3(placed);
+        let load =
+            |station: f64, on: Fields| Load { station, force: girder_axes(on.moved), moment: girder_axes(on.turned) };
+        let mut loads = Vec::new();
+        let on_sections = wrenches.iter().enumerate().map(|(number, wrench)| (self.deforming(number), wrench));
+        let pushed = self.pushed.as_ref().map(|(section, push)| (Some(section), push));
+        for (section, wrench) in on_sections.chain(pushed) {
+            if wrench.force == DVec3::ZERO && wrench.moment == DVec3::ZERO {
+                continue;
+            }
+            if let Some(section) = section {
+                let turns = Self::turns(section, here.turned, modal);
+                loads.push(load(section.station, section.load(&turns, wrench.force, wrench.moment)));
+            } else {
+                let [moved, turned] = [wrench.force, wrench.moment].map(|v| v + here.turned.transpose() * v);
+                loads.push(load(0.0, Fields { moved, turned }));
+            }
+        }
+        for point in &self.bearings {
+            let now = point.now(&self.rigid.axes, &here, modal[0], modal[1]);
+            let force = girder_axes(point.back(&here.turned, now.force));
+            loads.push(Load { station: point.station, force, moment: point.offset.cross(force) });
+        }
+        loads
+    }
+}

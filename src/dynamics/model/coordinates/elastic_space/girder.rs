@@ -1,0 +1,173 @@
+//! An elastic girder in space, compiled: modes, sections, bearings (`docs/physics.md#flexible-girders`).
+
+use glam::{DMat3, DVec3};
+
+use super::bearings::BearingPoint;
+use super::section::{Section, Turns};
+use crate::dynamics::elastic::{Fields, SpaceModes};
+use crate::dynamics::model::body::Body;
+use crate::dynamics::model::coordinates::elastic::ModalDamping;
+use crate::dynamics::model::coordinates::elastic::girder::SAME_STATION;
+use crate::dynamics::model::coordinates::elastic::section::station_and_offset;
+use crate::dynamics::model::wrench::Wrench;
+
+/// Places of the mean axes that come before those of the modes: displacement and quaternion.
+pub(super) const PLACES: usize = 7;
+/// Their velocities.
+pub(super) const RATES: usize = 6;
+
+/// An elastic girder in space: displacement and quaternion of its mean axes, modal coordinates; velocity and angular velocity of the
+/// mean axes, rates of the modal coordinates. Sections: G, the −x end, the +x end, then those of its links.
+#[derive(Clone, Debug)]
+pub struct SpatialElasticGirder {
+    /// Its modes.
+    pub modes: SpaceModes,
+    /// Its damping.
+    pub damping: ModalDamping,
+    /// `ω_j²` \[1/s²\], and the dashpot `2 ζ ω_j` \[1/s\].
+    pub(super) springs: Vec<[f64; 2]>,
+    /// Sections that move against the mean axes: of the ends, −x first, then of links.
+    pub(super) deforming: Vec<Section>,
+    /// The section through G, and the given push on it; nothing without one.
+    pub(super) pushed: Option<(Section, Wrench)>,
+    /// Bearings.
+    pub(super) bearings: Vec<BearingPoint>,
+    /// Amplitudes of each mode, the largest of its sections: |(u, v, w)| and |φ|.
+    pub(super) most: Vec<[f64; 2]>,
+    /// The body it is of, with rigid coordinates: shape, place, mass, what holds it.
+    pub(super) rigid: Body,
+}
+
+impl SpatialElasticGirder {
+    /// Of a rigid girder in space with these modes.
+    pub(in crate::dynamics) fn new(rigid: &Body, modes: SpaceModes, damping: ModalDamping) -> Self {
+        let half = 0.5 * modes.beam.plan.length;
+        let section = |station: f64| Section::at(&modes, &rigid.axes, station);
+        let push = Wrench { force: rigid.push, moment: rigid.moment };
+        let pushed = (push.force != DVec3::ZERO || push.moment != DVec3::ZERO).then(|| (section(0.0), push));
+        let deforming = vec![section(-half), section(half)];
+        let mut most = vec![[0.0; 2]; modes.count()];
+        for section in &deforming {
+            widen(&mut most, section);
+        }
+        Self {
+            springs: modes.frequencies().map(|omega| [omega * omega, damping.dashpot(omega)]).collect(),
+            bearings: BearingPoint::all(&rigid.bearings, &modes, rigid.prism.shear(), &rigid.axes),
+            pushed,
+            most,
+            rigid: rigid.clone(),
+            modes,
+            damping,
+            deforming,
+        }
+    }
+
+    /// Number of modal coordinates, `N_e`.
+    pub fn count(&self) -> usize {
+        self.springs.len()
+    }
+
+    /// How many positions a state has.
+    pub(super) fn places(&self) -> usize {
+        PLACES + self.count()
+    }
+
+    /// Places and rates of a state.
+    pub(super) fn halves<'a>(&self, state: &'a [f64]) -> (&'a [f64], &'a [f64]) {
+        state.split_at(self.places())
+    }
+
+    /// Modal coordinates and their rates in a state.
+    pub(super) fn modal<'a>(&self, state: &'a [f64]) -> [&'a [f64]; 2] {
+        let (places, rates) = self.halves(state);
+        [&places[PLACES..], &rates[RATES..]]
+    }
+
+    /// A section by its number; nothing for that of G, which moves with the mean axes.
+    pub(super) fn deforming(&self, section: usize) -> Option<&Section> {
+        self.deforming.get(section.checked_sub(1)?)
+    }
+
+    /// Distance of the ends from G \[m\].
+    pub(super) fn lever(&self) -> f64 {
+        0.5 * self.modes.beam.plan.length
+    }
+
+    /// Number of the section of a link's point at this arm from G as placed, world axes \[m\], which is added where there is none.
+    pub(in crate::dynamics) fn section_of_link(&mut self, arm: DVec3) -> usize {
+        let place = self.rigid.axes.mul_transpose_vec3(arm);
+        let half = self.lever();
+        let (station, _) = station_and_offset(place.truncate(), self.rigid.prism.shear(), half);
+        let same = |own: &Section| (own.station - station).abs() <= SAME_STATION * half;
+        if let Some(known) = self.deforming.iter().position(same) {
+            return known + 1;
+        }
+        let added = Section::at(&self.modes, &self.rigid.axes, station);
+        widen(&mut self.most, &added);
+        self.deforming.push(added);
+        self.deforming.len()
+    }
+
+    /// Motion of the section at a station \[m\] against the mean axes in a state, girder axes.
+    pub fn deformation(&self, state: &[f64], station: f64) -> Fields {
+        let [q, _] = self.modal(state);
+        let fields = self.modes.section(2.0 * station / self.modes.beam.plan.length);
+        fields.into_iter().zip(q).map(|(field, q)| field * *q).sum()
+    }
+
+    /// How fast it turns \[rad/s\], and how far the centre of an end is from the mean axes, the farther one \[m\]; in a state.
+    pub fn spin_and_deflection(&self, state: &[f64]) -> [f64; 2] {
+        let [q, rates] = self.modal(state);
+        let away = |end: &Section| end.deformation(q, rates).of.moved.length();
+        let spin = DVec3::from_slice(&self.halves(state).1[3..RATES]);
+        [spin.length(), self.deforming[..2].iter().map(away).fold(0.0, f64::max)]
+    }
+
+    /// Displacement against the mean axes of a point at this place in girder axes \[m\], and its rate, in a state.
+    pub fn displaced(&self, state: &[f64], place: DVec3) -> [DVec3; 2] {
+        let (station, offset) = station_and_offset(place.truncate(), self.rigid.prism.shear(), self.lever());
+        let shapes = self.modes.point(2.0 * station / self.modes.beam.plan.length, offset.extend(place.z));
+        self.modal(state).map(|half| shapes.iter().zip(half).map(|(shape, x)| *shape * *x).sum())
+    }
+
+    /// Energy in the elastic modes in a state \[J\].
+    pub fn ringing(&self, state: &[f64]) -> f64 {
+        let [q, rates] = self.modal(state);
+        self.strain(q) + rates.iter().map(|v| 0.5 * v * v).sum::<f64>()
+    }
+
+    /// Acceleration of a corner by a unit force there, at most: with the inertia of the end that the modes leave \[1/kg\].
+    pub(in crate::dynamics) fn mobility(&self) -> f64 {
+        let corners = self.rigid.prism.corners().map(|corner| self.rigid.axes * corner);
+        // The trace of a symmetric positive matrix is not below its largest eigenvalue.
+        let of = |section: &Section, arm: DVec3| {
+            let along = |unit: DVec3| section.compliance(&DMat3::ZERO, arm, unit).dot(unit);
+            DVec3::AXES.into_iter().map(along).sum::<f64>()
+        };
+        let most = corners.iter().flat_map(|&arm| self.deforming.iter().map(move |end| (end, arm)));
+        let nearest = most.filter(|(end, arm)| (*arm - end.lever).length() < (*arm + end.lever).length());
+        self.rigid.rate_bounds.mobility + nearest.map(|(end, arm)| of(end, arm)).fold(0.0, f64::max)
+    }
+
+    /// Strain energy of the girder by its modal coordinates \[J\].
+    pub fn strain(&self, q: &[f64]) -> f64 {
+        self.springs.iter().zip(q).map(|([k, _], q)| 0.5 * k * q * q).sum()
+    }
+
+    /// Power lost in the girder by the rates of its modal coordinates \[W\].
+    pub fn loss(&self, rates: &[f64]) -> f64 {
+        self.springs.iter().zip(rates).map(|([_, c], v)| c * v * v).sum()
+    }
+
+    /// The rotations of a section in a state of a body that adds `body` to the identity.
+    pub(super) fn turns(section: &Section, body: DMat3, [q, rates]: [&[f64]; 2]) -> Turns {
+        Turns::of(body, section.deformation(q, rates).of.turned)
+    }
+}
+
+/// Raises amplitudes to those of a section where these are larger.
+fn widen(most: &mut [[f64; 2]], section: &Section) {
+    for (most, own) in most.iter_mut().zip(section.amplitudes()) {
+        *most = [0, 1].map(|i| most[i].max(own[i]));
+    }
+}

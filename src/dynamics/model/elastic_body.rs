@@ -1,0 +1,111 @@
+//! An elastic girder in plan or in space: what both answer.
+
+use std::sync::Arc;
+
+use glam::DVec3;
+
+use crate::dynamics::connection::Kinematics;
+use crate::dynamics::elastic::Fields;
+use crate::dynamics::model::body::BodyCoordinates;
+use crate::dynamics::model::coordinates::elastic::{ElasticGirder, ModalDamping};
+use crate::dynamics::model::coordinates::elastic_space::SpatialElasticGirder;
+use crate::dynamics::model::coordinates::section_forces::Equilibrium;
+use crate::dynamics::model::wrench::Wrench;
+
+/// The degrees of freedom of an elastic girder.
+#[derive(Clone, Debug)]
+pub enum ElasticBody {
+    /// In plan.
+    Plan(Arc<ElasticGirder>),
+    /// In space.
+    Space(Arc<SpatialElasticGirder>),
+}
+
+/// The value of an expression for whichever it is.
+macro_rules! of_both {
+    ($body:expr, $girder:ident => $value:expr) => {
+        match $body {
+            Self::Plan($girder) => $value,
+            Self::Space($girder) => $value,
+        }
+    };
+}
+
+impl ElasticBody {
+    /// As the coordinates of a body.
+    pub(in crate::dynamics) fn coordinates(&self) -> BodyCoordinates {
+        match self {
+            Self::Plan(girder) => BodyCoordinates::Custom(Arc::<ElasticGirder>::clone(girder)),
+            Self::Space(girder) => BodyCoordinates::Custom(Arc::<SpatialElasticGirder>::clone(girder)),
+        }
+    }
+
+    /// Degree n of its polynomials.
+    pub fn degree(&self) -> usize {
+        of_both!(self, girder => girder.modes.degree)
+    }
+
+    /// Number of its modes.
+    pub fn count(&self) -> usize {
+        of_both!(self, girder => girder.count())
+    }
+
+    /// Circular frequencies of the modes, rising \[rad/s\].
+    pub fn frequencies(&self) -> Vec<f64> {
+        of_both!(self, girder => girder.modes.frequencies().collect())
+    }
+
+    /// Its damping.
+    pub fn damping(&self) -> ModalDamping {
+        of_both!(self, girder => girder.damping)
+    }
+
+    /// Acceleration of a corner by a unit force there, at most \[1/kg\].
+    pub(in crate::dynamics) fn mobility(&self) -> f64 {
+        of_both!(self, girder => girder.mobility())
+    }
+
+    /// Number of the section of a link's point at this arm from G as placed, world axes \[m\], which is added where there is none.
+    pub(in crate::dynamics) fn section_of_link(&mut self, arm: DVec3, kinematics: Kinematics) -> usize {
+        match self {
+            Self::Plan(girder) => Arc::make_mut(girder).section_of_link(arm, kinematics),
+            Self::Space(girder) => Arc::make_mut(girder).section_of_link(arm),
+        }
+    }
+
+    /// What acts in a state since the girder was placed, under wrenches on its sections about the origins of their frames, and the
+    /// ground.
+    pub fn equilibrium(&self, state: &[f64], wrenches: &[Wrench], ground: DVec3) -> Equilibrium {
+        match self {
+            Self::Plan(girder) => girder.equilibrium(state, wrenches, ground),
+            Self::Space(girder) => girder.equilibrium(state, wrenches),
+        }
+    }
+
+    /// Motion of the section at a station \[m\] against the mean axes in a state, girder axes.
+    pub fn deformation(&self, state: &[f64], station: f64) -> Fields {
+        match self {
+            Self::Plan(girder) => Fields::plane(girder.deformation(state, station)),
+            Self::Space(girder) => girder.deformation(state, station),
+        }
+    }
+
+    /// Displacement against the mean axes of a point at this place in girder axes \[m\], and its rate, in a state; in axes that turn with
+    /// the girder in space, as placed in plan.
+    pub fn displaced(&self, state: &[f64], place: DVec3) -> [DVec3; 2] {
+        match self {
+            Self::Plan(girder) => girder.displaced(state, place.truncate()).map(|d| d.extend(0.0)),
+            Self::Space(girder) => girder.displaced(state, place),
+        }
+    }
+
+    /// How fast it turns \[rad/s\], and how far the centre of an end is from the mean axes, the farther one \[m\]; in a state.
+    pub fn spin_and_deflection(&self, state: &[f64]) -> [f64; 2] {
+        of_both!(self, girder => girder.spin_and_deflection(state))
+    }
+
+    /// Energy in the elastic modes in a state \[J\].
+    pub fn ringing(&self, state: &[f64]) -> f64 {
+        of_both!(self, girder => girder.ringing(state))
+    }
+}
