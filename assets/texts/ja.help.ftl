@@ -162,7 +162,7 @@ help-sweep-shard = N 個に分けた I 番目だけを計算する。これな�
 ## waves
 help-waves-about = シーンを計算し、たわむ桁の断面力を時刻と位置に対して描く：波の伝播と反射が見える
 help-waves-girder = 桁の名前。省くと最初のたわむ桁
-help-waves-force = 描くもの：axial（軸力 N）、shear（せん断力 Q）、moment（曲げモーメント M）、stress（縁応力）
+help-waves-force = 描くもの：axial（軸力 N）、shear（せん断力 Q）、moment（曲げモーメント M）、stress（縁応力）。立体では shear_z、moment_y、torque も
 help-waves-from = 図の始まりの時刻 [s]。省くと最大の衝突の少し前
 help-waves-to = 終わりの時刻 [s]。省くとその衝突から波が数回通過した後
 help-waves-out = 図と表のフォルダー
@@ -190,7 +190,7 @@ help-render-background = 物体の背景
 help-render-quality = 1枚の図にかける手間。`auto` はプロセッサで描くときに減らす
 help-render-force_scale = 力の矢印の縮尺 [N per m]。省くと計算の最大値から決める
 help-render-bent = たわむ桁を、この倍率で変形させて描く。`auto` は最大のたわみを長さの 3 % に描く
-help-render-force = それを断面力で色分けする：axial（軸力 N）、shear（せん断力 Q）、moment（曲げモーメント M）、stress（縁応力）
+help-render-force = それを断面力で色分けする：axial（軸力 N）、shear（せん断力 Q）、moment（曲げモーメント M）、stress（縁応力）。立体では shear_z、moment_y、torque も
 help-render-title = 題名。省くとシーンの名前
 
 ## sweep の量

@@ -287,6 +287,7 @@ default-wave = 一様に動く地盤
 default-girder-bearings = なし：自由に動く
 default-girder-initial = 配置の位置で静止
 default-girder-elastic = なし：剛体
+default-girder-elastic-torsion_constant_m4 = 中実長方形 b₀ × t₀ の値
 default-girder-after_unseating = travel_m のある支承が外れたら止まる。桁かかりは測るだけ
 default-girder-bearings-vertical_frequency_hz = 立体シーンでは必須（z 拘束を除く）
 default-girder-bearings-vertical_damping_ratio = x 方向の damping_ratio

@@ -113,9 +113,9 @@ fn waved() -> Scene {
     format::read(&text, "waved").unwrap_or_else(|errors| panic!("{errors}"))
 }
 
-/// A planar scene with an elastic girder.
+/// A spatial scene with an elastic girder.
 fn elastic() -> Scene {
-    let text = "name = \"elastic\"\nduration_s = 1.0\n[[girder]]\nname = \"deck\"\nlength_m = 30.0\nwidth_m = 10.0\n\
+    let text = "name = \"elastic\"\nkind = \"spatial\"\nduration_s = 1.0\n[[girder]]\nname = \"deck\"\nlength_m = 30.0\nwidth_m = 10.0\n\
                 thickness_m = 1.5\nmass_kg = 6e5\n[girder.elastic]\narea_m2 = 8.0\nrayleigh = { mass = 0.1 }\n";
     format::read(text, "elastic").unwrap_or_else(|errors| panic!("{errors}"))
 }

@@ -163,7 +163,7 @@ fn a_level_hit_in_space_is_that_in_plan() {
         let most = (0..=500).map(|i| plan.deformation(0, 15.0, end * f64::from(i) / 500.0).moved.length());
         let most = most.fold(0.0, f64::max);
         assert!(most > 1e-4, "{name}: it bends by {most} m");
-        within(&format!("{name}: places"), places / 0.1, 1e-9);
+        within(&format!("{name}: places"), places / 0.1, 1e-12);
         within(&format!("{name}: deformation"), bent / most, 1e-7);
         within(&format!("{name}: force"), force / plan.largest_force(), 1e-7);
     }
@@ -220,7 +220,7 @@ fn a_stiffer_deck_comes_to_the_rigid_one_like_one_over_e() {
 fn books_balance_under_friction_and_dashpots_in_space() {
     for (name, contact) in [("smooth", SMOOTH), ("rubbing", RUBBING)] {
         let history = run(&thrown("elastic = { area_m2 = 8.0, modes = 6 }", contact));
-        within(&format!("{name}: ledger"), worst_ledger(&history), 1e-9);
+        within(&format!("{name}: ledger"), worst_ledger(&history), 1e-10);
         let bent = history.flexible_readings();
         assert!(history.hits() > 0 && bent[0].hit.is_some(), "{name}: it hits");
         let upwards = (0..100).map(|i| history.deformation(0, 0.0, history.end() * f64::from(i) / 100.0).moved.z.abs());
@@ -249,9 +249,9 @@ fn two_decks_that_meet_keep_momentum_and_its_moment() {
         // About the origin, 15 m from each.
         within("its moment", (turning - moment).length() / (15.0 * momentum.length()), 1e-9);
     }
-    within("ledger", worst_ledger(&history), 1e-9);
+    within("ledger", worst_ledger(&history), 1e-10);
     let rubbing = run(&pair(RUBBING));
-    within("ledger with friction", worst_ledger(&rubbing), 1e-9);
+    within("ledger with friction", worst_ledger(&rubbing), 1e-10);
     let [now, _] = momenta_in_space(&rubbing, rubbing.end());
     within("momentum with friction", (now - momentum).length() / momentum.length(), 1e-12);
 }
@@ -310,10 +310,10 @@ fn a_hit_in_space_is_that_of_an_independent_program() {
         let t = numbers[0];
         let (motion, end) = (history.motion(0, t), history.deformation(0, 15.0, t));
         let apart = |value: DVec3, wanted: DVec3| (value - wanted).length();
-        within(&format!("{t} s: place, of 0.1 m"), apart(motion.displacement, place) / 0.1, 1e-9);
-        within(&format!("{t} s: spin, of 0.04 rad/s"), apart(motion.spin, spin) / 0.04, 1e-8);
-        within(&format!("{t} s: displacement of the end, of 1 mm"), apart(end.moved, moved) / 1e-3, 1e-8);
-        within(&format!("{t} s: turn of the end, of 3e-4"), apart(end.turned, turned) / 3e-4, 1e-8);
+        within(&format!("{t} s: place, of 0.1 m"), apart(motion.displacement, place) / 0.1, 1e-11);
+        within(&format!("{t} s: spin, of 0.04 rad/s"), apart(motion.spin, spin) / 0.04, 1e-11);
+        within(&format!("{t} s: displacement of the end, of 1 mm"), apart(end.moved, moved) / 1e-3, 1e-9);
+        within(&format!("{t} s: turn of the end, of 3e-4"), apart(end.turned, turned) / 3e-4, 1e-9);
         rows += 1;
     }
     assert_eq!(rows, 5, "of the table");
