@@ -2,8 +2,10 @@
 
 use super::Complex;
 
-/// |z| below which the series is summed: twelve terms are then exact to rounding.
+/// |z| below which series are summed: differences of the exponential would lose more than a digit. The first term that is left out is
+/// `SMALL¹³/15!` of φ2, and of the moments `SMALL¹⁷/17!`.
 const SMALL: f64 = 0.5;
+/// Terms of the moments' series after the first.
 const TERMS: u32 = 16;
 
 /// |z| below which the shorter of both sums is exact to rounding.

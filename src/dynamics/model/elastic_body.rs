@@ -7,8 +7,9 @@ use glam::DVec3;
 use crate::dynamics::connection::Kinematics;
 use crate::dynamics::elastic::Fields;
 use crate::dynamics::model::body::BodyCoordinates;
-use crate::dynamics::model::coordinates::elastic::{ElasticGirder, ModalDamping};
+use crate::dynamics::model::coordinates::elastic::ElasticGirder;
 use crate::dynamics::model::coordinates::elastic_space::SpatialElasticGirder;
+use crate::dynamics::model::coordinates::modal_springs::ModalDamping;
 use crate::dynamics::model::coordinates::section_forces::Equilibrium;
 use crate::dynamics::model::wrench::Wrench;
 

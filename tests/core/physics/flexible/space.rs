@@ -67,17 +67,22 @@ fn projected(degree: usize) -> f64 {
     odd.map(|k| (2 * k + 1) as f64 * half[k] * half[k]).sum()
 }
 
-#[test]
-fn a_torque_at_mid_span_twists_it_by_its_stiffness() {
+/// Four stiff legs under the corners of a deck, with dashpots that bring it to rest.
+fn stiff_legs() -> String {
     let bearings: Vec<String> = [[15.0, 5.0], [15.0, -5.0], [-15.0, 5.0], [-15.0, -5.0]]
         .iter()
         .map(|[x, y]| {
             format!("{{ at_m = [{x:?}, {y:?}], height_m = 0.0, stiffness_n_per_m = [1e7, 1e7, 2e9], damping_n_s_per_m = [2e6, 2e6, 2e7] }}")
         })
         .collect();
+    bearings.join(", ")
+}
+
+#[test]
+fn a_torque_at_mid_span_twists_it_by_its_stiffness() {
     let lines = format!(
         "bearings = [{}]\npush = {{ moment_x_n_m = 3e6 }}\nelastic = {{ area_m2 = 8.0, torsion_constant_m4 = 5.0, modes = 12, damping_ratio = 0.5 }}",
-        bearings.join(", ")
+        stiff_legs()
     );
     let mut scene = spatial(&deck("a", 0.0, &lines), "", 1.5);
     scene.solver.tolerance = 1e-8;
@@ -98,15 +103,9 @@ fn a_torque_at_mid_span_twists_it_by_its_stiffness() {
 
 #[test]
 fn a_load_at_mid_span_bends_it_as_a_beam_on_two_supports() {
-    let bearings: Vec<String> = [[15.0, 5.0], [15.0, -5.0], [-15.0, 5.0], [-15.0, -5.0]]
-        .iter()
-        .map(|[x, y]| {
-            format!("{{ at_m = [{x:?}, {y:?}], height_m = 0.0, stiffness_n_per_m = [1e7, 1e7, 2e9], damping_n_s_per_m = [2e6, 2e6, 2e7] }}")
-        })
-        .collect();
     let lines = format!(
         "bearings = [{}]\npush = {{ force_n = [0.0, 0.0, -2e6] }}\nelastic = {{ area_m2 = 8.0, modes = 12, damping_ratio = 0.5 }}",
-        bearings.join(", ")
+        stiff_legs()
     );
     let mut scene = spatial(&deck("a", 0.0, &lines), "", 5.0);
     scene.solver.tolerance = 1e-8;

@@ -7,6 +7,7 @@ use super::section::{Section, SectionFrame, station_and_offset};
 use crate::dynamics::connection::Kinematics;
 use crate::dynamics::elastic::Modes;
 use crate::dynamics::model::body::Body;
+use crate::dynamics::model::coordinates::modal_springs::{ModalDamping, ModalSprings, widen};
 use crate::dynamics::model::linear_block::part::RIGID;
 
 /// Part of the distance of an end from G that the end's frame is taken to be displaced by at most, where bounds need it: far beyond what
@@ -16,30 +17,6 @@ pub(in crate::dynamics) const DEFORMED: f64 = 0.1;
 /// Stations that differ by less than this part of half the length are one \[–\]: rounding of places, far below what a beam tells apart.
 pub(in crate::dynamics) const SAME_STATION: f64 = 1e-12;
 
-/// Damping of the elastic modes.
-#[derive(Clone, Copy, Debug, PartialEq)]
-pub enum ModalDamping {
-    /// The same ratio ζ for every mode.
-    Ratio(f64),
-    /// `α + β ω²` on the rates: ratio `α/2ω + β ω/2`.
-    Rayleigh {
-        /// α \[1/s\].
-        mass: f64,
-        /// β \[s\].
-        stiffness: f64,
-    },
-}
-
-impl ModalDamping {
-    /// Dashpot of a mode per unit modal mass, `2 ζ ω` \[1/s\].
-    pub fn dashpot(self, omega: f64) -> f64 {
-        match self {
-            Self::Ratio(ratio) => 2.0 * ratio * omega,
-            Self::Rayleigh { mass, stiffness } => mass + stiffness * omega * omega,
-        }
-    }
-}
-
 /// An elastic girder: x, y, θ of its mean axes, modal coordinates, and their rates. Sections: G, the −x end, the +x end, then those
 /// of its links.
 #[derive(Clone, Debug)]
@@ -48,8 +25,8 @@ pub struct ElasticGirder {
     pub modes: Modes,
     /// Its damping.
     pub damping: ModalDamping,
-    /// `ω_j²` \[1/s²\], and the dashpot `2 ζ ω_j` \[1/s\].
-    pub(super) springs: Vec<[f64; 2]>,
+    /// Springs and dashpots of the modes.
+    pub(super) springs: ModalSprings,
     /// Sections that move against the mean axes: of the ends, −x first, then of links.
     pub(super) deforming: Vec<Section>,
     /// Bearings, axis by axis.
@@ -75,11 +52,11 @@ impl ElasticGirder {
         let pushed = middle.fields.iter().map(|f| f.truncate().dot(push) + f.z * rigid.moment.z).collect();
         let mut most = vec![[0.0; 2]; modes.count()];
         for section in &ends {
-            widen(&mut most, section);
+            widen(&mut most, section.amplitudes());
         }
         let bearings = axes_of(&rigid.bearings, &modes, rigid.prism.shear(), axes);
         Self {
-            springs: modes.frequencies().map(|omega| [omega * omega, damping.dashpot(omega)]).collect(),
+            springs: ModalSprings::of(modes.frequencies(), damping),
             rows: BearingRows::of(&bearings, RIGID + modes.count()),
             bearings,
             most,
@@ -93,7 +70,7 @@ impl ElasticGirder {
 
     /// Number of modal coordinates, `N_e`.
     pub fn count(&self) -> usize {
-        self.springs.len()
+        self.springs.count()
     }
 
     /// How many positions a state has.
@@ -128,7 +105,7 @@ impl ElasticGirder {
             return known + 1;
         }
         let added = Section::at(&self.modes, &self.rigid.axes, station, frame);
-        widen(&mut self.most, &added);
+        widen(&mut self.most, added.amplitudes());
         self.deforming.push(added);
         self.deforming.len()
     }
@@ -176,18 +153,11 @@ impl ElasticGirder {
 
     /// Strain energy of the girder by its modal coordinates \[J\].
     pub fn strain(&self, q: &[f64]) -> f64 {
-        self.springs.iter().zip(q).map(|([k, _], q)| 0.5 * k * q * q).sum()
+        self.springs.strain(q)
     }
 
     /// Power lost in the girder by the rates of its modal coordinates \[W\].
     pub fn loss(&self, rates: &[f64]) -> f64 {
-        self.springs.iter().zip(rates).map(|([_, c], v)| c * v * v).sum()
-    }
-}
-
-/// Raises amplitudes to those of a section where these are larger.
-fn widen(most: &mut [[f64; 2]], section: &Section) {
-    for (most, own) in most.iter_mut().zip(section.amplitudes()) {
-        *most = [0, 1].map(|i| most[i].max(own[i]));
+        self.springs.loss(rates)
     }
 }

@@ -32,7 +32,7 @@ use crate::geometry::End;
 use crate::motion::Ground;
 pub(in crate::dynamics) use bearings::BearingAxis;
 use girder::DEFORMED;
-pub use girder::{ElasticGirder, ModalDamping};
+pub use girder::ElasticGirder;
 use section::{SectionFrame, Turns};
 use turn::{in_space, planar_turn};
 
@@ -99,7 +99,7 @@ impl ElasticGirder {
     /// Adds what bearings, springs, dashpots and the given push do, of places since the girder was placed.
     fn resist(&self, place: &[f64], rate: &[f64], out: &mut [f64]) {
         self.rows.resist(place, rate, out);
-        let modal = out[RIGID..].iter_mut().zip(&self.springs).zip(place[RIGID..].iter().zip(&rate[RIGID..]));
+        let modal = out[RIGID..].iter_mut().zip(self.springs.iter()).zip(place[RIGID..].iter().zip(&rate[RIGID..]));
         modal.for_each(|((out, [k, c]), (q, v))| *out -= k * q + c * v);
         let Body { push, moment, .. } = &self.rigid;
         out[0] += push.x;

@@ -6,9 +6,9 @@ use super::bearings::BearingPoint;
 use super::section::{Section, Turns};
 use crate::dynamics::elastic::{Fields, SpaceModes};
 use crate::dynamics::model::body::Body;
-use crate::dynamics::model::coordinates::elastic::ModalDamping;
 use crate::dynamics::model::coordinates::elastic::girder::SAME_STATION;
 use crate::dynamics::model::coordinates::elastic::section::station_and_offset;
+use crate::dynamics::model::coordinates::modal_springs::{ModalDamping, ModalSprings, widen};
 use crate::dynamics::model::wrench::Wrench;
 
 /// Places of the mean axes that come before those of the modes: displacement and quaternion.
@@ -24,8 +24,8 @@ pub struct SpatialElasticGirder {
     pub modes: SpaceModes,
     /// Its damping.
     pub damping: ModalDamping,
-    /// `ω_j²` \[1/s²\], and the dashpot `2 ζ ω_j` \[1/s\].
-    pub(super) springs: Vec<[f64; 2]>,
+    /// Springs and dashpots of the modes.
+    pub(super) springs: ModalSprings,
     /// Sections that move against the mean axes: of the ends, −x first, then of links.
     pub(super) deforming: Vec<Section>,
     /// The section through G, and the given push on it; nothing without one.
@@ -48,10 +48,10 @@ impl SpatialElasticGirder {
         let deforming = vec![section(-half), section(half)];
         let mut most = vec![[0.0; 2]; modes.count()];
         for section in &deforming {
-            widen(&mut most, section);
+            widen(&mut most, section.amplitudes());
         }
         Self {
-            springs: modes.frequencies().map(|omega| [omega * omega, damping.dashpot(omega)]).collect(),
+            springs: ModalSprings::of(modes.frequencies(), damping),
             bearings: BearingPoint::all(&rigid.bearings, &modes, rigid.prism.shear(), &rigid.axes),
             pushed,
             most,
@@ -64,7 +64,7 @@ impl SpatialElasticGirder {
 
     /// Number of modal coordinates, `N_e`.
     pub fn count(&self) -> usize {
-        self.springs.len()
+        self.springs.count()
     }
 
     /// How many positions a state has.
@@ -103,7 +103,7 @@ impl SpatialElasticGirder {
             return known + 1;
         }
         let added = Section::at(&self.modes, &self.rigid.axes, station);
-        widen(&mut self.most, &added);
+        widen(&mut self.most, added.amplitudes());
         self.deforming.push(added);
         self.deforming.len()
     }
@@ -151,23 +151,16 @@ impl SpatialElasticGirder {
 
     /// Strain energy of the girder by its modal coordinates \[J\].
     pub fn strain(&self, q: &[f64]) -> f64 {
-        self.springs.iter().zip(q).map(|([k, _], q)| 0.5 * k * q * q).sum()
+        self.springs.strain(q)
     }
 
     /// Power lost in the girder by the rates of its modal coordinates \[W\].
     pub fn loss(&self, rates: &[f64]) -> f64 {
-        self.springs.iter().zip(rates).map(|([_, c], v)| c * v * v).sum()
+        self.springs.loss(rates)
     }
 
     /// The rotations of a section in a state of a body that adds `body` to the identity.
     pub(super) fn turns(section: &Section, body: DMat3, [q, rates]: [&[f64]; 2]) -> Turns {
         Turns::of(body, section.deformation(q, rates).of.turned)
-    }
-}
-
-/// Raises amplitudes to those of a section where these are larger.
-fn widen(most: &mut [[f64; 2]], section: &Section) {
-    for (most, own) in most.iter_mut().zip(section.amplitudes()) {
-        *most = [0, 1].map(|i| most[i].max(own[i]));
     }
 }

@@ -80,7 +80,7 @@ impl SpatialElasticGirder {
     fn load(&self, here: &Frame, state: &[f64], wrenches: &[Wrench], out: &mut [f64]) -> Wrench {
         let [q, rates] = self.modal(state);
         let mut sum = Wrench::default();
-        let springs = out.iter_mut().zip(&self.springs).zip(q.iter().zip(rates));
+        let springs = out.iter_mut().zip(self.springs.iter()).zip(q.iter().zip(rates));
         springs.for_each(|((out, [k, c]), (q, v))| *out = -(k * q + c * v));
         for (section, wrench) in wrenches.iter().enumerate() {
             if wrench.force == DVec3::ZERO && wrench.moment == DVec3::ZERO {

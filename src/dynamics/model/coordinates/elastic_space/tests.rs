@@ -186,7 +186,7 @@ fn section_forces_of_a_mode_are_those_by_strain() {
     body.bearings.clear();
     let beam = model.flexible[0].as_ref().and_then(|flexible| flexible.space).expect("in space");
     let modes = crate::dynamics::elastic::SpaceModes::of(beam, 32);
-    let girder = SpatialElasticGirder::new(body, modes, super::super::elastic::ModalDamping::Ratio(0.0));
+    let girder = SpatialElasticGirder::new(body, modes, super::super::modal_springs::ModalDamping::Ratio(0.0));
     let still = vec![Wrench::default(); girder.sections()];
     for mode in 0..12 {
         let mut state = girder.initial(body);

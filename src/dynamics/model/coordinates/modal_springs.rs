@@ -1,0 +1,66 @@
+//! Springs and dashpots of the elastic modes of a girder, in plan and in space.
+
+/// Damping of the elastic modes.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub enum ModalDamping {
+    /// The same ratio ζ for every mode.
+    Ratio(f64),
+    /// `α + β ω²` on the rates: ratio `α/2ω + β ω/2`.
+    Rayleigh {
+        /// α \[1/s\].
+        mass: f64,
+        /// β \[s\].
+        stiffness: f64,
+    },
+}
+
+impl ModalDamping {
+    /// Dashpot of a mode per unit modal mass, `2 ζ ω` \[1/s\].
+    pub fn dashpot(self, omega: f64) -> f64 {
+        match self {
+            Self::Ratio(ratio) => 2.0 * ratio * omega,
+            Self::Rayleigh { mass, stiffness } => mass + stiffness * omega * omega,
+        }
+    }
+}
+
+/// Spring and dashpot of every mode, each of unit modal mass.
+#[derive(Clone, Debug)]
+pub(in crate::dynamics) struct ModalSprings(
+    /// `ω_j²` \[1/s²\], and the dashpot `2 ζ ω_j` \[1/s\].
+    Vec<[f64; 2]>,
+);
+
+impl ModalSprings {
+    /// Of modes of these circular frequencies \[rad/s\].
+    pub(super) fn of(frequencies: impl Iterator<Item = f64>, damping: ModalDamping) -> Self {
+        Self(frequencies.map(|omega| [omega * omega, damping.dashpot(omega)]).collect())
+    }
+
+    /// How many there are.
+    pub(super) fn count(&self) -> usize {
+        self.0.len()
+    }
+
+    /// Stiffness \[1/s²\] and dashpot \[1/s\] of each.
+    pub(super) fn iter(&self) -> std::slice::Iter<'_, [f64; 2]> {
+        self.0.iter()
+    }
+
+    /// Strain energy by the modal coordinates \[J\].
+    pub(super) fn strain(&self, q: &[f64]) -> f64 {
+        self.iter().zip(q).map(|([k, _], q)| 0.5 * k * q * q).sum()
+    }
+
+    /// Power lost by their rates \[W\].
+    pub(super) fn loss(&self, rates: &[f64]) -> f64 {
+        self.iter().zip(rates).map(|([_, c], v)| c * v * v).sum()
+    }
+}
+
+/// Raises amplitudes of modes, of displacement and turn, to those of a section where these are larger.
+pub(super) fn widen(most: &mut [[f64; 2]], section: impl Iterator<Item = [f64; 2]>) {
+    for (most, own) in most.iter_mut().zip(section) {
+        *most = [0, 1].map(|i| most[i].max(own[i]));
+    }
+}
