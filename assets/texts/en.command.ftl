@@ -75,7 +75,7 @@ run-section-forces-space = |M_y| to { $moment } MN·m, |T| to { $torque } MN·m
 run-degrees = degree { $one } against { $other }: force { $force }, impulse { $impulse }, ends { $ends }, N at mid-span { $section }
 warning = warning: { $what }
 warning-more-outside = warning: { $more } more quantities outside the domain
-note-record-cut = note: the record lasts { $length } s, and the run ends at { $end } s: duration_s
+note-record-cut = note: the record of { $place } lasts { $length } s, and the run ends at { $end } s: duration_s
 warning-untrusted = do not trust this answer: heed the other warnings, or lower solver.tolerance
 warning-balance = warning: { $name }: { $balance }: { $remedy }
 failed-gave-up = the run of { $scene } { $ended } at t = { $t } s, { $place }: { $reason }
@@ -109,6 +109,7 @@ check-planar = planar
 check-spatial = spatial, gravity { $gravity } m/s²
 check-head = { $name }: { $kind }, { $duration } s
 check-head-b = ground: { $motion }
+check-named-ground = ground "{ $name }": { $motion }
 check-head-c = solver: { $method }, tolerance { $tolerance }
 check-head-d = view: { $camera }
 check-still = it stands still
@@ -155,7 +156,8 @@ check-then-drops = the run stops when a corner has dropped by { $drop } m
 check-then-stops = the run then stops
 check-then-goes-on = the run goes on without it, and says so
 check-rooms = { $count } of them lose their support, the first beyond { $least } m square to the ends: { $then }
-check-moving = ground under { $name }: { $delay } s later, × { $factor }; up to { $largest } m from the ground of reference, { $last } m at the end
+check-own-ground = { " " }as "{ $ground }",
+check-moving = ground under { $name }:{ $ground } { $delay } s later, × { $factor }; up to { $largest } m from the ground of reference, { $last } m at the end
 check-pier = pier { $name }: at { $x }, { $y } m, { $mass } kg, height { $height } m; { $standing }
 check-pier-b = k along, across = { $stiffness } N/m, c = { $damping } N·s/m; alone f = { $frequency } Hz, T = { $period } s{ $turning }{ $yielding }
 check-pier-alone = no end of a girder stands on it alone

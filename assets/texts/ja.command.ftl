@@ -75,7 +75,7 @@ run-section-forces-space = |M_y| 最大 { $moment } MN·m、|T| 最大 { $torque
 run-degrees = 次数 { $one } と { $other }：力 { $force }、力積 { $impulse }、端 { $ends }、中央の N { $section }
 warning = 警告：{ $what }
 warning-more-outside = 警告：ほか { $more } 件が検証範囲外
-note-record-cut = 注記：記録は { $length } s 続くが、計算は { $end } s で終わる：duration_s
+note-record-cut = 注記：{ $place } の記録は { $length } s 続くが、計算は { $end } s で終わる：duration_s
 warning-untrusted = この結果を信用しない：ほかの警告に従うか、solver.tolerance を下げる
 warning-balance = 警告：{ $name }：{ $balance }：{ $remedy }
 failed-gave-up = { $scene } の計算は t = { $t } s で{ $ended }、{ $place }：{ $reason }
@@ -109,6 +109,7 @@ check-planar = 平面
 check-spatial = 立体、重力加速度 { $gravity } m/s²
 check-head = { $name }：{ $kind }、{ $duration } s
 check-head-b = 地動：{ $motion }
+check-named-ground = 地動「{ $name }」：{ $motion }
 check-head-c = 解法：{ $method }、許容誤差 { $tolerance }
 check-head-d = 視点：{ $camera }
 check-still = 静止
@@ -155,7 +156,8 @@ check-then-drops = 隅角部が { $drop } m 落ちたら計算を止める
 check-then-stops = そこで計算を止める
 check-then-goes-on = その支承なしに計算を続け、そう述べる
 check-rooms = うち { $count } 個は支えを失いうる、最初は桁端に直角に { $least } m：{ $then }
-check-moving = { $name } の地盤：{ $delay } s 遅れ、× { $factor }。基準の地盤から最大 { $largest } m、最後に { $last } m
+check-own-ground = 「{ $ground }」、
+check-moving = { $name } の地盤：{ $ground }{ $delay } s 遅れ、× { $factor }。基準の地盤から最大 { $largest } m、最後に { $last } m
 check-pier = 橋脚 { $name }：位置 { $x }, { $y } m、{ $mass } kg、高さ { $height } m。{ $standing }
 check-pier-b = k 橋軸, 直角 = { $stiffness } N/m、c = { $damping } N·s/m。単独で f = { $frequency } Hz、T = { $period } s{ $turning }{ $yielding }
 check-pier-alone = 単独で支える桁端なし

@@ -5,6 +5,7 @@ use super::digits::six;
 use super::summary::name;
 use crate::language::{Text, said};
 use crate::scene::domain::outside;
+use crate::scene::shown::escaped;
 use crate::scene::{Motion, Scene};
 use crate::sim::History;
 
@@ -25,12 +26,15 @@ pub(super) fn warn(scene: &Scene, console: &mut Console) {
 
 /// Says that a record goes on after the end of the run.
 fn warn_of_cut(scene: &Scene, console: &mut Console) {
-    let Motion::Record(record) = &scene.motion else { return };
-    let Some((_, dt, samples)) = record.extent() else { return };
-    let length = dt * samples.saturating_sub(1) as f64;
-    if length > scene.duration + dt {
-        let [length, end] = [length, scene.duration].map(six);
-        console.note(&said!("note-record-cut", "length" => length, "end" => end));
+    for (place, motion) in scene.motions() {
+        let Motion::Record(record) = motion else { continue };
+        let Some((_, dt, samples)) = record.extent() else { continue };
+        let length = dt * samples.saturating_sub(1) as f64;
+        if length > scene.duration + dt {
+            let [length, end] = [length, scene.duration].map(six);
+            let place = escaped(&place);
+            console.note(&said!("note-record-cut", "place" => place, "length" => length, "end" => end));
+        }
     }
 }
 

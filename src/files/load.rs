@@ -54,7 +54,7 @@ pub fn load_unsaved(path: &Path) -> Result<Scene, SceneErrors> {
     Ok(scene)
 }
 
-/// Reads the records that `motion.file` and those of its components name.
+/// Reads the records that the motions of a scene and their components name.
 fn load_record(scene: &mut Scene, folder: &Path, scene_file: &str) -> Result<(), SceneErrors> {
     load_missing(scene, &mut |file, beside, place| load_one(&folder.join(file), beside, (scene_file, place)))
 }
@@ -62,18 +62,23 @@ fn load_record(scene: &mut Scene, folder: &Path, scene_file: &str) -> Result<(),
 /// Reads a file of a record, with what is stated beside it, for a place in the scene's file.
 type ReadOne<'a> = dyn FnMut(&str, &Supplement, &str) -> Result<Arc<Record>, SceneErrors> + 'a;
 
-/// Has the records read that a scene names and that are not loaded.
+/// Has the records read that the motions of a scene name and that are not loaded.
 fn load_missing(scene: &mut Scene, read: &mut ReadOne<'_>) -> Result<(), SceneErrors> {
-    let Motion::Record(record) = &mut scene.motion else { return Ok(()) };
+    scene.motions_mut().try_for_each(|(place, motion)| load_motion((&place, motion), read))
+}
+
+/// The same of one motion, by its place in the scene's file.
+fn load_motion((place, motion): (&str, &mut Motion), read: &mut ReadOne<'_>) -> Result<(), SceneErrors> {
+    let Motion::Record(record) = motion else { return Ok(()) };
     if let (None, Some(file)) = (&record.loaded, &record.file) {
         let beside = Supplement { dt: record.dt, unit: record.unit };
-        record.loaded = Some(read(file, &beside, "motion.file")?);
+        record.loaded = Some(read(file, &beside, &format!("{place}.file"))?);
     }
     record.loaded_components.resize(record.components.len(), None);
     for (n, (component, loaded)) in record.components.iter().zip(&mut record.loaded_components).enumerate() {
         if let (None, Some(file)) = (&loaded, &component.file) {
             let beside = Supplement { dt: component.dt, unit: component.unit };
-            *loaded = Some(read(file, &beside, &format!("motion.component[{n}].file"))?);
+            *loaded = Some(read(file, &beside, &format!("{place}.component[{n}].file"))?);
         }
     }
     Ok(())
@@ -105,15 +110,25 @@ impl Records {
     /// # Errors
     /// A file that cannot be read, or that is no record.
     pub fn complete(&self, scene: &mut Scene) -> Result<(), SceneErrors> {
-        load_missing(scene, &mut |file, beside, place| {
-            let mut all = self.read.lock().unwrap_or_else(PoisonError::into_inner);
-            if let Some((_, _, known)) = all.iter().find(|(name, with, _)| name == file && with == beside) {
-                return Ok(Arc::clone(known));
-            }
-            let new = load_one(&self.folder.join(file), beside, ("scene", place))?;
-            all.push((file.to_owned(), *beside, Arc::clone(&new)));
-            Ok(new)
-        })
+        load_missing(scene, &mut |file, beside, place| self.read(file, beside, place))
+    }
+
+    /// The same of one motion, by its place in the scene's file.
+    ///
+    /// # Errors
+    /// Those of [`complete`](Self::complete).
+    pub fn complete_motion(&self, motion: (&str, &mut Motion)) -> Result<(), SceneErrors> {
+        load_motion(motion, &mut |file, beside, place| self.read(file, beside, place))
+    }
+
+    fn read(&self, file: &str, beside: &Supplement, place: &str) -> Result<Arc<Record>, SceneErrors> {
+        let mut all = self.read.lock().unwrap_or_else(PoisonError::into_inner);
+        if let Some((_, _, known)) = all.iter().find(|(name, with, _)| name == file && with == beside) {
+            return Ok(Arc::clone(known));
+        }
+        let new = load_one(&self.folder.join(file), beside, ("scene", place))?;
+        all.push((file.to_owned(), *beside, Arc::clone(&new)));
+        Ok(new)
     }
 }
 

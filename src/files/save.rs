@@ -50,7 +50,8 @@ pub(super) fn stage_scene(scene: &Scene, text: Option<&str>, path: &Path) -> Res
 /// A scene that can be opened again at `path`.
 fn portable(scene: &Scene, path: &Path) -> Scene {
     let mut scene = scene.clone();
-    if let Motion::Record(record) = &mut scene.motion {
+    for (_, motion) in scene.motions_mut() {
+        let Motion::Record(record) = motion else { continue };
         let named = record.file.iter().chain(record.components.iter().filter_map(|component| component.file.as_ref()));
         let missing = named.into_iter().any(|file| !folder_of(path).join(file).is_file());
         if missing {

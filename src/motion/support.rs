@@ -1,5 +1,5 @@
-//! Motion of a support whose ground moves otherwise than the ground of reference: later, stronger or weaker
-//! (`docs/physics.md#supports-that-move`).
+//! Motion of a support whose ground moves otherwise than the ground of reference: by a motion of its own, later, stronger or
+//! weaker (`docs/physics.md#supports-that-move`).
 
 use std::sync::Arc;
 
@@ -56,49 +56,53 @@ impl GroundPath {
     }
 }
 
-/// How the ground of a support moves: `factor · a(t − delay)`, at rest before.
+/// How the ground of a support moves: `factor · a(t − delay)` of the ground motion of this number, at rest before.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct SupportMotion {
-    /// By how much later it begins than the ground of reference; not negative \[s\].
+    /// Number of the ground motion: 0 that of the ground of reference, from 1 on those with names.
+    pub ground: usize,
+    /// By how much later it begins; not negative \[s\].
     pub delay: f64,
-    /// Its acceleration over that of the ground of reference \[–\].
+    /// What multiplies its acceleration \[–\].
     pub factor: f64,
 }
 
 impl SupportMotion {
     /// That of the ground of reference.
-    pub const REFERENCE: Self = Self { delay: 0.0, factor: 1.0 };
+    pub const REFERENCE: Self = Self { ground: 0, delay: 0.0, factor: 1.0 };
 }
 
-/// Motion of a support against the ground of reference: `factor · x(t − delay) − x(t)`, and its derivatives.
+/// Motion of a support against the ground of reference: `factor · x_s(t − delay) − x(t)`, and its derivatives.
 #[derive(Clone, Debug, PartialEq)]
 pub struct RelativeMotion {
+    /// Of the support's own ground motion, neither late nor multiplied.
     path: Arc<GroundPath>,
     own: SupportMotion,
+    reference: Arc<GroundPath>,
 }
 
 impl RelativeMotion {
-    /// Of a support over a ground whose path is known.
-    pub fn of(path: Arc<GroundPath>, own: SupportMotion) -> Self {
-        Self { path, own }
+    /// Of a support over grounds whose paths are known, by their numbers.
+    pub fn of(paths: &[Arc<GroundPath>], own: SupportMotion) -> Self {
+        Self { path: Arc::clone(&paths[own.ground]), own, reference: Arc::clone(&paths[0]) }
     }
 
     /// Velocity \[m/s\] and displacement \[m\] at `t`.
     pub fn at(&self, t: f64) -> [DVec3; 2] {
-        let (own, reference) = (self.path.at(t - self.own.delay), self.path.at(t));
+        let (own, reference) = (self.path.at(t - self.own.delay), self.reference.at(t));
         [0, 1].map(|i| own[i] * self.own.factor - reference[i])
     }
 
     /// Acceleration at `t` of a stretch without a kink that begins at `since` \[m/s²\].
     pub fn acceleration(&self, since: f64, t: f64) -> DVec3 {
-        let ground = &self.path.ground;
-        let piece = ground.piece(ground.piece_number(since));
-        let of = |piece: &LinearPiece, t: f64| match ground {
+        let reference = &self.reference.ground;
+        let of = |ground: &Ground, piece: &LinearPiece, t: f64| match ground {
             Ground::Record { .. } => piece.acceleration(t),
             other => other.acceleration(t),
         };
-        let own = self.own_piece(since).map_or(DVec3::ZERO, |piece| of(&piece, t - self.own.delay));
-        own * self.own.factor - of(&piece, t)
+        let own = self.own_piece(since);
+        let own = own.map_or(DVec3::ZERO, |piece| of(&self.path.ground, &piece, t - self.own.delay));
+        own * self.own.factor - of(reference, &reference.piece(reference.piece_number(since)), t)
     }
 
     /// The next time after `t` at which the acceleration has a kink or a jump; infinite when there is none \[s\].
@@ -107,21 +111,22 @@ impl RelativeMotion {
             None => self.own.delay,
             Some(piece) => piece.until + self.own.delay,
         };
-        own.min(self.path.ground.next_kink(t))
+        own.min(self.reference.ground.next_kink(t))
     }
 
     /// Bound of its acceleration at any time \[m/s²\].
     pub fn peak(&self) -> f64 {
-        (1.0 + self.own.factor.abs()) * self.path.ground.peak()
+        self.own.factor.abs() * self.path.ground.peak() + self.reference.ground.peak()
     }
 
-    /// Time within which the ground's acceleration changes by about itself: some samples of a record, a radian of a sine \[s\].
+    /// Time within which either ground's acceleration changes by about itself: some samples of a record, a radian of a sine \[s\].
     pub fn pace(&self) -> f64 {
-        match self.path.ground {
+        let of = |ground: &Ground| match ground {
             Ground::Still => f64::INFINITY,
             Ground::Sine { omega, .. } => omega.recip(),
-            Ground::Record { dt, .. } => dt,
-        }
+            Ground::Record { dt, .. } => *dt,
+        };
+        of(&self.path.ground).min(of(&self.reference.ground))
     }
 
     /// The piece of the support's own record at `t`, in its own time; `None` before it begins. A kink belongs to the piece that it
@@ -185,9 +190,9 @@ mod tests {
     #[test]
     fn a_support_moves_later_and_by_its_factor() {
         for ground in grounds() {
-            let path = Arc::new(GroundPath::of(ground.clone()));
-            let support = SupportMotion { delay: 0.137, factor: 0.8 };
-            let relative = RelativeMotion::of(Arc::clone(&path), support);
+            let paths = [Arc::new(GroundPath::of(ground.clone()))];
+            let support = SupportMotion { ground: 0, delay: 0.137, factor: 0.8 };
+            let relative = RelativeMotion::of(&paths, support);
             let mut since = 0.0;
             while since < 1.0 {
                 let kink = relative.next_kink(since).min(since + 0.05);
@@ -199,9 +204,32 @@ mod tests {
                 since = kink;
             }
             let [_, before] = relative.at(0.1);
-            assert_eq!(before, -path.at(0.1)[1], "at rest before it begins");
-            let still = RelativeMotion::of(path, SupportMotion::REFERENCE);
+            assert_eq!(before, -paths[0].at(0.1)[1], "at rest before it begins");
+            let still = RelativeMotion::of(&paths, SupportMotion::REFERENCE);
             assert_eq!(still.at(0.5), [DVec3::ZERO; 2], "no motion against itself");
+        }
+    }
+
+    #[test]
+    fn a_support_on_a_ground_of_its_own_moves_by_the_difference() {
+        let [record, sine, constant] = grounds();
+        for (reference, own) in [(&record, &sine), (&sine, &record), (&Ground::Still, &record), (&constant, &sine)] {
+            let paths = [reference, own].map(|ground| Arc::new(GroundPath::of(ground.clone())));
+            let support = SupportMotion { ground: 1, delay: 0.23, factor: -1.7 };
+            let relative = RelativeMotion::of(&paths, support);
+            let mut since = 0.0;
+            while since < 1.0 {
+                let kink = relative.next_kink(since).min(since + 0.05);
+                assert!(kink > since, "{kink} after {since}");
+                let t = 0.5 * (since + kink);
+                let late = if t < 0.23 { DVec3::ZERO } else { own.acceleration(t - 0.23) };
+                let wanted = -1.7 * late - reference.acceleration(t);
+                assert!((relative.acceleration(since, t) - wanted).length() < 1e-12, "at {t}");
+                assert!(wanted.length() <= relative.peak(), "a bound");
+                since = kink;
+            }
+            let wanted = -1.7 * paths[1].at(0.5)[1] - paths[0].at(0.73)[1];
+            assert!((relative.at(0.73)[1] - wanted).length() < 1e-12, "displacement");
         }
     }
 }

@@ -33,7 +33,9 @@ fn supports(history: &History) -> String {
         let name = escape(&moved.name);
         let delay = format!("{:.4}", moved.motion.delay);
         let [factor, largest, last] = [moved.motion.factor, moved.largest, moved.last].map(|v| format!("{v:.3}"));
-        said!("report-moved", "name" => name, "delay" => delay, "factor" => factor, "largest" => largest, "last" => last)
+        let ground =
+            moved.ground.map_or(String::new(), |ground| said!("report-own-ground", "ground" => escape(&ground)));
+        said!("report-moved", "name" => name, "ground" => ground, "delay" => delay, "factor" => factor, "largest" => largest, "last" => last)
     };
     let sentences: Vec<String> = moved_supports(history.scene(), history.model()).into_iter().map(sentence).collect();
     if sentences.is_empty() { String::new() } else { format!("<p>{}</p>\n", sentences.join("<br>\n")) }

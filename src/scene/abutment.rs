@@ -31,10 +31,12 @@ table! {
             "how far it reaches behind its face, m";
         backfill: Option<Backfill> = "backfill", Range::Free, Fallback::Words("none: the backwall is fixed"),
             "soil behind a backwall that can move, see below";
-        delay: Option<f64> = "delay_s" as "field-delay", Range::NotNegative, Fallback::Words("by [wave], else 0.0"),
-            "how much later than [motion] its ground begins to move, s";
+        ground: Option<String> = "ground", Range::Like("the name of a [[ground]]"), Fallback::Words("as [motion]"),
+            "how its ground moves";
+        delay: Option<f64> = "delay_s" as "field-delay", Range::NotNegative, Fallback::Words("by [wave] where it moves as [motion], else 0.0"),
+            "how much later its ground begins to move, s";
         motion_factor: Option<f64> = "motion_factor" as "field-motion-factor", Range::Any, Fallback::Words("1.0"),
-            "acceleration of its ground over that of [motion]";
+            "multiplies the acceleration of its ground";
     }
 }
 

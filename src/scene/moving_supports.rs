@@ -42,19 +42,27 @@ impl MovingSupports {
 
     /// Of a place of the ground \[m\].
     pub fn at(&self, place: DVec3) -> SupportMotion {
-        SupportMotion { delay: (self.origin + self.slowness.dot(place.truncate())).max(0.0), factor: 1.0 }
+        let delay = (self.origin + self.slowness.dot(place.truncate())).max(0.0);
+        SupportMotion { delay, ..SupportMotion::REFERENCE }
     }
 }
 
 impl Scene {
+    /// The number of the ground of this name.
+    pub fn ground_named(&self, name: &str) -> Option<usize> {
+        self.grounds.iter().position(|ground| ground.name == name)
+    }
+
     /// How the ground moves under each support, where it does not move as one; the ground of reference moves as `[motion]` says
     /// and is that of the support which the wave reaches first.
     pub fn moving_supports(&self) -> Option<MovingSupports> {
-        let own = |delay: Option<f64>, factor: Option<f64>| delay.is_some() || factor.is_some();
-        let differs = self.wave.is_some()
-            || self.abutments.iter().any(|a| own(a.delay, a.motion_factor))
-            || self.piers.iter().any(|pier| own(pier.delay, pier.motion_factor));
-        if self.motion == Motion::None || !differs {
+        let own = |(ground, numbers): (&Option<String>, [Option<f64>; 2])| {
+            ground.is_some() || self.motion != Motion::None && numbers.iter().any(Option::is_some)
+        };
+        let differs = self.wave.is_some() && self.motion != Motion::None
+            || self.abutments.iter().any(|a| own((&a.ground, [a.delay, a.motion_factor])))
+            || self.piers.iter().any(|pier| own((&pier.ground, [pier.delay, pier.motion_factor])));
+        if !differs {
             return None;
         }
         let slowness = self.wave.map_or(DVec2::ZERO, |wave| {
@@ -69,15 +77,25 @@ impl Scene {
         let first = places.map(delay).fold(f64::INFINITY, f64::min);
         let origin = if first.is_finite() { -first } else { 0.0 };
         let waved = |place: DVec3| (origin + delay(place)).max(0.0);
-        let motion = |place: DVec3, own: Option<f64>, factor: Option<f64>| SupportMotion {
-            delay: own.unwrap_or_else(|| waved(place)),
-            factor: factor.unwrap_or(1.0),
+        // A ground of its own says by itself when it begins to move.
+        let motion = |place: DVec3, name: &Option<String>, [delay, factor]: [Option<f64>; 2]| {
+            let ground = name.as_ref().and_then(|name| self.ground_named(name));
+            let delay = delay.unwrap_or_else(|| if ground.is_some() { 0.0 } else { waved(place) });
+            SupportMotion {
+                ground: ground.map(|number| number + 1).unwrap_or_default(),
+                delay,
+                factor: factor.unwrap_or(1.0),
+            }
         };
         let supports = MovingSupports {
             slowness,
             origin,
-            abutments: self.abutments.iter().zip(abutments).map(|(a, p)| motion(p, a.delay, a.motion_factor)).collect(),
-            piers: self.piers.iter().zip(piers).map(|(pier, p)| motion(p, pier.delay, pier.motion_factor)).collect(),
+            abutments: (self.abutments.iter().zip(abutments))
+                .map(|(a, place)| motion(place, &a.ground, [a.delay, a.motion_factor]))
+                .collect(),
+            piers: (self.piers.iter().zip(piers))
+                .map(|(pier, place)| motion(place, &pier.ground, [pier.delay, pier.motion_factor]))
+                .collect(),
         };
         let all = supports.abutments.iter().chain(&supports.piers).copied();
         let one = all.chain(ground.into_iter().map(|place| supports.at(place)));

@@ -119,8 +119,11 @@ impl Laid {
 
 /// What a record's file held is no part of the written scene; it stays while the file is the same.
 fn keep_loaded(scene: &Scene, changed: &mut Scene) {
-    if let (Motion::Record(before), Motion::Record(after)) = (&scene.motion, &mut changed.motion) {
-        after.take_loaded(before);
+    for (place, after) in changed.motions_mut() {
+        let before = scene.motions().find(|(before, _)| *before == place).map(|(_, motion)| motion);
+        if let (Some(Motion::Record(before)), Motion::Record(after)) = (before, after) {
+            after.take_loaded(before);
+        }
     }
 }
 
@@ -174,7 +177,7 @@ impl<'a> Setting<'a> {
             let found = into.type_str();
             here = into.as_table_mut().ok_or_else(|| self.no_table(step, found))?;
         }
-        if self.path == ["motion", "kind"] {
+        if matches!(self.path[..], ["motion", "kind"] | ["ground", _, "kind"]) {
             self.change_kind(here);
         }
         set(here, key, self.value.clone());
@@ -185,7 +188,7 @@ impl<'a> Setting<'a> {
     fn change_kind(&self, motion: &mut Table) {
         if motion.get("kind") != Some(&self.value) {
             let moves = self.value.as_str() != Some("none");
-            motion.retain(|key, _| moves && key == "angle_deg");
+            motion.retain(|key, _| key == "name" || moves && key == "angle_deg");
         }
     }
 

@@ -57,10 +57,12 @@ table! {
             "from its foot to the underside of the bearings, m; must be given with column_m";
         cap: Option<[f64; 3]> = "cap_m", Range::Like("three numbers > 0"), Fallback::Words("what its bearings need"),
             "sides of its cap along, across and up, m; for the drawing and the inertia";
-        delay: Option<f64> = "delay_s" as "field-delay", Range::NotNegative, Fallback::Words("by [wave], else 0.0"),
-            "how much later than [motion] its ground begins to move, s";
+        ground: Option<String> = "ground", Range::Like("the name of a [[ground]]"), Fallback::Words("as [motion]"),
+            "how its ground moves";
+        delay: Option<f64> = "delay_s" as "field-delay", Range::NotNegative, Fallback::Words("by [wave] where it moves as [motion], else 0.0"),
+            "how much later its ground begins to move, s";
         motion_factor: Option<f64> = "motion_factor" as "field-motion-factor", Range::Any, Fallback::Words("1.0"),
-            "acceleration of its ground over that of [motion]";
+            "multiplies the acceleration of its ground";
     }
 }
 

@@ -6,7 +6,7 @@ use super::keys::{Fallback, Key, Range};
 use super::motion::STANDARD_GRAVITY;
 use super::{
     Abutment, Bumper, Codes, ContactSettings, Damper, Girder, ImpactSettings, Kind, Limits, ModelSettings, Motion,
-    Pier, Restrainer, SolverSettings, Stopper, ViewSettings, Wave,
+    NamedGround, Pier, Restrainer, SolverSettings, Stopper, ViewSettings, Wave,
 };
 
 /// The version of the format that is read and written.
@@ -69,6 +69,9 @@ pub struct Scene {
     /// How the ground moves.
     #[serde(default)]
     pub motion: Motion,
+    /// Motions that supports have of their own, in the order of the file.
+    #[serde(rename = "ground", default, skip_serializing_if = "Vec::is_empty")]
+    pub grounds: Vec<NamedGround>,
     /// How that motion travels; without it the ground moves as one.
     #[serde(default, skip_serializing_if = "Option::is_none")]
     pub wave: Option<Wave>,
@@ -108,6 +111,7 @@ impl Scene {
             contact: ContactSettings::default(),
             impact: ImpactSettings::default(),
             motion: Motion::default(),
+            grounds: Vec::new(),
             wave: None,
             solver: SolverSettings::default(),
             limits: Limits::default(),
@@ -177,6 +181,7 @@ pub const TOP: &[Key] = &[
     Key::new("contact", Range::Free, Fallback::Words("as below"), "[contact] and [[contact.pair]]"),
     Key::new("impact", Range::Free, Fallback::Words("as below"), "[impact]"),
     Key::new("motion", Range::Free, Fallback::Words("still ground"), "[motion]"),
+    Key::new("ground", Range::Free, Fallback::Words("all stand on that of [motion]"), "[[ground]], see below"),
     Key::new("wave", Range::Free, Fallback::Words("the ground moves as one"), "[wave]"),
     Key::new("solver", Range::Free, Fallback::Words("as below"), "[solver]"),
     Key::new("limits", Range::Free, Fallback::Words("none"), "[limits]"),

@@ -17,6 +17,8 @@ pub struct MovedSupport {
     pub name: String,
     /// How it moves.
     pub motion: SupportMotion,
+    /// The name of its ground motion, where that is not the one of the ground of reference.
+    pub ground: Option<String>,
     /// Largest displacement against the ground of reference within the run, of the times looked at \[m\].
     pub largest: f64,
     /// That at the end of the run \[m\].
@@ -35,7 +37,14 @@ pub fn moved_supports(scene: &Scene, model: &Model) -> Vec<MovedSupport> {
         let motion = motion?;
         let apart = |t: f64| moving.displacement(motion, t).length();
         let looks = (0..=LOOKS).map(|look| model.duration * f64::from(look) / f64::from(LOOKS));
-        Some(MovedSupport { name, motion, largest: looks.map(apart).fold(0.0, f64::max), last: apart(model.duration) })
+        let ground = motion.ground.checked_sub(1).map(|number| scene.grounds[number].name.clone());
+        Some(MovedSupport {
+            name,
+            motion,
+            ground,
+            largest: looks.map(apart).fold(0.0, f64::max),
+            last: apart(model.duration),
+        })
     };
     abutments.chain(piers).chain(other).filter_map(moved).collect()
 }

@@ -155,6 +155,36 @@ fn components_take_their_directions_from_their_files_and_keep_them_without() {
 }
 
 #[test]
+fn a_ground_of_a_support_has_a_record_of_its_own() {
+    let (here, there) = (folder(), folder());
+    for name in ["old.AT2", "one-column.dat"] {
+        fs::copy(Path::new("tests/data/records").join(name), here.path().join(name)).expect("copied");
+    }
+    let path = here.path().join("scene.toml");
+    let text = presets::get("skew45-abutment").expect("a preset").text;
+    let grounds = "[motion]\nkind = \"record\"\nfile = \"old.AT2\"\n[[ground]]\nname = \"bank\"\nkind = \"record\"\n\
+                   file = \"one-column.dat\"\nscale = 0.5\n";
+    let text = without_motion(text).replace("[[abutment]]", "[[abutment]]\nground = \"bank\"");
+    fs::write(&path, format!("{text}\n{grounds}")).expect("written");
+    let scene = load(&path);
+    let samples = |scene: &Scene| match &scene.grounds[0].motion {
+        Motion::Record(record) => record.series().map(|(dt, samples)| (dt, samples.to_vec())),
+        _ => None,
+    };
+    assert!(samples(&scene).is_some_and(|(_, samples)| samples.len() > 10), "it has been read");
+    let (beside, away) = (here.path().join("copy.toml"), there.path().join("copy.toml"));
+    save_scene(&scene, &SceneSource::New, &beside).expect("saved");
+    save_scene(&scene, &SceneSource::New, &away).expect("saved");
+    assert_eq!(load(&beside), scene, "beside its files it names them");
+    assert_eq!(samples(&load(&away)), samples(&scene), "away from them it keeps the samples");
+    let scaled = load_scene(&path, &["ground.bank.scale=2".to_owned()]).expect("a number of it set");
+    assert_eq!(samples(&scaled), samples(&scene), "what was read stays");
+    fs::remove_file(here.path().join("one-column.dat")).expect("removed");
+    let missing = load_scene(&path, &[]).expect_err("a file is not there").to_string();
+    assert!(missing.contains("ground.bank.file") && missing.contains("one-column.dat"), "{missing}");
+}
+
+#[test]
 fn a_scene_saved_away_from_its_record_takes_the_samples_along() {
     let (here, there) = (folder(), folder());
     let scene = load(&write_recorded_scene(here.path()));

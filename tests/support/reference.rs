@@ -160,6 +160,7 @@ fn wall(wall: &Value, girders: &[Girder]) -> Abutment {
     Abutment {
         delay: None,
         motion_factor: None,
+        ground: None,
         backfill: None,
         name: format!("wall{label}"),
         faces: girders[body].name.clone(),

@@ -12,7 +12,7 @@ use girderbench::files::{Supplement, read_record};
 use girderbench::scene::edit::Edit;
 use girderbench::scene::keys::{self, Fallback, Range, TABLES};
 use girderbench::scene::{
-    DeviceId, DeviceKind, ModelKind, Motion, PlotSettings, Processing, Scene, overrides, presets,
+    DeviceId, DeviceKind, GroundId, ModelKind, Motion, PlotSettings, Processing, Scene, overrides, presets,
 };
 use girderbench::view::Target;
 
@@ -378,7 +378,7 @@ fn the_ground_stands_still_is_a_sine_or_a_record_and_keeps_its_angle() {
         "the angle stays"
     );
     assert_eq!(harness.state().replay.runner.problems(), None, "silence runs");
-    harness.state_mut().apply(FileCommand::Record(file.clone()));
+    harness.state_mut().apply(FileCommand::Record(GroundId::Reference, file.clone()));
     settle(&mut harness);
     let Motion::Record(record) = harness.state().files.document.scene().motion.clone() else { panic!("a record") };
     let (dt, samples) = record.series().expect("read");
@@ -393,7 +393,7 @@ fn the_ground_stands_still_is_a_sine_or_a_record_and_keeps_its_angle() {
     let Motion::Record(record) = harness.state().files.document.scene().motion.clone() else { panic!("a record") };
     assert_eq!((record.scale, record.file.clone(), record.dt), (2.0, None, Some(dt)), "without the file");
     let kept = harness.state().files.document.scene().clone();
-    harness.state_mut().apply(FileCommand::Record(folder.path().join("nothing.csv")));
+    harness.state_mut().apply(FileCommand::Record(GroundId::Reference, folder.path().join("nothing.csv")));
     settle(&mut harness);
     assert!(harness.state().window.notice().is_some_and(|n| n.contains("nothing.csv")), "a missing file is named");
     assert_eq!(*harness.state().files.document.scene(), kept, "and changes nothing");
@@ -416,7 +416,7 @@ fn a_record_that_was_chosen_is_saved_with_the_scene_and_opened_again() {
     std::fs::write(&quake, "0,0\n0.1,2\n0.2,0\n").expect("written");
     let mut harness = open(presets::OPENING);
     harness.state_mut().apply(FileCommand::SaveTo(scene.clone()));
-    harness.state_mut().apply(FileCommand::Record(quake));
+    harness.state_mut().apply(FileCommand::Record(GroundId::Reference, quake));
     settle(&mut harness);
     assert!(
         matches!(&harness.state().files.document.scene().motion, Motion::Record(r) if r.file.as_deref() == Some("quake.csv")),
@@ -506,7 +506,7 @@ fn stiffness_is_given_one_way_at_a_time() {
 fn components_are_added_turned_and_taken_away_with_undo() {
     let mut harness = open(presets::OPENING);
     choose(&mut harness, "Ground", "record");
-    harness.state_mut().apply(FileCommand::Record("tests/data/records/csmip.V2".into()));
+    harness.state_mut().apply(FileCommand::Record(GroundId::Reference, "tests/data/records/csmip.V2".into()));
     settle(&mut harness);
     let record = |harness: &Window| {
         let Motion::Record(record) = harness.state().files.document.scene().motion.clone() else { panic!("a record") };
@@ -533,7 +533,7 @@ fn components_are_added_turned_and_taken_away_with_undo() {
     type_in(&mut harness, "Factor of component 2", "0.5");
     let turned = record(&harness).components[1].clone();
     assert_eq!((turned.azimuth_deg, turned.scale), (Some(45.0), 0.5), "as typed");
-    harness.state_mut().apply(FileCommand::Component(1, "tests/data/records/csmip.V2".into()));
+    harness.state_mut().apply(FileCommand::Component(GroundId::Reference, 1, "tests/data/records/csmip.V2".into()));
     settle(&mut harness);
     let filled = record(&harness);
     assert_eq!(filled.components[1].scale, 0.5, "the factor stays");
@@ -559,7 +559,7 @@ fn a_file_that_states_no_unit_is_read_when_that_is_stated() {
     std::fs::write(&bare, "0\n100\n-50\n0\n").expect("written");
     let mut harness = open(presets::OPENING);
     choose(&mut harness, "Ground", "record");
-    harness.state_mut().apply(FileCommand::Record(bare));
+    harness.state_mut().apply(FileCommand::Record(GroundId::Reference, bare));
     settle(&mut harness);
     assert!(harness.state().window.notice().is_some_and(|notice| notice.contains("dt_s")), "what is missing is told");
     assert!(harness.state().replay.runner.problems().is_some(), "it cannot be run so");

@@ -13,8 +13,8 @@ use crate::app::plot::views::PlotViews;
 use crate::app::run::answer::Answer;
 use crate::app::text;
 use crate::files::{Found, SceneSource, load_scene, load_unsaved};
-use crate::scene::Scene;
 use crate::scene::edit::Edit;
+use crate::scene::{GroundId, Scene};
 
 impl Workbench {
     pub(super) fn apply_file(&mut self, command: FileCommand) {
@@ -28,18 +28,20 @@ impl Workbench {
             },
             FileCommand::Ask(wish) => self.ask(wish),
             FileCommand::Path(command) => self.apply_path(command),
-            FileCommand::Record(path) => {
-                let shaking = record::shaking_by(&path, self.files.folder(), &self.files.document.scene().motion);
-                self.shake(shaking);
+            FileCommand::Record(ground, path) => {
+                let Some(before) = self.files.document.scene().motion_of(ground) else { return };
+                let shaking = record::shaking_by(&path, self.files.folder(), before);
+                self.shake(ground, shaking);
             }
-            FileCommand::Component(number, path) => {
-                let before = &self.files.document.scene().motion;
+            FileCommand::Component(ground, number, path) => {
+                let Some(before) = self.files.document.scene().motion_of(ground) else { return };
                 let shaking = record::component_by(number, &path, self.files.folder(), before);
-                self.shake(shaking);
+                self.shake(ground, shaking);
             }
-            FileCommand::Shake(record) => {
-                let shaking = record::read_anew(*record, self.files.folder(), self.files.document.scene());
-                self.shake(Ok(shaking));
+            FileCommand::Shake(ground, record) => {
+                let Some(before) = self.files.document.scene().motion_of(ground) else { return };
+                let shaking = record::read_anew(*record, self.files.folder(), before);
+                self.shake(ground, Ok(shaking));
             }
             FileCommand::Save => match self.files.document.file().map(Path::to_owned) {
                 Some(file) => self.save(&file),
@@ -109,11 +111,11 @@ impl Workbench {
         }
     }
 
-    /// Shakes the ground otherwise; what could not be read is told.
-    fn shake(&mut self, shaking: Result<record::Shaking, String>) {
+    /// Shakes a ground otherwise; what could not be read is told.
+    fn shake(&mut self, ground: GroundId, shaking: Result<record::Shaking, String>) {
         match shaking {
             Ok((motion, unread)) => {
-                self.edit(edits::motion(motion));
+                self.edit(edits::motion(self.files.document.scene(), ground, motion));
                 if let Some(words) = unread {
                     self.window.say(words);
                 }

@@ -4,7 +4,7 @@ use std::path::PathBuf;
 
 use super::edit::BridgeDraft;
 use super::film::FilmFormat;
-use crate::scene::RecordMotion;
+use crate::scene::{GroundId, RecordMotion};
 
 /// Something to be written to a folder or file.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -23,9 +23,9 @@ pub enum Wish {
     /// A scene to open.
     Open,
     /// A record that shakes the ground.
-    Record,
+    Record(GroundId),
     /// A record of the component of this number.
-    Component(usize),
+    Component(GroundId, usize),
     /// A file to save the scene in.
     Save,
     /// Where an export goes.
@@ -41,8 +41,8 @@ impl Wish {
     pub(in crate::app) fn extension(self) -> Option<&'static str> {
         match self {
             Self::Open
-            | Self::Record
-            | Self::Component(_)
+            | Self::Record(_)
+            | Self::Component(..)
             | Self::Export(Export::Tables)
             | Self::Film(FilmFormat::Png) => None,
             Self::Save => Some("toml"),
@@ -55,7 +55,7 @@ impl Wish {
 
     /// Whether it is for something that is there already.
     pub(in crate::app) fn is_for_reading(self) -> bool {
-        matches!(self, Self::Open | Self::Record | Self::Component(_))
+        matches!(self, Self::Open | Self::Record(_) | Self::Component(..))
     }
 
     /// Whether it is for a folder.
@@ -105,11 +105,11 @@ pub enum FileCommand {
     /// Open a file.
     Open(PathBuf),
     /// Shake the ground by the record in a file, given from the scene's own folder on.
-    Record(PathBuf),
+    Record(GroundId, PathBuf),
     /// Shake along the component of this number by the record in a file.
-    Component(usize, PathBuf),
+    Component(GroundId, usize, PathBuf),
     /// Shake by these records, whose files are read anew where something else is stated of them.
-    Shake(Box<RecordMotion>),
+    Shake(GroundId, Box<RecordMotion>),
     /// Save where it came from, or ask.
     Save,
     /// Save into a file.

@@ -65,7 +65,7 @@ impl Dialogs {
 fn filters(wish: Wish) -> Vec<Filter> {
     match (wish, wish.extension()) {
         (Wish::Open | Wish::Save, _) => vec![("Girderbench scene".to_owned(), vec!["toml"])],
-        (Wish::Record | Wish::Component(_), _) => {
+        (Wish::Record(_) | Wish::Component(..), _) => {
             let each = RECORD_FORMATS.iter().map(|format| (format.name.to_owned(), format.extensions.to_vec()));
             [(text::RECORDS.to_string(), extensions(wish))].into_iter().chain(each).collect()
         }
@@ -85,8 +85,8 @@ pub(super) fn then(wish: Wish, path: PathBuf) -> Command {
     let path = wish.complete(path);
     match wish {
         Wish::Open => FileCommand::Open(path).into(),
-        Wish::Record => FileCommand::Record(path).into(),
-        Wish::Component(number) => FileCommand::Component(number, path).into(),
+        Wish::Record(ground) => FileCommand::Record(ground, path).into(),
+        Wish::Component(ground, number) => FileCommand::Component(ground, number, path).into(),
         Wish::Save => FileCommand::SaveTo(path).into(),
         Wish::Export(what) => FileCommand::Export(what, path).into(),
         Wish::Plots(_) => FileCommand::Plots(path).into(),
@@ -98,7 +98,7 @@ pub(super) fn then(wish: Wish, path: PathBuf) -> Command {
 pub(super) fn extensions(wish: Wish) -> Vec<&'static str> {
     match wish {
         Wish::Open => vec!["toml"],
-        Wish::Record | Wish::Component(_) => {
+        Wish::Record(_) | Wish::Component(..) => {
             RECORD_FORMATS.iter().flat_map(|format| format.extensions).copied().collect()
         }
         _ => wish.extension().into_iter().collect(),

@@ -4,7 +4,7 @@ use std::path::{Path, PathBuf};
 use std::sync::Arc;
 
 use crate::files::{Record, Records, Supplement, read_record};
-use crate::scene::{Component, Motion, RecordMotion, RecordUnit, Scene};
+use crate::scene::{Component, Motion, RecordMotion, RecordUnit};
 
 /// What shakes the ground, and what is to be said of a file that could not be read.
 pub(in crate::app) type Shaking = (Motion, Option<String>);
@@ -50,14 +50,14 @@ pub(in crate::app) fn component_by(
 }
 
 /// Shaking by these records: of files of which the same is stated as before what was read stays, others are read.
-pub(in crate::app) fn read_anew(mut record: RecordMotion, folder: &Path, scene: &Scene) -> Shaking {
-    match &scene.motion {
+pub(in crate::app) fn read_anew(mut record: RecordMotion, folder: &Path, before: &Motion) -> Shaking {
+    match before {
         Motion::Record(before) => record.take_loaded(before),
         _ => record.take_loaded(&RecordMotion::default()),
     }
-    let mut changed = Scene { motion: Motion::Record(record), ..scene.clone() };
-    let read = Records::in_folder(folder.to_owned()).complete(&mut changed);
-    (changed.motion, read.err().map(|errors| errors.to_string()))
+    let mut motion = Motion::Record(record);
+    let read = Records::in_folder(folder.to_owned()).complete_motion(("motion", &mut motion));
+    (motion, read.err().map(|errors| errors.to_string()))
 }
 
 /// A record; none with what is missing, where it could be read if unit and interval were stated beside it.

@@ -7,7 +7,9 @@ use crate::geometry::End;
 use crate::scene::edit::{Edit, General, free_name};
 use crate::scene::facing::{self, Side};
 use crate::scene::keys::Editable as _;
-use crate::scene::{Abutment, ContactSettings, Girder, Initial, Motion, Pier, Scene, Wave, placed};
+use crate::scene::{
+    Abutment, ContactSettings, Girder, GroundId, Initial, Motion, NamedGround, Pier, Scene, Wave, placed,
+};
 use crate::view::Target;
 use crate::view::block::abutment_block;
 
@@ -47,9 +49,39 @@ pub(in crate::app) fn contact(contact: ContactSettings) -> Edit {
     Edit::Contact(Box::new(contact))
 }
 
-/// Moves the ground otherwise.
-pub(in crate::app) fn motion(motion: Motion) -> Edit {
-    Edit::Motion(Box::new(motion))
+/// Moves a ground otherwise.
+pub(in crate::app) fn motion(scene: &Scene, ground: GroundId, motion: Motion) -> Edit {
+    let GroundId::Named(number) = ground else { return Edit::Motion(Box::new(motion)) };
+    let mut grounds = scene.grounds.clone();
+    grounds.get_mut(number).into_iter().for_each(|named| named.motion = motion.clone());
+    Edit::Grounds(grounds)
+}
+
+/// One more motion for supports to have of their own: it begins as that of `[motion]`.
+pub(in crate::app) fn add_ground(scene: &Scene) -> Edit {
+    let taken = |name: &String| scene.ground_named(name).is_some();
+    let mut names = (1..).map(|n| format!("ground {n}")).skip_while(taken);
+    let named = names.next().map(|name| NamedGround { name, motion: scene.motion.clone() });
+    Edit::Grounds(scene.grounds.iter().cloned().chain(named).collect())
+}
+
+/// Calls a ground otherwise, wherever it is named, or takes it away where there is no name; supports then stand on that of `[motion]`.
+pub(in crate::app) fn rename_ground(scene: &Scene, number: usize, name: Option<&str>) -> Edit {
+    let mut grounds = scene.grounds.clone();
+    let before = match name {
+        Some(name) => std::mem::replace(&mut grounds[number].name, name.to_owned()),
+        None => grounds.remove(number).name,
+    };
+    let named = |ground: &Option<String>| ground.as_ref() == Some(&before);
+    let ground = || name.map(str::to_owned);
+    let mut edits = vec![Edit::Grounds(grounds)];
+    for (i, a) in scene.abutments.iter().enumerate().filter(|(_, a)| named(&a.ground)) {
+        edits.push(abutment(i, Abutment { ground: ground(), ..a.clone() }));
+    }
+    for (i, pier) in scene.piers.iter().enumerate().filter(|(_, pier)| named(&pier.ground)) {
+        edits.push(Edit::ReplacePier(i, Box::new(Pier { ground: ground(), ..pier.clone() })));
+    }
+    Edit::Batch(edits)
 }
 
 /// Lets the motion travel: at a speed that was not given.
@@ -309,6 +341,7 @@ pub(in crate::app) fn abutment_before(scene: &Scene, girder: usize, end: End) ->
     Abutment {
         delay: None,
         motion_factor: None,
+        ground: None,
         backfill: None,
         name: free_name(scene, "abutment"),
         faces: scene.girders[girder].name.clone(),

@@ -56,6 +56,7 @@ fn new_pier(name: &str, deck: &Girder) -> Pier {
     Pier {
         delay: None,
         motion_factor: None,
+        ground: None,
         name: name.to_owned(),
         mass: round(CAP * deck.mass),
         position: None,

@@ -9,7 +9,7 @@ use crate::app::text;
 use crate::app::unit::{DEGREES, SECONDS};
 use crate::files::formats_in_words;
 use crate::scene::keys::Key;
-use crate::scene::{Component, Heading, RecordMotion};
+use crate::scene::{Component, GroundId, Heading, RecordMotion};
 
 /// Most components: two in plan and one upwards.
 const MOST: usize = 3;
@@ -20,7 +20,12 @@ fn ways() -> [(Option<bool>, &'static str); 3] {
 }
 
 /// Shows every component with its numbers, and the ways to add and to take away.
-pub(super) fn show(ui: &mut Ui, look: &Look<'_>, record: &mut RecordMotion, out: &mut Vec<Command>) -> Option<Change> {
+pub(super) fn show(
+    ui: &mut Ui,
+    look: &Look<'_>,
+    (ground, record): (GroundId, &mut RecordMotion),
+    out: &mut Vec<Command>,
+) -> Option<Change> {
     let mut change = azimuth_of_x(ui, look.place, record);
     let (mut gone, mut reread) = (None, false);
     for n in 0..record.components.len() {
@@ -29,7 +34,7 @@ pub(super) fn show(ui: &mut Ui, look: &Look<'_>, record: &mut RecordMotion, out:
         let fold = CollapsingHeader::new(head).id_salt(("component", n)).default_open(true);
         fold.show_unindented(ui, |ui| {
             weak(ui, &about);
-            let (own, again) = one(ui, look, (record, n), out);
+            let (own, again) = one(ui, look, (ground, record, n), out);
             (change, reread) = (change.or(own), reread || again);
             if act(ui, look.place, "component", &text::remove_component(n + 1)) {
                 gone = Some(n);
@@ -52,7 +57,7 @@ pub(super) fn show(ui: &mut Ui, look: &Look<'_>, record: &mut RecordMotion, out:
     }
     if reread {
         // The files of others are known by what they are, not by their numbers.
-        out.push(FileCommand::Shake(Box::new(record.clone())).into());
+        out.push(FileCommand::Shake(ground, Box::new(record.clone())).into());
         return None;
     }
     change
@@ -86,15 +91,15 @@ fn about(record: &RecordMotion, n: usize) -> String {
 fn one(
     ui: &mut Ui,
     look: &Look<'_>,
-    (record, n): (&mut RecordMotion, usize),
+    (ground, record, n): (GroundId, &mut RecordMotion, usize),
     out: &mut Vec<Command>,
 ) -> (Option<Change>, bool) {
-    let table = format!("motion.component[{n}]");
+    let table = format!("{}.component[{n}]", look.place.table);
     let whose = text::of_component(n + 1);
     let zero = |_: &Key| 0.0;
     let place = Place { table: &table, ..look.place };
     let look = Look { place, whose: &whose, without: Without::Off(&zero), ..*look };
-    file_row(ui, place, (record.components[n].file.as_deref().unwrap_or_default(), n), out);
+    file_row(ui, place, (record.components[n].file.as_deref().unwrap_or_default(), ground, n), out);
     let channels = record.component_record(n).map(|read| {
         let named = (1..).zip(&read.channels).map(|(number, channel)| format!("{number} {}", channel.name));
         named.collect::<Vec<_>>()
@@ -137,11 +142,11 @@ fn one(
 }
 
 /// A component's file: chosen, or typed.
-fn file_row(ui: &mut Ui, place: Place<'_>, (file, n): (&str, usize), out: &mut Vec<Command>) {
+fn file_row(ui: &mut Ui, place: Place<'_>, (file, ground, n): (&str, GroundId, usize), out: &mut Vec<Command>) {
     let label = format!("{} {}", text::RECORD_FILE, text::of_component(n + 1));
     ui.horizontal(|ui| {
         let name = ui.label(text::RECORD_FILE);
-        let draft_id = egui::Id::unique(("component file draft", n));
+        let draft_id = egui::Id::unique(("component file draft", ground, n));
         let mut draft = ui.data(|d| d.get_temp::<String>(draft_id)).unwrap_or_else(|| file.to_owned());
         let wide = (ui.available_width() - 74.0).max(40.0);
         let edit = TextEdit::singleline(&mut draft).hint_text(text::RECORD_IN_SCENE).desired_width(wide);
@@ -152,12 +157,12 @@ fn file_row(ui: &mut Ui, place: Place<'_>, (file, n): (&str, usize), out: &mut V
         } else {
             ui.data_mut(|d| d.remove::<String>(draft_id));
             if response.lost_focus() && draft != file && !draft.trim().is_empty() {
-                out.push(FileCommand::Component(n, draft.trim().into()).into());
+                out.push(FileCommand::Component(ground, n, draft.trim().into()).into());
             }
         }
         let words = RichText::new(text::CHOOSE);
         if ui.button(words).on_hover_text(formats_in_words()).clicked() {
-            out.push(FileCommand::Ask(Wish::Component(n)).into());
+            out.push(FileCommand::Ask(Wish::Component(ground, n)).into());
         }
     });
     if let Some(complaint) = place.complaint("file") {

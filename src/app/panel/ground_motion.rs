@@ -2,7 +2,7 @@
 
 use egui::{RichText, TextEdit, Ui};
 
-use super::{components, record_of, samples, target, wave};
+use super::{components, grounds, record_of, samples, target, wave};
 use crate::app::command::{AngleCommand, Command, EditCommand, FileCommand, QuakeCommand, Wish};
 use crate::app::field::{
     CLICK, Change, Form, Look, Place, Without, act, choice_line, complain, slider_at, sliders, tag,
@@ -10,7 +10,7 @@ use crate::app::field::{
 use crate::app::{edits, text};
 use crate::files::formats_in_words;
 use crate::scene::keys::Key;
-use crate::scene::{Motion, RecordMotion, STANDARD_GRAVITY, SineMotion, SweepMotion, SyntheticMotion};
+use crate::scene::{GroundId, Motion, RecordMotion, STANDARD_GRAVITY, SineMotion, SweepMotion, SyntheticMotion};
 
 /// Which kind of motion it is.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
@@ -41,22 +41,25 @@ const VERTICAL: [&str; 3] = ["vertical_amplitude_g", "vertical_amplitude_m_s2", 
 
 /// Shows the kind and what belongs to it.
 pub(in crate::app) fn show(ui: &mut Ui, form: Form<'_>, out: &mut Vec<Command>) {
-    let mut new = form.scene.motion.clone();
-    let look = form.look("motion");
+    let ground = grounds::show(ui, form, out);
+    let Some(before) = form.scene.motion_of(ground) else { return };
+    let mut new = before.clone();
+    let table = form.scene.motion_place(ground);
+    let look = form.look(&table);
     let kind = kind(ui, look.place, &mut new);
     let change = match &mut new {
         Motion::None => still(ui, &mut new),
         Motion::Sine(sine) => sine_rows(ui, &look, sine),
-        Motion::Record(record) => record_rows(ui, &look, record, out),
+        Motion::Record(record) => record_rows(ui, &look, (ground, record), out),
         Motion::Synthetic(quake) => sliders(ui, &look, quake, &[]).or(target::show(ui, look.place, quake)),
         Motion::Sweep(sweep) => sliders(ui, &look, sweep, &[]),
     };
-    if !matches!(form.scene.motion, Motion::None) {
+    if ground == GroundId::Reference && !matches!(form.scene.motion, Motion::None) {
         wave::show(ui, form, out);
         windows(ui, out);
     }
     if let Some(change) = kind.or(change) {
-        out.push(EditCommand::Change { edit: edits::motion(new), gesture: change.gesture }.into());
+        out.push(EditCommand::Change { edit: edits::motion(form.scene, ground, new), gesture: change.gesture }.into());
     }
 }
 
@@ -143,21 +146,26 @@ fn vertical_rows(ui: &mut Ui, look: &Look<'_>, sine: &mut SineMotion, metric: bo
     sliders(ui, &look, sine, &["amplitude_g", "amplitude_m_s2", "frequency_hz", "phase_deg", "angle_deg", other])
 }
 
-fn record_rows(ui: &mut Ui, look: &Look<'_>, record: &mut RecordMotion, out: &mut Vec<Command>) -> Option<Change> {
+fn record_rows(
+    ui: &mut Ui,
+    look: &Look<'_>,
+    (ground, record): (GroundId, &mut RecordMotion),
+    out: &mut Vec<Command>,
+) -> Option<Change> {
     if !record.components.is_empty() {
-        let change = components::show(ui, look, record, out);
+        let change = components::show(ui, look, (ground, record), out);
         let scale = slider_at(ui, look, "scale", &mut record.scale);
         return change.or(scale).or(record_of::processing(ui, look, record));
     }
-    file_row(ui, look.place, record, out);
+    file_row(ui, look.place, (ground, record), out);
     about(ui, record);
     record_of::read(ui, record);
     let channel = record_of::channel(ui, look.place, record);
     let kept = channel.or(kept_rows(ui, look, record));
-    record_of::beside(ui, look.place, record, out);
+    record_of::beside(ui, look.place, (ground, record), out);
     if act(ui, look.place, "component", text::ADD_COMPONENT.as_str()) {
         components::add(record);
-        out.push(FileCommand::Shake(Box::new(record.clone())).into());
+        out.push(FileCommand::Shake(ground, Box::new(record.clone())).into());
     }
     let kept = kept.or(record_of::processing(ui, look, record));
     let scale = slider_at(ui, look, "scale", &mut record.scale);
@@ -166,11 +174,11 @@ fn record_rows(ui: &mut Ui, look: &Look<'_>, record: &mut RecordMotion, out: &mu
 }
 
 /// The record's file: chosen, or typed.
-fn file_row(ui: &mut Ui, place: Place<'_>, record: &RecordMotion, out: &mut Vec<Command>) {
+fn file_row(ui: &mut Ui, place: Place<'_>, (ground, record): (GroundId, &RecordMotion), out: &mut Vec<Command>) {
     let file = record.file.clone().unwrap_or_default();
     ui.horizontal(|ui| {
         let name = ui.label(text::RECORD_FILE);
-        let draft_id = egui::Id::unique("record file draft");
+        let draft_id = egui::Id::unique(("record file draft", ground));
         let mut draft = ui.data(|d| d.get_temp::<String>(draft_id)).unwrap_or_else(|| file.clone());
         let wide = (ui.available_width() - 74.0).max(40.0);
         let edit = TextEdit::singleline(&mut draft).hint_text(text::RECORD_IN_SCENE).desired_width(wide);
@@ -181,11 +189,11 @@ fn file_row(ui: &mut Ui, place: Place<'_>, record: &RecordMotion, out: &mut Vec<
         } else {
             ui.data_mut(|d| d.remove::<String>(draft_id));
             if response.lost_focus() && draft != file && !draft.trim().is_empty() {
-                out.push(FileCommand::Record(draft.trim().into()).into());
+                out.push(FileCommand::Record(ground, draft.trim().into()).into());
             }
         }
         if ui.button(text::CHOOSE).on_hover_text(formats_in_words()).clicked() {
-            out.push(FileCommand::Ask(Wish::Record).into());
+            out.push(FileCommand::Ask(Wish::Record(ground)).into());
         }
     });
     if let Some(complaint) = place.complaint("file") {

@@ -24,7 +24,7 @@ use crate::app::time::replay::Replay;
 use crate::app::time::{timeline, transport};
 use crate::app::viewport::show;
 use crate::files::is_record;
-use crate::scene::Scene;
+use crate::scene::{GroundId, Scene};
 
 /// How often progress on a thread is shown.
 const PROGRESS: Duration = Duration::from_millis(50);
@@ -254,5 +254,5 @@ fn keep_work(bench: &mut Workbench) -> Option<Duration> {
 /// What a file that is dropped onto the window is for: a record by its extension, anything else a scene.
 fn dropped_on(path: &Path) -> FileCommand {
     let path = path.to_owned();
-    if is_record(&path) { FileCommand::Record(path) } else { FileCommand::Open(path) }
+    if is_record(&path) { FileCommand::Record(GroundId::Reference, path) } else { FileCommand::Open(path) }
 }

@@ -5,6 +5,7 @@ mod components;
 pub(in crate::app) mod file_questions;
 pub(in crate::app) mod fold;
 pub(in crate::app) mod ground_motion;
+pub(in crate::app) mod grounds;
 pub(in crate::app) mod help;
 pub(in crate::app) mod inspector;
 pub(in crate::app) mod layout;

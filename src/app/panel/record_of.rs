@@ -7,7 +7,7 @@ use crate::app::field::{Change, Look, Place, Without, choice, choice_line, rows,
 use crate::app::text;
 use crate::app::unit::SECONDS;
 use crate::scene::keys::{Fallback, Key};
-use crate::scene::{RecordMotion, RecordUnit};
+use crate::scene::{GroundId, RecordMotion, RecordUnit};
 
 /// Units of files.
 pub(super) fn units() -> [(Option<RecordUnit>, &'static str); 4] {
@@ -38,7 +38,12 @@ pub(super) fn channel(ui: &mut Ui, place: Place<'_>, record: &mut RecordMotion) 
 }
 
 /// What is stated beside a file that does not state it itself: its unit, its interval. Then it is read anew.
-pub(super) fn beside(ui: &mut Ui, place: Place<'_>, record: &RecordMotion, out: &mut Vec<Command>) {
+pub(super) fn beside(
+    ui: &mut Ui,
+    place: Place<'_>,
+    (ground, record): (GroundId, &RecordMotion),
+    out: &mut Vec<Command>,
+) {
     if record.file.is_none() {
         return;
     }
@@ -49,13 +54,14 @@ pub(super) fn beside(ui: &mut Ui, place: Place<'_>, record: &RecordMotion, out: 
         unit.or(switched(ui, place, ("dt_s", text::INTERVAL.as_str()), (&mut new.dt, 0.01), SECONDS))
     });
     if changed.inner.is_some() {
-        out.push(FileCommand::Shake(Box::new(new)).into());
+        out.push(FileCommand::Shake(ground, Box::new(new)).into());
     }
 }
 
 /// Every key of `[motion.processing]`, folded away.
 pub(super) fn processing(ui: &mut Ui, look: &Look<'_>, record: &mut RecordMotion) -> Option<Change> {
-    let place = Place { table: "motion.processing", ..look.place };
+    let table = format!("{}.processing", look.place.table);
+    let place = Place { table: &table, ..look.place };
     let length = record.series().map_or(1.0, |(dt, samples)| dt * (samples.len().max(1) - 1) as f64);
     let first = move |key: &Key| match (key.name, key.fallback) {
         ("to_s", _) => length,

@@ -31,7 +31,7 @@ pub(in crate::app) fn name_of_edit(edit: &Edit, scene: &Scene) -> String {
         Edit::ReplaceAbutment(i, _) => named("edit-change", abutment(i)),
         Edit::Rename(from, to) => Text::new("edit-rename").with(&values!["from" => from.as_str(), "to" => to.as_str()]),
         Edit::Contact(_) => Text::new("edit-contact").into(),
-        Edit::Motion(_) => Text::new("edit-ground-motion").into(),
+        Edit::Motion(_) | Edit::Grounds(_) => Text::new("edit-ground-motion").into(),
         Edit::Wave(_) => Text::new("edit-wave").into(),
         Edit::Model(_) => Text::new("edit-model").into(),
         Edit::Impact(_) => Text::new("edit-impact-numbers").into(),

@@ -57,6 +57,13 @@ pub(in crate::app) const MOTION_SECTION: Text = Text::new("motion-section");
 
 // Histories and spectrum of the ground motion.
 pub(in crate::app) const QUAKE: Text = Text::new("quake");
+pub(in crate::app) const GROUND_SHOWN: Text = Text::new("ground-shown");
+pub(in crate::app) const GROUND_OF_MOTION: Text = Text::new("ground-of-motion");
+pub(in crate::app) const GROUND_NAME: Text = Text::new("ground-name");
+pub(in crate::app) const GROUND_UNDER: Text = Text::new("ground-under");
+pub(in crate::app) const GROUND_ADD: Text = Text::new("ground-add");
+pub(in crate::app) const GROUND_ADD_HINT: Text = Text::new("ground-add-hint");
+pub(in crate::app) const GROUND_REMOVE: Text = Text::new("ground-remove");
 pub(in crate::app) const WAVE_ADD: Text = Text::new("wave-add");
 pub(in crate::app) const WAVE_REMOVE: Text = Text::new("wave-remove");
 pub(in crate::app) const QUAKE_OPEN: Text = Text::new("quake-open");

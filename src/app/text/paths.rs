@@ -26,7 +26,7 @@ pub(in crate::app) const NO_FOLDER_WINDOW: Text = Text::new("no-folder-window");
 pub(in crate::app) fn wish(wish: Wish) -> &'static str {
     let words = match wish {
         Wish::Open => Text::new("wish-open"),
-        Wish::Record | Wish::Component(_) => Text::new("wish-record"),
+        Wish::Record(_) | Wish::Component(..) => Text::new("wish-record"),
         Wish::Save => Text::new("wish-save"),
         Wish::Export(Export::Picture) => Text::new("wish-picture"),
         Wish::Export(Export::Tables) => Text::new("wish-tables"),
@@ -42,7 +42,7 @@ pub(in crate::app) fn wish(wish: Wish) -> &'static str {
 pub(in crate::app) fn wish_done(wish: Wish) -> &'static str {
     let words = match wish {
         Wish::Open => Text::new("done-open"),
-        Wish::Record | Wish::Component(_) => Text::new("done-record"),
+        Wish::Record(_) | Wish::Component(..) => Text::new("done-record"),
         Wish::Save => Text::new("done-save"),
         Wish::Film(_) => Text::new("done-film"),
         Wish::Export(_) | Wish::Plots(_) => Text::new("done-write"),

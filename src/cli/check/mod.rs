@@ -19,8 +19,8 @@ use crate::language::{Text, said};
 use crate::scene::keys::word_told;
 use crate::scene::shown::escaped;
 use crate::scene::{
-    Between, Calibration, FrictionLaw, Heading, Kind, ModelKind, Motion, NormalName, RecordMotion, STANDARD_GRAVITY,
-    Scene, Sharing, SolverMethod, SweepRate, Tension, ViewPreset, seating,
+    Between, Calibration, FrictionLaw, Heading, Kind, ModelKind, Motion, NamedGround, NormalName, RecordMotion,
+    STANDARD_GRAVITY, Scene, Sharing, SolverMethod, SweepRate, Tension, ViewPreset, seating,
 };
 use crate::sim;
 
@@ -120,10 +120,14 @@ fn head(scene: &Scene) -> String {
         Kind::Planar => Text::new("check-planar").into(),
         Kind::Spatial => said!("check-spatial", "gravity" => six(scene.gravity)),
     };
+    let mut ground = said!("check-head-b", "motion" => motion_words(&scene.motion));
+    for NamedGround { name: of, motion } in &scene.grounds {
+        ground =
+            format!("{ground}\n{}", said!("check-named-ground", "name" => name(of), "motion" => motion_words(motion)));
+    }
     format!(
-        "{}\n{}\n{}\n{}\n",
+        "{}\n{ground}\n{}\n{}\n",
         said!("check-head", "name" => name(&scene.name), "kind" => kind, "duration" => six(scene.duration)),
-        said!("check-head-b", "motion" => motion_words(&scene.motion)),
         said!(
             "check-head-c",
             "method" => word_told(SolverMethod::WORDS, scene.solver.method.label()),

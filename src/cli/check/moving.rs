@@ -9,10 +9,19 @@ use crate::sim::moving_ground::{MovedSupport, moved_supports};
 
 /// A line a support that moves otherwise than the ground of reference.
 pub(super) fn texts(scene: &Scene, model: &Model) -> Vec<String> {
-    let text = |MovedSupport { name, motion, largest, last }: MovedSupport| {
+    let text = |MovedSupport { name, motion, ground, largest, last }: MovedSupport| {
         let [delay, factor, largest, last] = [motion.delay, motion.factor, largest, last].map(six);
         let name = escaped(&name);
-        let line = said!("check-moving", "name" => name, "delay" => delay, "factor" => factor, "largest" => largest, "last" => last);
+        let ground = ground.map_or(String::new(), |ground| said!("check-own-ground", "ground" => escaped(&ground)));
+        let line = said!(
+            "check-moving",
+            "name" => name,
+            "ground" => ground,
+            "delay" => delay,
+            "factor" => factor,
+            "largest" => largest,
+            "last" => last
+        );
         format!("{line}\n")
     };
     moved_supports(scene, model).into_iter().map(text).collect()

@@ -138,7 +138,9 @@ fn write(args: &SweepArgs, dataset: &Dataset<'_>, about: &Value, console: &mut C
         Err(why) => console.note(&why),
     }
     let written = write_files(&args.out, &files)?;
-    for (status, how) in [(Status::GaveUp, "stop-gave-up"), (Status::Refused, "sweep-refused")] {
+    for (status, how) in
+        [(Status::Ended, "stop-ended"), (Status::GaveUp, "stop-gave-up"), (Status::Refused, "sweep-refused")]
+    {
         let how = Text::new(how);
         let rows = || dataset.rows.values().filter(|row| row.status == status);
         if let Some(first) = rows().next() {

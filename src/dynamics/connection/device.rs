@@ -2,7 +2,7 @@
 
 use glam::DVec3;
 
-use crate::dynamics::connection::{Connection, Separation, SeparationBounds};
+use crate::dynamics::connection::{Connection, Excursion, Separation, SeparationBounds};
 use crate::language::Text;
 
 /// State of a device: which law is in force, and what that law remembers.
@@ -122,10 +122,9 @@ pub trait Device: Connection<State = Phase, Motion = Separation> + std::fmt::Deb
         f64::NEG_INFINITY
     }
 
-    /// Whether a switching function stays below 0 for certain while the first point is displaced from `motion` by no more than
-    /// `way` \[m\], whatever its rate.
-    fn stays_below(&self, number: usize, phase: &Phase, motion: &Separation, way: f64) -> bool {
-        let _ = (number, phase, motion, way);
+    /// Whether a switching function stays below 0 for certain while the motion departs from `motion` by no more than `within`.
+    fn stays_below(&self, number: usize, phase: &Phase, motion: &Separation, within: Excursion) -> bool {
+        let _ = (number, phase, motion, within);
         false
     }
 

@@ -14,7 +14,7 @@ use glam::DVec3;
 
 pub use device::{Device, Evolution, IS_BROKEN, Phase, Switch, SwitchUnit};
 pub use link::{Anchor, Link};
-pub use separation::{Kinematics, Separation, SeparationBounds};
+pub use separation::{Excursion, Kinematics, Separation, SeparationBounds};
 
 /// A force between two points.
 pub trait Connection {

@@ -6,7 +6,9 @@
 
 use glam::DVec3;
 
-use crate::dynamics::connection::{Connection, Device, Phase, Separation, SeparationBounds, Switch, SwitchUnit};
+use crate::dynamics::connection::{
+    Connection, Device, Excursion, Phase, Separation, SeparationBounds, Switch, SwitchUnit,
+};
 use crate::language::Text;
 
 /// Envelope of the resistance: `F = K₀ y/(1 + D y)` up to a push at which it becomes constant.
@@ -203,8 +205,13 @@ impl Device for Backfill {
         }
     }
 
-    fn stays_below(&self, number: usize, phase: &Phase, motion: &Separation, way: f64) -> bool {
-        self.switch_unit(number, phase) == SwitchUnit::Length && self.switch(number, phase, motion) + way < 0.0
+    /// Every switching function changes by no more than the displacement or the rate that it is a part of.
+    fn stays_below(&self, number: usize, phase: &Phase, motion: &Separation, within: Excursion) -> bool {
+        let change = match self.switch_unit(number, phase) {
+            SwitchUnit::Length => within.way,
+            SwitchUnit::Speed => within.rate,
+        };
+        self.switch(number, phase, motion) + change < 0.0
     }
 
     fn next(&self, event: Switch, phase: &Phase, motion: &Separation) -> (Phase, f64) {

@@ -7,7 +7,7 @@
 use glam::{DVec2, DVec3};
 
 use crate::dynamics::connection::{
-    Connection, Device, Evolution, Phase, Separation, SeparationBounds, Switch, SwitchUnit,
+    Connection, Device, Evolution, Excursion, Phase, Separation, SeparationBounds, Switch, SwitchUnit,
 };
 use crate::language::Text;
 
@@ -196,15 +196,17 @@ impl Device for Hysteresis {
         }
     }
 
-    /// Elastic, `|z|` grows by no more than `k_t` times the way.
-    fn stays_below(&self, number: usize, phase: &Phase, motion: &Separation, way: f64) -> bool {
+    /// Elastic, `|z|` grows by no more than `k_t` times the way. In yield on the circle, with the rate `w` across n,
+    /// `d(n·u̇)/dt = (k_t/Q) w² + n·ü ≥ −|ü|`: the turn of n never brings the end nearer.
+    fn stays_below(&self, number: usize, phase: &Phase, motion: &Separation, within: Excursion) -> bool {
         match *self {
-            Hysteresis::Circle(_) if phase.law == YIELDING => false,
-            Hysteresis::Circle(Play { stiffness, force }) => {
-                self.hysteretic_force(phase, motion).length() + stiffness * way < force
+            Hysteresis::Circle(Play { stiffness, force }) if phase.law != YIELDING => {
+                self.hysteretic_force(phase, motion).length() + stiffness * within.way < force
             }
+            Hysteresis::Circle(_) => self.switch(number, phase, motion) + within.rate < 0.0,
             Hysteresis::PerAxis(_) => {
-                Self::state(phase, number / 2) == 0 && self.switch(number, phase, motion) + way < 0.0
+                let change = if Self::state(phase, number / 2) == 0 { within.way } else { within.rate };
+                self.switch(number, phase, motion) + change < 0.0
             }
         }
     }
@@ -225,5 +227,60 @@ impl Device for Hysteresis {
         // Yield is noticed a rounding of the place beyond Q.
         let released = self.stored_energy(phase, motion) - self.stored_energy(&next, motion);
         (next, released)
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn yield_ends_no_earlier_than_the_change_of_the_rate_allows() {
+        let law = Hysteresis::Circle(Play { stiffness: 5e6, force: 6e4 });
+        let mut dice = uniform(7);
+        let (mut claimed, mut near) = (0, f64::INFINITY);
+        for _ in 0..400 {
+            let [angle, across, along, turn, size] = std::array::from_fn(|_| dice());
+            let phase = Phase { law: YIELDING, memory: [7.0 * angle, 0.0, 0.0] };
+            let n = DVec2::from_angle(phase.memory[0]);
+            let start = n * along + n.perp() * (2.0 * across - 1.0);
+            let acceleration = DVec2::from_angle(7.0 * turn) * (20.0 * size);
+            let (steps, h) = (400, 0.05 / 400.0);
+            let begins = Separation { rate: start.extend(0.0), ..Separation::default() };
+            let within = Excursion { way: f64::INFINITY, rate: 0.05 * acceleration.length() };
+            if !law.stays_below(0, &phase, &begins, within) {
+                continue;
+            }
+            claimed += 1;
+            let at = |t: f64, angle: f64| {
+                let motion = Separation { rate: (start + acceleration * t).extend(0.0), ..Separation::default() };
+                (Phase { law: YIELDING, memory: [angle, 0.0, 0.0] }, motion)
+            };
+            let mut angle = phase.memory[0];
+            for step in 0..steps {
+                let t = f64::from(step) * h;
+                let rate = |t: f64, angle: f64| {
+                    let (phase, motion) = at(t, angle);
+                    law.evolution(&phase, &motion).rate
+                };
+                let first = rate(t, angle);
+                let second = rate(t + 0.5 * h, angle + 0.5 * h * first);
+                angle += h * second;
+                let (phase, motion) = at(t + h, angle);
+                let switch = law.switch(0, &phase, &motion);
+                near = near.min(-switch);
+                assert!(switch < 0.0, "{switch} at {t}: {begins:?}, {acceleration}");
+            }
+        }
+        assert!(claimed > 50 && near < 0.05, "{claimed} claims, the nearest {near} m/s from the end");
+    }
+
+    /// Numbers between 0 and 1 by a linear congruence.
+    fn uniform(seed: u64) -> impl FnMut() -> f64 {
+        let mut state = seed;
+        move || {
+            state = state.wrapping_mul(6_364_136_223_846_793_005).wrapping_add(1_442_695_040_888_963_407);
+            (state >> 11) as f64 / (1_u64 << 53) as f64
+        }
     }
 }

@@ -7,7 +7,7 @@ use glam::DVec3;
 
 use super::line::Line;
 use crate::dynamics::connection::{
-    Connection, Device, IS_BROKEN, Phase, Separation, SeparationBounds, Switch, SwitchUnit,
+    Connection, Device, Excursion, IS_BROKEN, Phase, Separation, SeparationBounds, Switch, SwitchUnit,
 };
 use crate::language::Text;
 
@@ -178,6 +178,12 @@ impl Device for Restrainer {
             _ if self.break_elongation.is_infinite() => -1.0,
             _ => elongation - self.break_elongation,
         }
+    }
+
+    /// A switching function that is a length changes by no more than the elongation, and that by no more than the way.
+    fn stays_below(&self, number: usize, phase: &Phase, motion: &Separation, within: Excursion) -> bool {
+        let is_length = self.switch_unit(number, phase) == SwitchUnit::Length;
+        is_length && self.switch(number, phase, motion) + within.way < 0.0
     }
 
     fn next(&self, event: Switch, phase: &Phase, motion: &Separation) -> (Phase, f64) {

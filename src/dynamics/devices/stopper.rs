@@ -6,7 +6,7 @@
 use glam::DVec3;
 
 use crate::dynamics::connection::{
-    Connection, Device, IS_BROKEN, Phase, Separation, SeparationBounds, Switch, SwitchUnit,
+    Connection, Device, Excursion, IS_BROKEN, Phase, Separation, SeparationBounds, Switch, SwitchUnit,
 };
 use crate::language::Text;
 
@@ -155,6 +155,15 @@ impl Device for Stopper {
             (_, YIELD, _) | (.., Failure::Never) => -1.0,
             _ => self.press(phase, motion) - self.limit(),
         }
+    }
+
+    /// Every switching function changes by no more than the displacement or the rate that it is a part of.
+    fn stays_below(&self, number: usize, phase: &Phase, motion: &Separation, within: Excursion) -> bool {
+        let change = match self.switch_unit(number, phase) {
+            SwitchUnit::Length => within.way,
+            SwitchUnit::Speed => within.rate,
+        };
+        self.switch(number, phase, motion) + change < 0.0
     }
 
     fn next(&self, event: Switch, phase: &Phase, motion: &Separation) -> (Phase, f64) {

@@ -10,7 +10,7 @@ use glam::{DVec2, DVec3};
 
 use super::LinearBearing;
 use crate::dynamics::connection::{
-    Connection, Device, Evolution, Phase, Separation, SeparationBounds, Switch, SwitchUnit,
+    Connection, Device, Evolution, Excursion, Phase, Separation, SeparationBounds, Switch, SwitchUnit,
 };
 use crate::language::Text;
 use crate::scene::seating::Room;
@@ -167,12 +167,12 @@ impl Device for Support {
     }
 
     /// The excess beyond the room is convex in the displacement.
-    fn stays_below(&self, number: usize, phase: &Phase, motion: &Separation, way: f64) -> bool {
+    fn stays_below(&self, number: usize, phase: &Phase, motion: &Separation, within: Excursion) -> bool {
         match self.standing(phase) {
-            Some(law) if number < law.switches(phase) => law.stays_below(number, phase, motion, way),
+            Some(law) if number < law.switches(phase) => law.stays_below(number, phase, motion, within),
             _ => {
                 let [w, _] = self.across(motion);
-                self.room.excess(w - way) < 0.0 && self.room.excess(w + way) < 0.0
+                self.room.excess(w - within.way) < 0.0 && self.room.excess(w + within.way) < 0.0
             }
         }
     }

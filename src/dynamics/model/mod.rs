@@ -14,6 +14,7 @@ pub mod elastic_body;
 pub mod face_choice;
 pub mod flexible;
 mod foundation;
+mod ground;
 pub mod ground_now;
 pub mod groups;
 pub mod linear_block;

@@ -8,6 +8,7 @@ use glam::{DMat3, DVec3};
 use crate::dynamics::model::bearing::{PlanarBearings, Standing};
 use crate::dynamics::model::body::{Body, BodyCoordinates};
 use crate::dynamics::model::coordinates::given_motion::GivenMotion;
+use crate::dynamics::model::ground::compiled;
 use crate::dynamics::model::rate_bounds::RateBounds;
 use crate::geometry::Prism;
 use crate::motion::Ground;
@@ -23,12 +24,13 @@ pub struct Foundation {
     pub motion: SupportMotion,
 }
 
-/// How the ground moves under the supports of a scene, and the path of the ground of reference.
+/// How the ground moves under the supports of a scene, and the paths of its grounds.
 #[derive(Clone, Debug)]
 pub struct MovingGround {
-    /// Delay and factor by support.
+    /// Ground, delay and factor by support.
     pub supports: MovingSupports,
-    path: Arc<GroundPath>,
+    /// Path of the ground of reference, then of those with names.
+    paths: Vec<Arc<GroundPath>>,
     kind: Kind,
 }
 
@@ -36,17 +38,19 @@ impl MovingGround {
     /// Of a scene; `None` where its ground moves as one.
     pub(super) fn of(scene: &Scene, ground: &Ground) -> Option<Self> {
         let supports = scene.moving_supports()?;
-        Some(Self { supports, path: Arc::new(GroundPath::of(ground.clone())), kind: scene.kind })
+        let named = scene.grounds.iter().map(|named| compiled(&named.motion));
+        let paths = std::iter::once(ground.clone()).chain(named).map(|ground| Arc::new(GroundPath::of(ground)));
+        Some(Self { supports, paths: paths.collect(), kind: scene.kind })
     }
 
     /// Displacement of the ground of a support that moves in this way against the ground of reference \[m\].
     pub fn displacement(&self, own: SupportMotion, t: f64) -> DVec3 {
-        RelativeMotion::of(Arc::clone(&self.path), own).at(t)[1]
+        RelativeMotion::of(&self.paths, own).at(t)[1]
     }
 
     /// The motion of a support against the ground of reference, as degrees of freedom.
     pub(super) fn given(&self, own: SupportMotion) -> GivenMotion {
-        let motion = RelativeMotion::of(Arc::clone(&self.path), own);
+        let motion = RelativeMotion::of(&self.paths, own);
         GivenMotion { motion, axes: if self.kind == Kind::Planar { 2 } else { 3 } }
     }
 

@@ -3,7 +3,7 @@
 use smallvec::SmallVec;
 
 use crate::dynamics::Model;
-use crate::dynamics::connection::{Kinematics, Link, Phase, Separation, SwitchUnit};
+use crate::dynamics::connection::{Excursion, Kinematics, Link, Phase, Separation, SwitchUnit};
 use crate::dynamics::locate::first_rise::{EarliestEvent, first_rise};
 use crate::dynamics::penalty3d::active_link::ActiveLink;
 use crate::dynamics::penalty3d::constants::{POSITION_ROUNDING, ZERO_BAND};
@@ -25,8 +25,9 @@ pub(in crate::dynamics) fn first_due(model: &Model, island: &Island) -> Option<(
     for (index, active) in island.system.links.iter().enumerate() {
         let link = active.of(model);
         let begins = active.motion(model, &island.system.bases, &frames).0;
-        let way = way(model, island, active);
-        let likely = |number: &usize| !link.device.stays_below(*number, &active.phase, &begins, way);
+        let within = excursion(model, island, active);
+        let phase = island.phase_at(index, island.from);
+        let likely = |number: &usize| !link.device.stays_below(*number, &phase, &begins, within);
         let likely: SmallVec<[usize; 4]> = (0..link.device.switches(&active.phase)).filter(likely).collect();
         if likely.is_empty() {
             continue;
@@ -56,15 +57,23 @@ pub(in crate::dynamics) fn first_due(model: &Model, island: &Island) -> Option<(
     found
 }
 
-/// How far the first point of a link goes from where it is at the start of the planned step against the second, at most, in the
-/// link's axes \[m\]; infinite where these turn.
-fn way(model: &Model, island: &Island, active: &ActiveLink) -> f64 {
+/// How far the motion of a link's first point against the second departs within the planned step from what it is at its start, in the
+/// link's axes; infinitely where these turn.
+fn excursion(model: &Model, island: &Island, active: &ActiveLink) -> Excursion {
     let link = active.of(model);
     if link.kinematics == Kinematics::Carried && active.ends[1].is_some() {
-        return f64::INFINITY;
+        return Excursion { way: f64::INFINITY, rate: f64::INFINITY };
     }
-    let ends = active.ends.into_iter().zip(link.arms);
-    ends.map(|(end, arm)| end.map_or(0.0, |body| island.excursion(model, body, arm.length(), island.from))).sum()
+    let mut within = Excursion { way: 0.0, rate: 0.0 };
+    for (end, arm) in active.ends.into_iter().zip(link.arms) {
+        let (Some(body), arm) = (end, arm.length()) else { continue };
+        let bounds = island.bound(model, body);
+        within.way += island.excursion(model, body, arm, island.from);
+        // Of a point at this arm: G's, tangential, towards the axis.
+        let acceleration = bounds.acceleration + arm * (bounds.spin_rate + bounds.spin * bounds.spin);
+        within.rate += acceleration * (island.until - island.from);
+    }
+    within
 }
 
 /// Value of a switching function of a phase that counts as 0 at the start of a stretch with these motions, and the value that is

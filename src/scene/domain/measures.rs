@@ -2,6 +2,7 @@
 
 use glam::DVec3;
 
+use crate::scene::device::Ends;
 use crate::scene::facing::{Facing, Side};
 use crate::scene::{Direction, Girder, Kind, ResolvedBearing, Scene, Setting, placed};
 
@@ -37,6 +38,17 @@ fn rate(bearings: &[ResolvedBearing], motion: impl Fn(DVec3) -> DVec3, inertia: 
 pub(in crate::scene) fn bearing_place(girder: &Girder, of: Setting) -> f64 {
     let bearings = girder.supports(of);
     bearings.iter().map(|bearing| bearing.place.length()).fold(0.0, f64::max) / radius(girder)
+}
+
+/// Distance of each point of a device that is on a girder from its G, in parts of that of the farthest corner, with its key.
+pub(in crate::scene) fn device_places(scene: &Scene, ends: &Ends<'_>) -> Vec<(&'static str, f64)> {
+    let place = |name: &str, at: [f64; 3]| {
+        let girder = scene.girders.iter().find(|girder| girder.name == name)?;
+        Some(DVec3::from(at).length() / radius(girder))
+    };
+    let first = place(ends.girder, ends.at).map(|place| ("at_m", place));
+    let second = ends.to.zip(ends.to_at).and_then(|(name, at)| place(name, at)).map(|place| ("to_m", place));
+    first.into_iter().chain(second).collect()
 }
 
 /// Distance of the farthest corner from G \[m\].

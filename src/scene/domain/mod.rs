@@ -77,6 +77,14 @@ pub const BEARING_PLACE: Limit = Limit {
     beyond: [NOTHING, Some(Text::new("domain-above-bearing-place"))],
     remedy: Text::new("domain-mend-bearing-place"),
 };
+/// Distance of a device's point on a girder from its G, over that of the farthest corner: as of a bearing.
+pub const DEVICE_PLACE: Limit = Limit {
+    quantity: Text::new("domain-device-place"),
+    unit: "",
+    range: [0.0, 2.0],
+    beyond: [NOTHING, Some(Text::new("domain-above-device-place"))],
+    remedy: Text::new("domain-mend-bearing-place"),
+};
 /// `K/M`, with the reduced mass M of (65). Below: a blow at 1 m/s presses the faces by 1 m, `v/√(K/M)`. Above: an acceleration
 /// of 1e-3 m/s² presses a face that rests by 1e-12 m, `a M/K`, where places of 1 m round by 2e-16 m.
 pub const STIFFNESS: Limit = Limit {
@@ -146,6 +154,7 @@ pub const LIMITS: &[Limit] = &[
     SIZE,
     SKEW,
     BEARING_PLACE,
+    DEVICE_PLACE,
     STIFFNESS,
     CONTACT_PHASE,
     MOTION_PHASE,
@@ -216,10 +225,18 @@ pub fn outside(scene: &Scene) -> Vec<Departure> {
     for girder in &scene.girders {
         look_at_girder(scene, girder, &mut found);
     }
+    for (id, device) in scene.devices() {
+        let ends = device.ends();
+        for (key, place) in measures::device_places(scene, &ends) {
+            found.look(format!("{}.{}.{key}", id.kind.label(), ends.name), place, DEVICE_PLACE);
+        }
+    }
     for facing in facing::find(scene).unwrap_or_default() {
         look_at_pair(scene, &facing, &mut found);
     }
-    look_at_ground(scene, &mut found);
+    for (place, motion) in scene.motions() {
+        look_at_ground(scene, (&place, motion), &mut found);
+    }
     found.0
 }
 
@@ -286,38 +303,39 @@ fn look_at_pair(scene: &Scene, facing: &Facing, found: &mut Departures) {
     }
 }
 
-fn look_at_ground(scene: &Scene, found: &mut Departures) {
-    match &scene.motion {
+fn look_at_ground(scene: &Scene, (place, motion): (&str, &Motion), found: &mut Departures) {
+    let at = |key: &str| format!("{place}.{key}");
+    match motion {
         Motion::None => {}
         Motion::Sine(sine) => {
-            let key = if sine.amplitude_g.is_some() { "motion.amplitude_g" } else { "motion.amplitude_m_s2" };
-            found.look(key, sine.amplitude_si().abs().max(sine.vertical_si().abs()), ACCELERATION);
+            let key = if sine.amplitude_g.is_some() { "amplitude_g" } else { "amplitude_m_s2" };
+            found.look(at(key), sine.amplitude_si().abs().max(sine.vertical_si().abs()), ACCELERATION);
             let phase = std::f64::consts::TAU * sine.frequency_hz * scene.duration;
-            found.look("motion.frequency_hz", phase, MOTION_PHASE);
+            found.look(at("frequency_hz"), phase, MOTION_PHASE);
         }
-        Motion::Record(record) => look_at_record(scene, record, found),
+        Motion::Record(record) => look_at_record(scene, (place, record), found),
         Motion::Sweep(sweep) => {
-            found.look("motion.amplitude_g", sweep.sweep().amplitude.abs(), ACCELERATION);
+            found.look(at("amplitude_g"), sweep.sweep().amplitude.abs(), ACCELERATION);
             let shaken = scene.duration.min(sweep.length);
-            found.look("motion.length_s", shaken / sweep.sweep().interval(), MOTION_PHASE);
+            found.look(at("length_s"), shaken / sweep.sweep().interval(), MOTION_PHASE);
         }
         Motion::Synthetic(synthetic) => {
-            found.look("motion.peak_g", synthetic.peak(), ACCELERATION);
-            found.look("motion.dt_s", scene.duration.min(synthetic.duration) / synthetic.dt, MOTION_PHASE);
+            found.look(at("peak_g"), synthetic.peak(), ACCELERATION);
+            found.look(at("dt_s"), scene.duration.min(synthetic.duration) / synthetic.dt, MOTION_PHASE);
         }
     }
 }
 
-fn look_at_record(scene: &Scene, record: &RecordMotion, found: &mut Departures) {
+fn look_at_record(scene: &Scene, (place, record): (&str, &RecordMotion), found: &mut Departures) {
     let Some((peak, dt, count)) = record.extent() else { return };
     let several = !record.components.is_empty();
-    let (peak_key, step_key) = match record.file {
-        _ if several => ("motion.component", "motion.component"),
-        Some(_) => ("motion.file", "motion.file"),
-        None => ("motion.samples_m_s2", "motion.dt_s"),
+    let [peak_key, step_key] = match record.file {
+        _ if several => ["component"; 2],
+        Some(_) => ["file"; 2],
+        None => ["samples_m_s2", "dt_s"],
     };
-    found.look(peak_key, peak, ACCELERATION);
-    found.look(step_key, (scene.duration / dt).min(count as f64), MOTION_PHASE);
+    found.look(format!("{place}.{peak_key}"), peak, ACCELERATION);
+    found.look(format!("{place}.{step_key}"), (scene.duration / dt).min(count as f64), MOTION_PHASE);
 }
 
 #[cfg(test)]

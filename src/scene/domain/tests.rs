@@ -75,6 +75,25 @@ fn each_quantity_of_a_girder_is_named_by_its_key() {
 }
 
 #[test]
+fn a_device_acts_on_its_girder() {
+    let mut scene = presets::load("twin-span-restrained").unwrap_or_else(|errors| panic!("{errors}"));
+    let (name, girder) = (scene.restrainers[0].name.clone(), scene.restrainers[0].girder.clone());
+    let length = scene.girders.iter().find(|g| g.name == girder).expect("it").length;
+    scene.restrainers[0].at = [1.5 * length, 0.0, 0.0];
+    scene.restrainers[0].cable_length = Some(1.0);
+    let found = outside(&scene);
+    let (place, value, limit) = only(&found);
+    assert_eq!((place, limit), (format!("restrainer.{name}.at_m").as_str(), DEVICE_PLACE));
+    assert!(value > 2.0 && value < 3.0, "{value}");
+    scene.restrainers[0].at = [1e3 * length, 0.0, 0.0];
+    let refused = crate::scene::validate::validate(&scene).expect_err("in mm").to_string();
+    assert!(
+        refused.contains(&format!("restrainer.{name}.at_m")) && refused.contains("in m, relative to G"),
+        "{refused}"
+    );
+}
+
+#[test]
 fn a_pair_is_measured_by_its_reduced_mass() {
     let found = with(|s| s.contact.stiffness = Some(2.1e9));
     assert_eq!(only(&found), ("contact.stiffness_n_per_m", 1.05e9, STIFFNESS));

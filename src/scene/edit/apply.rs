@@ -43,6 +43,7 @@ fn apply(edit: Edit, scene: &mut Scene) -> Undone {
         Edit::Model(model) => Ok(Edit::Model(replace(&mut scene.model, model))),
         Edit::Impact(impact) => Ok(Edit::Impact(replace(&mut scene.impact, impact))),
         Edit::Motion(motion) => Ok(Edit::Motion(Box::new(replace(&mut scene.motion, *motion)))),
+        Edit::Grounds(grounds) => Ok(Edit::Grounds(replace(&mut scene.grounds, grounds))),
         Edit::Wave(wave) => Ok(Edit::Wave(replace(&mut scene.wave, wave))),
         Edit::Limits(limits) => Ok(Edit::Limits(replace(&mut scene.limits, limits))),
         Edit::Codes(codes) => Ok(Edit::Codes(replace(&mut scene.codes, codes))),

@@ -2,7 +2,7 @@
 
 use crate::scene::{
     Abutment, Codes, ContactSettings, Device, DeviceId, Girder, ImpactSettings, Kind, Limits, ModelSettings, Motion,
-    Pier, Scene, SceneErrors, SolverSettings, ViewSettings, Wave,
+    NamedGround, Pier, Scene, SceneErrors, SolverSettings, ViewSettings, Wave,
 };
 
 /// The single values at the top of a scene.
@@ -63,6 +63,8 @@ pub enum Edit {
     Impact(ImpactSettings),
     /// Ground motion.
     Motion(Box<Motion>),
+    /// Motions that supports have of their own.
+    Grounds(Vec<NamedGround>),
     /// How that motion travels.
     Wave(Option<Wave>),
     /// Limits that are watched.
@@ -148,6 +150,7 @@ impl Edit {
             | (Self::Model(_), Self::Model(_))
             | (Self::Impact(_), Self::Impact(_))
             | (Self::Motion(_), Self::Motion(_))
+            | (Self::Grounds(_), Self::Grounds(_))
             | (Self::Wave(_), Self::Wave(_))
             | (Self::Limits(_), Self::Limits(_))
             | (Self::Codes(_), Self::Codes(_))

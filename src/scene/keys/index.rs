@@ -3,8 +3,8 @@
 use super::key::Key;
 use super::{
     ABUTMENT, BACKFILL, BEARING, BEARINGS, BUMPER, CODES, COMPONENT, CONTACT, DAMPER, DECK_BEARINGS, ELASTIC, GIRDER,
-    IMPACT, INITIAL, LIMITS, MODEL, MOTION, OVERLAYS, PAIR, PIER, PLOT, PROCESSING, PUSH, RAYLEIGH, RECORD, RESTRAINER,
-    SEAT, SINE, SOLVER, STOPPER, SWEEP, SYNTHETIC, TOP, VIEW, WAVE,
+    GROUND, IMPACT, INITIAL, LIMITS, MODEL, MOTION, OVERLAYS, PAIR, PIER, PLOT, PROCESSING, PUSH, RAYLEIGH, RECORD,
+    RESTRAINER, SEAT, SINE, SOLVER, STOPPER, SWEEP, SYNTHETIC, TOP, VIEW, WAVE,
 };
 use crate::scene::DeviceKind;
 
@@ -49,6 +49,7 @@ pub const TABLES: &[Table] = &[
     Table { path: "motion kind = sweep", keys: SWEEP },
     Table { path: "motion.processing", keys: PROCESSING },
     Table { path: "motion.component", keys: COMPONENT },
+    Table { path: "ground", keys: GROUND },
     Table { path: "wave", keys: WAVE },
     Table { path: "solver", keys: SOLVER },
     Table { path: "limits", keys: LIMITS },
@@ -64,7 +65,7 @@ pub fn find(keys: &'static [Key], name: &str) -> Option<&'static Key> {
 }
 
 /// The key that a place in a scene is about, and its table: `girder.deck.initial.displacement_m[0]`,
-/// `contact.pair[2].mu_static`, `motion.angle_deg`.
+/// `contact.pair[2].mu_static`, `motion.angle_deg`. A `[[ground]]` has, its name apart, the keys of `[motion]`.
 pub fn of_place(place: &str) -> Option<(&'static Table, &'static Key)> {
     let mut steps: Vec<&str> = place.split('.').collect();
     if is_named(steps[0]) && steps.len() > 1 {
@@ -72,6 +73,9 @@ pub fn of_place(place: &str) -> Option<(&'static Table, &'static Key)> {
     }
     let last = steps.pop()?;
     let name = last.split('[').next().unwrap_or(last);
+    if steps.first() == Some(&"ground") && name != "name" {
+        steps[0] = "motion";
+    }
     let way: Vec<String> = steps.iter().map(|step| without_number(step)).collect();
     let way = way.join(".");
     let mut tables = TABLES.iter().filter(|t| t.path.split(" kind").next() == Some(way.as_str()));
@@ -80,7 +84,7 @@ pub fn of_place(place: &str) -> Option<(&'static Table, &'static Key)> {
 
 /// Whether a list of tables is walked by name.
 fn is_named(list: &str) -> bool {
-    matches!(list, "girder" | "abutment" | "pier") || DeviceKind::ALL.iter().any(|kind| kind.label() == list)
+    matches!(list, "girder" | "abutment" | "pier" | "ground") || DeviceKind::ALL.iter().any(|kind| kind.label() == list)
 }
 
 /// `pair[2]` is a pair, `bearings[2]` a bearing of its own and not all of them.
@@ -109,6 +113,8 @@ mod tests {
             ("girder.deck.seat_m.+x", "girder.seat_m", "+x"),
             ("contact.pair[0].mu_static", "contact.pair", "mu_static"),
             ("motion.frequency_hz", "motion kind = sine", "frequency_hz"),
+            ("ground.east bank.scale", "motion kind = record", "scale"),
+            ("ground.east bank.name", "ground", "name"),
             ("motion.scale", "motion kind = record", "scale"),
             ("view.overlays.grid", "view.overlays", "grid"),
         ];

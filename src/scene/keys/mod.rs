@@ -19,6 +19,7 @@ pub use super::deck_bearings::DECK_BEARINGS;
 pub use super::device::{BUMPER, DAMPER, ENDS, RESTRAINER, STOPPER};
 pub use super::elastic::{ELASTIC, RAYLEIGH};
 pub use super::girder::{GIRDER, INITIAL, PUSH, SEAT};
+pub use super::ground::GROUND;
 pub use super::limits::LIMITS;
 pub use super::model::{IMPACT, MODEL};
 pub use super::motion::{MOTION, SINE};

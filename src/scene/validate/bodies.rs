@@ -71,10 +71,12 @@ fn is_sound(girder: &Girder) -> bool {
     sizes.iter().all(|v| v.is_finite() && *v > 0.0) && girder.skew_deg > 0.0 && girder.skew_deg < 180.0
 }
 
+/// Distance from G over that of the farthest corner at which a place can only be in another unit: in mm for m it is a thousand times as
+/// far, at least four hundred times the farthest corner.
+pub(super) const FAR: f64 = 100.0;
+
 /// Bearings so far outside that their places can only be in another unit.
 fn far_bearings(girder: &Girder, setting: Setting, at: &mut At<'_>) {
-    /// Places in mm for m are a thousand times as far, at least four hundred times the farthest corner.
-    const FAR: f64 = 100.0;
     let far = if is_sound(girder) { bearing_place(girder, setting) } else { 0.0 };
     if far > FAR {
         let value = message!("found-bearing-far", "far" => format!("{far:.3e}"));

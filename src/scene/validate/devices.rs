@@ -1,8 +1,10 @@
 //! Devices: their numbers, the bodies that they name, their points.
 
+use super::bodies::FAR;
 use super::complaints::{Complaints, numbers};
 use crate::language::{Message, Text, message};
 use crate::scene::device::{DeviceKind, Ends, Joint, Part};
+use crate::scene::domain::measures::device_places;
 use crate::scene::facing::names;
 use crate::scene::keys::{Keyed, Stated};
 use crate::scene::{Kind, Scene};
@@ -34,6 +36,10 @@ fn each<T: Keyed + Part>(scene: &Scene, sound: bool, (kind, devices): (DeviceKin
         let wrong_body = bodies(scene, &ends);
         if let Some((key, value, remedy)) = wrong_body.clone() {
             at.add(key, value, remedy);
+        }
+        let places = if sound { device_places(scene, &ends) } else { Vec::new() };
+        for (key, far) in places.into_iter().filter(|(_, far)| *far > FAR) {
+            at.add(key, message!("found-device-far", "far" => format!("{far:.3e}")), Text::new("wrong-device-far"));
         }
         let joint = if sound && wrong_body.is_none() { Joint::of(scene, &ends) } else { None };
         for (key, value, remedy) in device.faults(joint.as_ref()) {

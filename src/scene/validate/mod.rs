@@ -62,7 +62,10 @@ pub fn facings(scene: &Scene) -> Result<Vec<Facing>, SceneErrors> {
     numbers::impact(&scene.impact, &mut complaints);
     numbers::limits(&scene.limits, &mut complaints);
     complaints.at("codes", keys::CODES).all(&scene.codes);
-    numbers::motion(&scene.motion, scene.kind, &mut complaints);
+    for (place, motion) in scene.motions() {
+        numbers::motion(&place, motion, scene.kind, &mut complaints);
+    }
+    wave::grounds(scene, &mut complaints);
     numbers::solver_and_view(scene, &mut complaints);
     wave::wave(scene, &mut complaints);
     let mut facings = Vec::new();

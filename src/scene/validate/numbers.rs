@@ -80,12 +80,13 @@ fn stiffness(stiffness: Option<f64>, of_section: [Option<f64>; 3], at: &mut At<'
     }
 }
 
-pub(super) fn motion(motion: &Motion, kind: Kind, complaints: &mut Complaints) {
+/// A motion of the ground, by its place in the scene's file.
+pub(super) fn motion(place: &str, motion: &Motion, kind: Kind, complaints: &mut Complaints) {
     match motion {
         Motion::None => {}
-        Motion::Sine(sine) => harmonic(sine, kind, &mut complaints.at("motion", keys::SINE)),
+        Motion::Sine(sine) => harmonic(sine, kind, &mut complaints.at(place, keys::SINE)),
         Motion::Synthetic(synthetic) => {
-            let at = &mut complaints.at("motion", keys::SYNTHETIC);
+            let at = &mut complaints.at(place, keys::SYNTHETIC);
             at.all(synthetic);
             at.fits(synthetic, kind);
             if let Some((key, value, remedy)) = synthetic.fault() {
@@ -93,13 +94,13 @@ pub(super) fn motion(motion: &Motion, kind: Kind, complaints: &mut Complaints) {
             }
         }
         Motion::Sweep(sweep) => {
-            let at = &mut complaints.at("motion", keys::SWEEP);
+            let at = &mut complaints.at(place, keys::SWEEP);
             at.all(sweep);
             if let Some((key, value, remedy)) = sweep.fault() {
                 at.add(key, number(value), remedy);
             }
         }
-        Motion::Record(recorded) => record(recorded, kind, complaints),
+        Motion::Record(recorded) => record(place, recorded, kind, complaints),
     }
 }
 

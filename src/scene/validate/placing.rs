@@ -24,7 +24,11 @@ pub(super) fn names(scene: &Scene, complaints: &mut Complaints) {
     let mut seen = BTreeSet::new();
     let devices = scene.devices().into_iter().map(|(id, device)| (id.kind.label(), id.number, device.ends().name));
     let bodies = girders.chain(abutments).chain(piers).map(|(kind, n, name)| (kind, n, name.as_str()));
-    for (kind, n, name) in bodies.chain(devices) {
+    // Grounds are called by their own key, so that one may have the name of a body.
+    let mut grounds = BTreeSet::new();
+    let named = scene.grounds.iter().enumerate().map(|(n, ground)| ("ground", n, ground.name.as_str()));
+    for (kind, n, name) in bodies.chain(devices).chain(named) {
+        let seen = if kind == "ground" { &mut grounds } else { &mut seen };
         let fault = if name.trim().is_empty() {
             Text::new("wrong-nameless")
         } else if name.trim() != name || name.contains(|c: char| RESERVED.contains(&c) || c.is_control()) {

@@ -9,8 +9,8 @@ use crate::scene::{Component, Heading, Kind, RecordMotion};
 /// Intervals of two components may differ by this part: rounding of printed times.
 const ROUNDING: f64 = 1e-9;
 
-pub(super) fn record(record: &RecordMotion, kind: Kind, complaints: &mut Complaints) {
-    let at = &mut complaints.at("motion", keys::RECORD);
+pub(super) fn record(place: &str, record: &RecordMotion, kind: Kind, complaints: &mut Complaints) {
+    let at = &mut complaints.at(place, keys::RECORD);
     at.number("scale", record.scale);
     at.number("vertical_scale", record.vertical_scale);
     if let Some(key) = keys::find(keys::RECORD, "vertical_scale") {
@@ -24,7 +24,7 @@ pub(super) fn record(record: &RecordMotion, kind: Kind, complaints: &mut Complai
     } else {
         several(record, kind, at);
     }
-    processing(record, complaints);
+    processing(place, record, complaints);
 }
 
 /// Where samples stand and what is stated of them.
@@ -159,8 +159,8 @@ fn one_of_several(record: &RecordMotion, (n, component): (usize, &Component), ki
     }
 }
 
-fn processing(record: &RecordMotion, complaints: &mut Complaints) {
-    let at = &mut complaints.at("motion.processing", keys::PROCESSING);
+fn processing(place: &str, record: &RecordMotion, complaints: &mut Complaints) {
+    let at = &mut complaints.at(format!("{place}.processing"), keys::PROCESSING);
     at.all(&record.processing);
     let all = (0..record.components.len()).filter_map(|n| record.component_series(n)).chain(record.series());
     let fault = all.filter(|(dt, samples)| *dt > 0.0 && samples.len() >= 2);

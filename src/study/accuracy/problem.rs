@@ -115,20 +115,23 @@ static PROBLEMS: [Problem; 17] = [
         Source::Second,
         scenes::under_a_record,
     ),
-    problem("row-of-5", "five 30 m girders of different period, return mapping, 10 s", Source::Second, || {
-        presets::load("row-of-5")
-    }),
+    problem(
+        "row-of-5",
+        "five 30 m girders of different period, facing ends, return mapping, 10 s",
+        Source::Second,
+        || scenes::facing_ends("row-of-5"),
+    ),
     problem(
         "viaduct",
-        "five 30 m spans of 60° skew on four piers, two components of a synthetic earthquake, 0.45 g, 10 s",
+        "five 30 m spans of 60° skew on four piers, facing ends, two components of a synthetic earthquake, 0.45 g, 10 s",
         Source::Second,
         scenes::viaduct,
     ),
     problem(
         "deck-3d",
-        "30 m deck of 60° skew between two abutments, six degrees of freedom, 20 s",
+        "30 m deck of 60° skew between two abutments, facing ends, six degrees of freedom, 20 s",
         Source::Second,
-        || presets::load("deck-30m"),
+        || scenes::facing_ends("deck-30m"),
     ),
     problem(
         "F1",

@@ -114,6 +114,7 @@ pub(super) fn wall(scene: &mut Scene, end: End, gap: f64) {
     let girder = if end == End::Plus { scene.girders.last() } else { scene.girders.first() };
     let Some(girder) = girder else { return };
     scene.abutments.push(Abutment {
+        ground: None,
         delay: None,
         motion_factor: None,
         backfill: None,

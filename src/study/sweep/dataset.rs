@@ -70,7 +70,9 @@ impl Column<'_> {
             Self::Measure(_, measure) => {
                 json!({"name": measure.name, "type": "number", "unit": measure.unit, "meaning": measure.meaning})
             }
-            Self::Status => json!({"name": "status", "type": "text", "meaning": "complete, gave up or refused"}),
+            Self::Status => {
+                json!({"name": "status", "type": "text", "meaning": "complete, ended (where its model ends: a support is lost, bodies meet where there is no contact; values until then), gave up or refused"})
+            }
             Self::Reason => json!({"name": "reason", "type": "text", "meaning": "why the run did not reach its end"}),
         }
     }

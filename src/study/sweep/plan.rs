@@ -171,10 +171,11 @@ pub fn own_value(laid: &Laid, key: &str) -> Option<f64> {
     stated.or_else(|| keys::of_place(key)?.1.number())
 }
 
-/// Hash of what was read from the files of a scene's records.
+/// Hash of what was read from the files of a scene's records, in the order of its motions.
 fn hash_records(scene: &Scene) -> u64 {
     let mut hash = Xxh3::new();
-    if let Motion::Record(motion) = &scene.motion {
+    for (_, motion) in scene.motions() {
+        let Motion::Record(motion) = motion else { continue };
         let loaded = motion.loaded.iter().chain(motion.loaded_components.iter().flatten());
         for channel in loaded.flat_map(|record: &std::sync::Arc<Record>| &record.channels) {
             std::iter::once(&channel.dt).chain(&channel.samples).for_each(|number| hash.update(&number.to_le_bytes()));

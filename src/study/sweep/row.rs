@@ -1,14 +1,16 @@
 //! What came out of a run of a sweep.
 
 use super::plan::Plan;
-use crate::sim::{History, Stop};
+use crate::sim::{Cause, History, Stop};
 
 /// How a run ended.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Status {
     /// At the scene's duration.
     Complete,
-    /// Before its time.
+    /// Where the model of its scene ends: a vertical support is lost, or bodies meet where there is no contact.
+    Ended,
+    /// Before its time: a step or a count came to its bound.
     GaveUp,
     /// It was not computed: its values do not make a scene together.
     Refused,
@@ -16,8 +18,8 @@ pub enum Status {
 
 impl Status {
     /// Every status with the word that stands in the dataset.
-    const WORDS: [(Self, &str); 3] =
-        [(Self::Complete, "complete"), (Self::GaveUp, "gave up"), (Self::Refused, "refused")];
+    const WORDS: [(Self, &str); 4] =
+        [(Self::Complete, "complete"), (Self::Ended, "ended"), (Self::GaveUp, "gave up"), (Self::Refused, "refused")];
 
     /// The word that stands in the dataset.
     pub fn word(self) -> &'static str {
@@ -37,7 +39,8 @@ pub struct Row {
     pub run: usize,
     /// How it ended.
     pub status: Status,
-    /// One a measure, in its unit; none where the run has no such thing, and of a run that did not reach its end.
+    /// One a measure, in its unit; none where the run has no such thing, and of a run that gave up. Of one that ended where its model
+    /// ends, until then.
     pub values: Vec<Option<f64>>,
     /// Why it did not reach its end; empty where it did.
     pub reason: String,
@@ -51,10 +54,17 @@ impl Row {
             Ok(history) => history,
             Err(errors) => return without(Status::Refused, errors.to_string()),
         };
-        if let Some(Stop { t, place, reason, .. }) = history.stop() {
-            return without(Status::GaveUp, format!("at {t:?} s, {place}: {reason}"));
+        let (status, reason) = match history.stop() {
+            None => (Status::Complete, String::new()),
+            Some(Stop { cause, t, place, reason }) => {
+                let status = if *cause == Cause::Computation { Status::GaveUp } else { Status::Ended };
+                (status, format!("at {t:?} s, {place}: {reason}"))
+            }
+        };
+        if status == Status::GaveUp {
+            return without(status, reason);
         }
         let values = plan.measures.iter().map(|measure| measure.of(&history)).collect();
-        Self { run, status: Status::Complete, values, reason: String::new() }
+        Self { run, status, values, reason }
     }
 }

@@ -175,6 +175,34 @@ fn a_run_that_gives_up_is_a_row_with_its_reason() {
 }
 
 #[test]
+fn a_run_whose_model_ends_is_a_row_with_its_values_until_then() {
+    let folder = tempfile::tempdir().expect("a folder");
+    let out = folder.path().to_str().expect("UTF-8");
+    // The legs lose their seats where they travel beyond a millimetre.
+    let vary = "girder.deck.bearings.travel_m=0.001,1.0";
+    let said = call(&[
+        "sweep",
+        "skew45-abutment",
+        "--until",
+        "1",
+        "--vary",
+        vary,
+        "--measure",
+        "max_rotation,hits",
+        "--out",
+        out,
+    ]);
+    let table = fs::read_to_string(folder.path().join("sweep.csv")).expect("the dataset");
+    let rows: Vec<&str> = table.lines().skip(1).collect();
+    let rotation = |row: &str| row.split(',').nth(2).and_then(|cell| cell.parse::<f64>().ok());
+    assert_eq!(said.status, Some(0), "the sweep is complete: {}", said.err);
+    assert!(rows[0].contains(",ended,\"at ") && rows[1].ends_with(",complete,"), "{table}");
+    let [ended, complete] = [0, 1].map(|n| rotation(rows[n]).expect("a rotation"));
+    assert!(ended <= complete, "until then: {ended} of {complete}");
+    assert!(said.err.contains("1 runs ended; run 0: at "), "told: {}", said.err);
+}
+
+#[test]
 fn records_are_found_beside_the_scene_and_a_changed_one_is_another_sweep() {
     let folder = tempfile::tempdir().expect("a folder");
     let path = |name: &str| folder.path().join(name).to_str().expect("UTF-8").to_owned();

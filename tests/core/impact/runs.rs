@@ -13,6 +13,7 @@ fn scene(girder: Girder, gap: f64, duration: f64, impact: ImpactSettings) -> Sce
     let wall = Abutment {
         delay: None,
         motion_factor: None,
+        ground: None,
         backfill: None,
         name: "wall".to_owned(),
         faces: "deck".to_owned(),

@@ -2,7 +2,7 @@
 //! (`docs/physics.md#supports-that-move`).
 
 use girderbench::motion::support::GroundPath;
-use girderbench::scene::{Abutment, Scene, presets};
+use girderbench::scene::{Abutment, NamedGround, Scene, overrides, presets, validate};
 use girderbench::sim::History;
 use glam::DVec3;
 
@@ -224,4 +224,104 @@ fn a_wave_from_the_other_side_gives_the_mirrored_answer() {
         worst = worst.max((there.motion(0, t).displacement.x + back.motion(0, t).displacement.x).abs());
     }
     within("mirror", worst, 1e-9);
+}
+
+/// The same with grounds of their own under the abutments, in place of `[motion]` or beside it.
+fn on_grounds(springs: [f64; 2], motion: &str, grounds: [&str; 2]) -> Scene {
+    let [west, east] = grounds;
+    let own = format!("[[ground]]\nname = \"a\"\n{west}\n[[ground]]\nname = \"b\"\n{east}");
+    let mut scene = between(springs, &own);
+    scene = shaken(&scene, motion);
+    for (abutment, name) in scene.abutments.iter_mut().zip(["a", "b"]) {
+        abutment.ground = Some(name.to_owned());
+    }
+    validate::validate(&scene).expect("a sound scene");
+    scene
+}
+
+/// The scene with another `[motion]`.
+fn shaken(scene: &Scene, motion: &str) -> Scene {
+    let setting = format!("motion={{ {} }}", motion.replace('\n', ", "));
+    overrides::apply(scene, &setting).unwrap_or_else(|errors| panic!("{errors}"))
+}
+
+const STILL: &str = "kind = \"none\"";
+const SINE: &str = "kind = \"sine\"\namplitude_g = 0.3\nfrequency_hz = 1.3\nphase_deg = 90.0";
+const OTHER: &str = "kind = \"sine\"\namplitude_g = 0.2\nfrequency_hz = 0.9\nangle_deg = 40.0";
+const RECORD: &str =
+    "kind = \"record\"\ndt_s = 0.17\nscale = 2.0\nsamples_m_s2 = [0.0, 0.4, -0.6, 0.5, 0.0, -0.7, 0.2, 0.3, -0.2, 0.0]";
+
+#[test]
+fn supports_on_one_ground_of_their_own_are_a_scene_on_that_ground() {
+    for ground in [SINE, RECORD] {
+        let springs = [5e6, 9e6];
+        let alone = run(&shaken(&between(springs, ""), ground));
+        // Displacements are against the ground of [motion]: still, another sine, a record.
+        for reference in [STILL, OTHER, RECORD] {
+            let own = run(&on_grounds(springs, reference, [ground, ground]));
+            assert!(own.balance().holds(), "{:?}", own.ledger(4.0));
+            let apart = |t: f64| (absolute(&own, 0, t) - absolute(&alone, 0, t)).length();
+            within("displacement", times(4.0).map(apart).fold(0.0, f64::max), 1e-11);
+        }
+    }
+}
+
+#[test]
+fn a_girder_between_two_grounds_is_the_mean_of_those_on_either() {
+    let springs = [8e6, 8e6];
+    let alone = [SINE, RECORD].map(|ground| run(&on_grounds(springs, STILL, [ground, ground])));
+    for reference in [STILL, OTHER] {
+        let both = run(&on_grounds(springs, reference, [SINE, RECORD]));
+        assert!(both.balance().holds(), "{:?}", both.ledger(4.0));
+        let apart = |t: f64| {
+            let mean = 0.5 * (absolute(&alone[0], 0, t) + absolute(&alone[1], 0, t));
+            (absolute(&both, 0, t) - mean).length()
+        };
+        within("superposition", times(4.0).map(apart).fold(0.0, f64::max), 1e-11);
+    }
+}
+
+#[test]
+fn a_ground_of_its_own_under_a_pier_carries_it_as_motion_does() {
+    let mut scene = scene(&format!(
+        r#"
+        name = "pier"
+        duration_s = 5.0
+        [[girder]]
+        name = "deck"
+        length_m = 30.0
+        width_m = 10.0
+        thickness_m = 1.5
+        mass_kg = 3e5
+        bearings = {{ frequency_hz = 1.1, damping_ratio = 0.03, at_m = [[12, 4], [-12, 4], [-12, -4], [12, -4]], on_minus_x = "p", on_plus_x = "p" }}
+        [[pier]]
+        name = "p"
+        mass_kg = 1.2e5
+        stiffness_n_per_m = [2e7, 3e7]
+        yield_force_n = [3e5, 4e5]
+        position_m = [2.0, 1.0]
+        turn_stiffness_n_m_per_rad = 2e9
+        [motion]
+        {RECORD}
+        [solver]
+        tolerance = 1e-12
+        "#
+    ));
+    let before = run(&scene);
+    let own = std::mem::take(&mut scene.motion);
+    scene.grounds.push(NamedGround { name: "foot".into(), motion: own });
+    scene.piers[0].ground = Some("foot".into());
+    scene.piers[0].delay = Some(DELAY);
+    scene.duration += DELAY;
+    let after = run(&scene);
+    assert!(after.balance().holds(), "{:?}", after.ledger(after.end()));
+    let apart = |t: f64| (absolute(&after, 0, t + DELAY) - absolute(&before, 0, t)).length();
+    within("displacement", times(5.0).map(apart).fold(0.0, f64::max), 1e-9);
+}
+
+#[test]
+fn a_ground_that_no_support_names_changes_no_bit() {
+    let plain = between([5e6, 9e6], "");
+    let more = between([5e6, 9e6], &format!("[[ground]]\nname = \"a\"\n{RECORD}"));
+    assert_eq!(run(&more).digest(), run(&plain).digest(), "as without");
 }

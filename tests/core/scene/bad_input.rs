@@ -354,6 +354,30 @@ fn an_abutment_must_face_somebody() {
 }
 
 #[test]
+fn a_support_names_a_ground_that_there_is() {
+    let place = "abutment.wall.ground";
+    assert_complaint("gap_m = 0.05", "gap_m = 0.05\nground = \"bank\"", place, "\"bank\"", "add a [[ground]]");
+    let ground = |keys: &str| format!("[[ground]]\nname = \"bank\"\n{keys}\n[contact]");
+    let complains = |keys: &str, place: &str, value: &str, remedy: &str| {
+        assert_complaint("[contact]", &ground(keys), place, value, remedy);
+    };
+    complains("kind = \"sine\"\namplitude_g = 0.1", "ground.bank.frequency_hz", "nothing", "must be given");
+    complains(
+        "kind = \"sine\"\namplitude_g = 0.1\nfrequency_hz = -1",
+        "ground.bank.frequency_hz",
+        "-1.0",
+        "greater than 0",
+    );
+    complains("kind = \"record\"\nsamples_m_s2 = [0, 1]", "ground.bank.dt_s", "nothing", "interval");
+    complains("kind = \"none\"\nfrequency_hz = 1", "ground.bank.frequency_hz", "1", "known");
+    complains("", "ground.bank.kind", "nothing", "must be given");
+    let nameless = "[[ground]]\nkind = \"none\"\n[contact]";
+    assert_complaint("[contact]", nameless, "ground[0].name", "nothing", "must be given");
+    let twice = "[[ground]]\nname = \"a\"\nkind = \"none\"\n[[ground]]\nname = \"a\"\nkind = \"none\"\n[contact]";
+    assert_complaint("[contact]", twice, "ground[1].name", "\"a\"", "");
+}
+
+#[test]
 fn names_are_given_once_and_fit_into_tables() {
     assert_complaint(
         "name = \"approach\"",

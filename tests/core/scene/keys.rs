@@ -78,6 +78,9 @@ mu_static = 0.3
 kind = "sine"
 amplitude_g = 0.4
 frequency_hz = 0.8
+[[ground]]
+name = "bank"
+kind = "none"
 [solver]
 tolerance = 1e-9
 [limits]
@@ -144,6 +147,7 @@ fn standing(table: &str) -> (Scene, String) {
         "damper" => "damper.dashpot".to_owned(),
         "stopper" => "stopper.key".to_owned(),
         "pier" => "pier.p1".to_owned(),
+        "ground" => "ground.bank".to_owned(),
         _ if table.starts_with("abutment") => table.replacen("abutment", "abutment.wall", 1),
         "girder.bearings kind" => "girder.deck.bearings".to_owned(),
         _ if table.starts_with("girder") => table.replacen("girder", "girder.deck", 1),
@@ -169,9 +173,12 @@ fn the_reader_knows_these_keys_and_no_others() {
         if table.path.starts_with("motion kind") {
             listed.push("kind");
         }
+        // Which other keys are known there is decided by the kind.
         if table.path == "motion" {
-            // Which keys are known there is decided by the kind, which is the one key of all of them.
             known = vec!["kind"];
+        }
+        if table.path == "ground" {
+            known = vec!["name", "kind"];
         }
         if table.path.starts_with("motion kind") {
             known.push("kind");

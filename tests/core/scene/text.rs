@@ -140,6 +140,9 @@ fn a_new_key_comes_where_the_documentation_lists_it() {
         };
         assert_eq!(set(setting), expected, "{setting}");
     }
+    let text = set("ground=[{ name = \"bank\", kind = \"sine\", amplitude_g = 0.4, frequency_hz = 2 }]");
+    let ground = "\n[[ground]]\nname = \"bank\"\nkind = \"sine\"\namplitude_g = 0.4\nfrequency_hz = 2.0\nphase_deg = 0.0\nangle_deg = 0.0\n";
+    assert_eq!(text, with("\n[view]", &format!("{ground}\n[view]")), "a named ground in the documented order");
     let text = set("girder.east.bearings.vertical_frequency_hz=9");
     assert!(text.contains("0.1, vertical_frequency_hz = 9.0, at_m = ["), "in braces, where it belongs: {text}");
     assert!(text.contains("# north") && text.contains("# south"), "with its comments: {text}");

@@ -6,7 +6,7 @@ use super::backfill;
 use super::rows::{grid, push, section};
 use crate::app::command::Command;
 use crate::app::field::{CLICK, Change, Form, Look, Place, Without, act, number, rows, tag};
-use crate::app::panel::name_field;
+use crate::app::panel::{grounds, name_field};
 use crate::app::unit::{Size, length_unit};
 use crate::app::{edits, text};
 use crate::geometry::End;
@@ -29,7 +29,8 @@ pub(super) fn show(ui: &mut Ui, form: Form<'_>, i: usize, abutment: &Abutment, o
         let faces = faces_row(ui, place, scene, &mut new);
         let corners = new.polygon.as_mut().and_then(|corners| corner_rows(ui, place, girder, corners));
         let by_corners = if new.polygon.is_some() { replaced_by("polygon_m") } else { &[] };
-        faces.or(corners).or(rows(ui, &look, &mut new, &[&["name", "faces", "end"], by_corners].concat()))
+        let ground = grounds::row(ui, place, scene, &mut new.ground);
+        faces.or(corners).or(ground).or(rows(ui, &look, &mut new, &[&["name", "faces", "end"], by_corners].concat()))
     });
     let change = change.or(way_of_face(ui, place, scene, &mut new));
     let soil =

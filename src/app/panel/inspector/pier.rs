@@ -5,7 +5,7 @@ use egui::Ui;
 use super::rows::{grid, note, push, section};
 use crate::app::command::Command;
 use crate::app::field::{Change, Form, Look, Place, Without, choice, number, rows, switched};
-use crate::app::panel::name_field;
+use crate::app::panel::{grounds, name_field};
 use crate::app::run::answer::Answer;
 use crate::app::unit::{Size, trimmed, unit_of};
 use crate::app::{edits, text};
@@ -65,7 +65,7 @@ pub(super) fn show(
         way.or(rows(ui, &look, &mut new, &[&["name"], columns, yields, turns].concat()))
     });
     let more = section(ui, text::PIER_MORE.as_str(), false, |ui| {
-        grid(ui, "pier more", |ui| more(ui, place, size, &mut new, &resolved))
+        grid(ui, "pier more", |ui| more(ui, (place, scene), size, &mut new, &resolved))
     });
     let change = first.or(more.flatten());
     // What belongs to another key goes with it.
@@ -155,9 +155,17 @@ fn two(
 }
 
 /// Damping, yield, place and cap.
-fn more(ui: &mut Ui, place: Place<'_>, size: Size, pier: &mut Pier, resolved: &ResolvedPier) -> Option<Change> {
+fn more(
+    ui: &mut Ui,
+    (place, scene): (Place<'_>, &Scene),
+    size: Size,
+    pier: &mut Pier,
+    resolved: &ResolvedPier,
+) -> Option<Change> {
     let mut change = None;
     let mut ratio = pier.damping_ratio.unwrap_or(PerDirection::Both(0.05));
+    let ground = grounds::row(ui, place, scene, &mut pier.ground);
+    change = ground.or(change);
     let damping =
         two(ui, place, ("damping_ratio", [text::DAMPING_X.as_str(), text::DAMPING_Y.as_str()]), &mut ratio, size);
     if damping.is_some() {

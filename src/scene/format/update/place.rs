@@ -13,8 +13,12 @@ pub(super) fn below(path: &str, key: &str) -> String {
 /// Where the documentation lists a key among those of its table; what is not listed comes last.
 pub(super) fn rank(path: &str, key: &str) -> usize {
     let plain = |listed: &'static str| listed.split(" kind").next().map(|way| way.trim_end_matches("[]"));
+    // A named ground has its name, then the keys of [motion].
+    let motion = path.strip_prefix("ground").filter(|_| key != "name").map(|below| format!("motion{below}"));
+    let (path, before) = motion.as_deref().map_or((path, 0), |motion| (motion, 1));
     let tables = keys::TABLES.iter().filter(|table| plain(table.path) == Some(path));
-    tables.flat_map(|table| table.keys).position(|listed| listed.name == key).unwrap_or(usize::MAX)
+    let at = tables.flat_map(|table| table.keys).position(|listed| listed.name == key);
+    at.map_or(usize::MAX, |at| before + at)
 }
 
 /// What a key holds that is not written because it is the default; `None` where nothing holds then.
