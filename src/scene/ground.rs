@@ -7,7 +7,6 @@ use serde::de::value::{MapAccessDeserializer, StringDeserializer};
 use serde::de::{DeserializeSeed, Error, IntoDeserializer, MapAccess, Visitor};
 use serde::{Deserialize, Deserializer, Serialize};
 
-use super::Scene;
 use super::keys::{Fallback, Key, MOTION, Range};
 use super::motion::Motion;
 
@@ -29,26 +28,6 @@ pub enum GroundId {
     Reference,
     /// The `[[ground]]` of this number.
     Named(usize),
-}
-
-impl Scene {
-    /// How a ground moves; `None` where the scene has none of that number.
-    pub fn motion_of(&self, ground: GroundId) -> Option<&Motion> {
-        match ground {
-            GroundId::Reference => Some(&self.motion),
-            GroundId::Named(number) => self.grounds.get(number).map(|named| &named.motion),
-        }
-    }
-
-    /// The place of a ground's motion in the scene's file.
-    pub fn motion_place(&self, ground: GroundId) -> String {
-        match ground {
-            GroundId::Reference => "motion".to_owned(),
-            GroundId::Named(number) => {
-                format!("ground.{}", self.grounds.get(number).map_or("", |named| named.name.as_str()))
-            }
-        }
-    }
 }
 
 /// `[[ground]]`, whatever its kind; of each kind the keys of `[motion]`.

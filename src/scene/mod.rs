@@ -20,6 +20,7 @@ mod kind;
 mod limits;
 mod model;
 mod motion;
+mod motions;
 mod moving_supports;
 mod path;
 mod pier;

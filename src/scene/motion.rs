@@ -4,7 +4,6 @@ use serde::de::value::MapAccessDeserializer;
 use serde::de::{Error, MapAccess, Visitor};
 use serde::{Deserialize, Deserializer, Serialize};
 
-use super::Scene;
 use super::angle::sin_cos_deg;
 use super::keys::{Fallback, Key, Range, table};
 use super::record::{Heading, RecordMotion};
@@ -75,20 +74,6 @@ impl SineMotion {
     /// `φ_z − φ0` \[rad\].
     pub fn vertical_lead(&self) -> f64 {
         self.vertical_phase_deg.map_or(0.0, |phase| (phase - self.phase_deg).to_radians())
-    }
-}
-
-impl Scene {
-    /// Every motion of the ground with its place in the file: `motion`, then `ground.NAME`.
-    pub fn motions(&self) -> impl Iterator<Item = (String, &Motion)> {
-        let named = self.grounds.iter().map(|ground| (format!("ground.{}", ground.name), &ground.motion));
-        std::iter::once(("motion".to_owned(), &self.motion)).chain(named)
-    }
-
-    /// The same, to be changed.
-    pub fn motions_mut(&mut self) -> impl Iterator<Item = (String, &mut Motion)> {
-        let named = self.grounds.iter_mut().map(|ground| (format!("ground.{}", ground.name), &mut ground.motion));
-        std::iter::once(("motion".to_owned(), &mut self.motion)).chain(named)
     }
 }
 

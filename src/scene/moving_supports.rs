@@ -48,11 +48,6 @@ impl MovingSupports {
 }
 
 impl Scene {
-    /// The number of the ground of this name.
-    pub fn ground_named(&self, name: &str) -> Option<usize> {
-        self.grounds.iter().position(|ground| ground.name == name)
-    }
-
     /// How the ground moves under each support, where it does not move as one; the ground of reference moves as `[motion]` says
     /// and is that of the support which the wave reaches first.
     pub fn moving_supports(&self) -> Option<MovingSupports> {

@@ -2,7 +2,7 @@
 
 use std::collections::BTreeMap;
 
-use super::harness::{open, press, reach_as, settle, type_in};
+use super::harness::{choose, open, press, reach_as, settle, type_in};
 use egui::accesskit::Role;
 use egui::{Key, Modifiers};
 use egui_kittest::Harness;
@@ -178,7 +178,11 @@ fn windows() -> Vec<Window> {
         show(lead, Some(Target::Girder(0))),
         show(high, Some(Target::Girder(0))),
     ];
-    others.into_iter().chain(devices).collect()
+    let bank = "ground=[{ name = \"bank\", kind = \"sine\", amplitude_g = 0.1, frequency_hz = 1 }]";
+    let bank = with(&viaduct, &[bank]);
+    let [mut on_pier, on_abutment] = [Target::Pier(0), Target::Abutment(0)].map(|on| show(bank.clone(), Some(on)));
+    choose(&mut on_pier, "Motion of", "bank");
+    others.into_iter().chain(devices).chain([on_pier, on_abutment]).collect()
 }
 
 #[test]
@@ -344,17 +348,6 @@ fn the_face_of_a_wall_is_given_by_its_corners_and_back() {
     let again = harness.state().files.document.scene().abutments[0].gap.expect("given");
     assert!((again - gap).abs() < 2e-6, "where it was, to the micrometre: {again}");
     assert_ne!(by_corners, 0, "it ran");
-}
-
-/// Opens a list by its name and takes one of its choices.
-fn choose(harness: &mut Window, list: &str, choice: &str) {
-    reach_as(harness, Role::ComboBox, list);
-    harness.get_by_role_and_label(Role::ComboBox, list).click();
-    harness.run_steps(20);
-    let choices: Vec<_> = harness.query_all_by_role_and_label(Role::Button, choice).collect();
-    choices.last().expect("in the list").click();
-    harness.run_steps(20);
-    settle(harness);
 }
 
 #[test]

@@ -70,6 +70,17 @@ pub(crate) fn reach_as(harness: &mut Harness<'_, Workbench>, role: Role, label: 
     harness.run_steps(40);
 }
 
+/// Opens a list by its name and takes one of its choices.
+pub(crate) fn choose(harness: &mut Harness<'_, Workbench>, list: &str, choice: &str) {
+    reach_as(harness, Role::ComboBox, list);
+    harness.get_by_role_and_label(Role::ComboBox, list).click();
+    harness.run_steps(20);
+    let choices: Vec<_> = harness.query_all_by_role_and_label(Role::Button, choice).collect();
+    choices.last().expect("in the list").click();
+    harness.run_steps(20);
+    settle(harness);
+}
+
 /// Types a text into a field.
 pub(crate) fn type_in(harness: &mut Harness<'_, Workbench>, label: &str, text: &str) {
     reach_as(harness, Role::SpinButton, label);

@@ -22,6 +22,8 @@ mod framing;
 #[path = "../pictures/golden.rs"]
 mod golden;
 #[cfg(feature = "ui-tests")]
+mod grounds;
+#[cfg(feature = "ui-tests")]
 mod harness;
 #[cfg(feature = "ui-tests")]
 mod keys;

@@ -58,6 +58,7 @@ pub(in crate::app) fn show(ui: &mut Ui, form: Form<'_>, out: &mut Vec<Command>) 
         wave::show(ui, form, out);
         windows(ui, out);
     }
+    grounds::add(ui, form.scene, out);
     if let Some(change) = kind.or(change) {
         out.push(EditCommand::Change { edit: edits::motion(form.scene, ground, new), gesture: change.gesture }.into());
     }

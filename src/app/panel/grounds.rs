@@ -5,52 +5,61 @@ use egui::{ComboBox, Id, TextEdit, Ui};
 use crate::app::command::{Command, EditCommand};
 use crate::app::field::{CLICK, Change, Form, Place, tag};
 use crate::app::{edits, text};
+use crate::scene::edit::Edit;
 use crate::scene::{GroundId, Scene};
 
-/// Shows the choice where a scene has supports; the ground that is chosen.
+/// Where the number of the ground that is shown is kept.
+fn shown_id() -> Id {
+    Id::unique("ground shown")
+}
+
+/// Shows the choice where there is one; the ground that is chosen.
 pub(super) fn show(ui: &mut Ui, form: Form<'_>, out: &mut Vec<Command>) -> GroundId {
     let scene = form.scene;
-    if scene.grounds.is_empty() && scene.abutments.is_empty() && scene.piers.is_empty() {
-        return GroundId::Reference;
+    let shown = ui.data(|d| d.get_temp::<GroundId>(shown_id())).unwrap_or_default();
+    // One that was taken away, or that is not added yet.
+    let mut shown = if scene.motion_of(shown).is_some() { shown } else { GroundId::Reference };
+    if scene.grounds.is_empty() {
+        return shown;
     }
-    let id = Id::unique("ground shown");
-    let mut shown = ui.data(|d| d.get_temp::<GroundId>(id)).filter(|id| scene.motion_of(*id).is_some());
-    if !scene.grounds.is_empty() {
-        ui.horizontal(|ui| choose(ui, scene, &mut shown));
-    }
-    let mut edit = None;
-    if let Some(GroundId::Named(number)) = shown {
+    let before = shown;
+    ui.horizontal(|ui| choose(ui, scene, &mut shown));
+    if let GroundId::Named(number) = shown {
         ui.horizontal(|ui| {
             name(ui, form, number, out);
             if ui.small_button(text::GROUND_REMOVE).clicked() {
-                edit = Some(edits::rename_ground(scene, number, None));
-                shown = None;
+                change(edits::rename_ground(scene, number, None), out);
             }
         });
     }
-    if ui.button(text::GROUND_ADD).on_hover_text(text::GROUND_ADD_HINT).clicked() {
-        edit = Some(edits::add_ground(scene));
-        shown = Some(GroundId::Named(scene.grounds.len()));
+    if shown != before {
+        ui.data_mut(|d| d.insert_temp(shown_id(), shown));
     }
-    if let (Some(edit), Some(change)) = (edit, CLICK) {
-        out.push(EditCommand::Change { edit, gesture: change.gesture }.into());
-    }
-    let shown = shown.unwrap_or_default();
-    ui.data_mut(|d| d.insert_temp(id, shown));
-    // One that is being added is there in the next frame.
-    if scene.motion_of(shown).is_some() { shown } else { GroundId::Reference }
+    shown
 }
 
-fn choose(ui: &mut Ui, scene: &Scene, shown: &mut Option<GroundId>) {
+/// Shows the way to one more, in a scene with supports that could stand on it.
+pub(super) fn add(ui: &mut Ui, scene: &Scene, out: &mut Vec<Command>) {
+    let stands = !scene.abutments.is_empty() || !scene.piers.is_empty();
+    if stands && ui.button(text::GROUND_ADD).on_hover_text(text::GROUND_ADD_HINT).clicked() {
+        change(edits::add_ground(scene), out);
+        ui.data_mut(|d| d.insert_temp(shown_id(), GroundId::Named(scene.grounds.len())));
+    }
+}
+
+fn change(edit: Edit, out: &mut Vec<Command>) {
+    out.push(EditCommand::Change { edit, gesture: None }.into());
+}
+
+fn choose(ui: &mut Ui, scene: &Scene, shown: &mut GroundId) {
     let label = ui.label(text::GROUND_SHOWN);
     let called = |ground: GroundId| match ground {
         GroundId::Reference => text::GROUND_OF_MOTION.to_string(),
         GroundId::Named(number) => scene.grounds[number].name.clone(),
     };
-    let now = shown.unwrap_or_default();
-    let combo = ComboBox::from_id_salt("ground shown").width(120.0).selected_text(called(now)).show_ui(ui, |ui| {
+    let combo = ComboBox::from_id_salt("ground shown").width(120.0).selected_text(called(*shown)).show_ui(ui, |ui| {
         for ground in std::iter::once(GroundId::Reference).chain((0..scene.grounds.len()).map(GroundId::Named)) {
-            ui.selectable_value(shown, Some(ground), called(ground));
+            ui.selectable_value(shown, ground, called(ground));
         }
     });
     let name = text::GROUND_SHOWN.as_str();
@@ -73,8 +82,7 @@ fn name(ui: &mut Ui, form: Form<'_>, number: usize, out: &mut Vec<Command>) {
     }
     ui.data_mut(|d| d.remove::<String>(draft_id));
     if response.lost_focus() && draft != ground.name {
-        let edit = edits::rename_ground(form.scene, number, Some(&draft));
-        out.push(EditCommand::Change { edit, gesture: None }.into());
+        change(edits::rename_ground(form.scene, number, Some(&draft)), out);
     }
 }
 

@@ -115,29 +115,36 @@ fn in_steps(world: &World, number: usize, t: f64, until: f64) -> Option<f64> {
         let speed = |i: usize| frames[i].velocity.length() + frames[i].spin.length() * link.arms[i].length();
         world.model.tolerance.max(SPEED_ROUNDING) * (speed(0) + speed(1))
     };
-    let curvature_bound = |from: &GapSample, to: f64| {
-        let curvature = GapCurvature::of(world, *slots, from.t, to);
-        if !curvature.holds(to - from.t) {
-            return f64::INFINITY;
-        }
-        let distance = motion(world, number, from.t).vector().length();
-        let bounds = curvature.separation(link.arms.map(DVec3::length), distance, to - from.t);
-        let bounds = match link.kinematics {
+    // Of its points, which are `distance` apart at `from`, up to `to`.
+    let bounds = |distance: f64, from: f64, to: f64| {
+        let curvature = GapCurvature::of(world, *slots, from, to);
+        let bounds = curvature.separation(link.arms.map(DVec3::length), distance, to - from);
+        curvature.holds(to - from).then(|| match link.kinematics {
             Kinematics::Carried => curvature.carried(bounds),
             Kinematics::Points | Kinematics::Linear => bounds,
-        };
-        link.device.gap_curvature(phase, &bounds)
+        })
+    };
+    let curvature_bound = |from: &GapSample, to: f64| {
+        let distance = motion(world, number, from.t).vector().length();
+        bounds(distance, from.t, to).map_or(f64::INFINITY, |bounds| link.device.gap_curvature(phase, &bounds))
     };
     let here = frames(world, number, t);
     let motion_here = link.motion([&here[0], &here[1]]).0;
     let [gap_here, rate_here] = link.device.gap(phase, &motion_here);
     let first = GapSample { t, gap: gap_here, rate: rate_here };
     let resolution = resolution_of(link, &here);
-    // The parabola of the greatest curvature stays above 0: the device is slack throughout.
     let span = until - t;
-    let lowest = first.gap + first.rate.min(0.0) * span - 0.5 * curvature_bound(&first, until) * span * span;
-    if first.gap > resolution && lowest > 0.0 {
-        return None;
+    if let Some(bounds) = bounds(motion_here.vector().length(), t, until) {
+        // A gap changes by no more than its points move against one another, and stays above the parabola of the greatest curvature:
+        // the device is slack throughout.
+        let reach = first.gap - bounds.speed * span;
+        let lowest = || {
+            let curvature = link.device.gap_curvature(phase, &bounds);
+            first.gap + first.rate.min(0.0) * span - 0.5 * curvature * span * span
+        };
+        if first.gap > resolution && (reach > 0.0 || lowest() > 0.0) {
+            return None;
+        }
     }
     if first.gap <= resolution && first.rate < -rate_error(t) {
         return Some(t);

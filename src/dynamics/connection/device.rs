@@ -92,6 +92,11 @@ pub trait Device: Connection<State = Phase, Motion = Separation> + std::fmt::Deb
         Evolution::default()
     }
 
+    /// Force on the first point and evolution together, for laws in which both come from one function of what is remembered.
+    fn force_and_evolution(&self, phase: &Phase, motion: &Separation) -> (DVec3, Evolution) {
+        (self.force(phase, motion), self.evolution(phase, motion))
+    }
+
     /// Whether no force can begin any more.
     fn has_ended(&self, phase: &Phase) -> bool {
         let _ = phase;

@@ -71,16 +71,17 @@ impl Link {
     }
 
     /// Motion of a planar bearing's point against the ground, linear in the rotation, of a body with this displacement and
-    /// rotation about the vertical, and their rates.
+    /// rotation about the vertical, and their rates; `placed` is [`placed`](Self::placed).
     #[inline]
     pub(in crate::dynamics) fn motion_on_ground(
         &self,
+        placed: DVec3,
         [shift, velocity]: [DVec3; 2],
         [turn, spin]: [f64; 2],
     ) -> Separation {
         let across = DVec3::Z.cross(self.arms[0]);
         let [moved, rate] = [shift + across * turn, velocity + across * spin].map(|v| self.axes.mul_transpose_vec3(v));
-        Separation { placed: self.placed(), moved, rate }
+        Separation { placed, moved, rate }
     }
 
     /// Force of its device on the first point, world axes \[N\].

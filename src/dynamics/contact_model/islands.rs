@@ -115,7 +115,16 @@ fn acting_links(world: &World, members: &[usize]) -> Vec<ActiveLink> {
     let index = |slot: Option<usize>| slot.and_then(|s| members.binary_search(&s).ok());
     let active = |track: usize| {
         let LinkTrack { link, slots, phase, .. } = &world.links[track];
-        ActiveLink { number: *link, track, ends: slots.map(index), sections: [0; 2], phase: *phase, evolving: None }
+        let placed = world.model.links[*link].placed();
+        ActiveLink {
+            number: *link,
+            track,
+            ends: slots.map(index),
+            sections: [0; 2],
+            placed,
+            phase: *phase,
+            evolving: None,
+        }
     };
     world.links_of(members).into_iter().filter(|&link| world.link_acts(link)).map(active).collect()
 }

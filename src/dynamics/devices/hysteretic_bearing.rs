@@ -20,6 +20,19 @@ pub struct Play {
     pub force: f64,
 }
 
+impl Play {
+    /// How the angle of the force turns on the circle, where that points `outwards`.
+    fn turn(self, outwards: DVec2, motion: &Separation) -> Evolution {
+        let (along, rate, per_length) = (outwards.perp(), motion.rate.truncate(), self.stiffness / self.force);
+        Evolution {
+            rate: per_length * along.dot(rate),
+            decay: -per_length * outwards.dot(rate),
+            force: (along * -self.force).extend(0.0),
+            drive: (along * per_length).extend(0.0),
+        }
+    }
+}
+
 /// How the hysteretic parts along the two horizontal axes act together.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub enum Hysteresis {
@@ -151,14 +164,18 @@ impl Device for Hysteresis {
     }
 
     fn evolution(&self, phase: &Phase, motion: &Separation) -> Evolution {
-        let [Play { stiffness, force }, _] = self.plays();
-        let (outwards, rate) = (DVec2::from_angle(phase.memory[0]), motion.rate.truncate());
-        let along = outwards.perp();
-        Evolution {
-            rate: stiffness / force * along.dot(rate),
-            decay: -stiffness / force * outwards.dot(rate),
-            force: (along * -force).extend(0.0),
-            drive: (along * (stiffness / force)).extend(0.0),
+        let [play, _] = self.plays();
+        play.turn(DVec2::from_angle(phase.memory[0]), motion)
+    }
+
+    /// In yield on the circle one direction gives both.
+    fn force_and_evolution(&self, phase: &Phase, motion: &Separation) -> (DVec3, Evolution) {
+        match *self {
+            Hysteresis::Circle(play) if phase.law == YIELDING => {
+                let outwards = DVec2::from_angle(phase.memory[0]);
+                ((outwards * -play.force).extend(0.0), play.turn(outwards, motion))
+            }
+            _ => (self.force(phase, motion), self.evolution(phase, motion)),
         }
     }
 

@@ -147,6 +147,13 @@ impl Device for Support {
         self.standing(phase).map(|law| law.evolution(phase, motion)).unwrap_or_default()
     }
 
+    fn force_and_evolution(&self, phase: &Phase, motion: &Separation) -> (DVec3, Evolution) {
+        match self.standing(phase) {
+            Some(law) => law.force_and_evolution(phase, motion),
+            None => (self.force(phase, motion), Evolution::default()),
+        }
+    }
+
     fn switches(&self, phase: &Phase) -> usize {
         self.standing(phase).map_or(0, |law| law.switches(phase) + 1)
     }

@@ -23,6 +23,8 @@ pub(in crate::dynamics) struct ActiveLink {
     pub ends: [Option<usize>; 2],
     /// Sections of these bodies that its points are on, among those of the island's bodies; 0 for the ground.
     pub sections: [usize; 2],
+    /// Vector from the second point to the first as placed, in the link's axes \[m\].
+    pub placed: DVec3,
     /// Phase of the device, with what its law remembers at the start of the island.
     pub phase: Phase,
     /// Index in the island's vector of the first number that the law remembers; `None` where that does not change.
@@ -53,7 +55,7 @@ impl ActiveLink {
             // Of a planar bearing: no rotation matrix.
             let frame = &frames[self.sections[0]];
             let (shift, turn) = bases[body].whole_in_plan(frame);
-            let motion = link.motion_on_ground([shift, frame.velocity], [turn, frame.spin.z]);
+            let motion = link.motion_on_ground(self.placed, [shift, frame.velocity], [turn, frame.spin.z]);
             return (motion, link.arms);
         }
         // Poses stay where they are made: of eight bearings a step copied little else.
@@ -94,13 +96,17 @@ impl ActiveLink {
         wrenches: &mut [Wrench],
     ) -> Option<(usize, Evolution)> {
         let (link, (motion, arms), phase) = (self.of(model), self.motion(model, bases, frames), self.phase_in(y));
-        let force = self.in_world(model, bases, frames, link.device.force(&phase, &motion));
+        let (force, evolution) = match self.evolving {
+            Some(_) => link.device.force_and_evolution(&phase, &motion),
+            None => (link.device.force(&phase, &motion), Evolution::default()),
+        };
+        let force = self.in_world(model, bases, frames, force);
         for (end, force) in [force, -force].into_iter().enumerate() {
             if self.ends[end].is_some() {
                 wrenches[self.sections[end]].push(force, arms[end]);
             }
         }
-        self.evolving.map(|at| (at, link.device.evolution(&phase, &motion)))
+        self.evolving.map(|at| (at, evolution))
     }
 
     /// A vector of the link's axes in the world.

@@ -16,11 +16,10 @@ pub(in crate::dynamics) fn first_due(model: &Model, island: &Island) -> Option<(
     if island.system.links.iter().all(|active| active.of(model).device.switches(&active.phase) == 0) {
         return None;
     }
-    let last = sample_count(island) - 1;
-    let part = |i: usize| (island.until - island.from) * i as f64 / last as f64;
-    let times: Vec<f64> = (0..=last).map(|i| if i == last { island.until } else { island.from + part(i) }).collect();
     let sections = island.system.layout.section_count();
-    let mut frames = island.frames_since(model, &times[..1]);
+    // The start, and as soon as a phase may end further samples.
+    let mut times: SmallVec<[f64; 8]> = SmallVec::from_slice(&[island.from]);
+    let mut frames = island.frames_since(model, &times);
     let mut found: Option<(f64, LinkDue)> = None;
     for (index, active) in island.system.links.iter().enumerate() {
         let link = active.of(model);
@@ -32,7 +31,10 @@ pub(in crate::dynamics) fn first_due(model: &Model, island: &Island) -> Option<(
         if likely.is_empty() {
             continue;
         }
-        if frames.len() == sections {
+        if times.len() == 1 {
+            let last = sample_count(island) - 1;
+            let part = |i: usize| (island.until - island.from) * i as f64 / last as f64;
+            times.extend((1..=last).map(|i| if i == last { island.until } else { island.from + part(i) }));
             frames.extend(island.frames_since(model, &times[1..]));
         }
         let motions: Vec<_> =
@@ -46,9 +48,9 @@ pub(in crate::dynamics) fn first_due(model: &Model, island: &Island) -> Option<(
                 let frames = island.frames_since(model, &[t]);
                 switch(&active.motion(model, &island.system.bases, &frames).0, t)
             };
-            let Some(t) = first_rise([&times, &values], zero, false, EarliestEvent::UNKNOWN, value_at) else {
-                continue;
-            };
+            // Of an event after the first one found only that is asked.
+            let earliest = found.map_or(EarliestEvent::UNKNOWN, |(at, _)| EarliestEvent { at, together: 0.0 });
+            let Some(t) = first_rise([&times, &values], zero, false, earliest, value_at) else { continue };
             if found.is_none_or(|(first, _)| t < first) {
                 found = Some((t, LinkDue { index, switch: number }));
             }

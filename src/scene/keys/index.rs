@@ -65,7 +65,8 @@ pub fn find(keys: &'static [Key], name: &str) -> Option<&'static Key> {
 }
 
 /// The key that a place in a scene is about, and its table: `girder.deck.initial.displacement_m[0]`,
-/// `contact.pair[2].mu_static`, `motion.angle_deg`. A `[[ground]]` has, its name apart, the keys of `[motion]`.
+/// `contact.pair[2].mu_static`, `motion.angle_deg`. A `[[ground]]` has, its name and kind apart, the keys
+/// of `[motion]`.
 pub fn of_place(place: &str) -> Option<(&'static Table, &'static Key)> {
     let mut steps: Vec<&str> = place.split('.').collect();
     if is_named(steps[0]) && steps.len() > 1 {
@@ -73,7 +74,7 @@ pub fn of_place(place: &str) -> Option<(&'static Table, &'static Key)> {
     }
     let last = steps.pop()?;
     let name = last.split('[').next().unwrap_or(last);
-    if steps.first() == Some(&"ground") && name != "name" {
+    if steps.first() == Some(&"ground") && !(steps.len() == 1 && find(GROUND, name).is_some()) {
         steps[0] = "motion";
     }
     let way: Vec<String> = steps.iter().map(|step| without_number(step)).collect();

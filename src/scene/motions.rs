@@ -1,0 +1,40 @@
+//! The motions of the ground of a scene: that of `[motion]` and those with names.
+
+use super::{GroundId, Motion, Scene};
+
+impl Scene {
+    /// Every motion of the ground with its place in the file: `motion`, then `ground.NAME`.
+    pub fn motions(&self) -> impl Iterator<Item = (String, &Motion)> {
+        let named = self.grounds.iter().map(|ground| (format!("ground.{}", ground.name), &ground.motion));
+        std::iter::once(("motion".to_owned(), &self.motion)).chain(named)
+    }
+
+    /// The same, to be changed.
+    pub fn motions_mut(&mut self) -> impl Iterator<Item = (String, &mut Motion)> {
+        let named = self.grounds.iter_mut().map(|ground| (format!("ground.{}", ground.name), &mut ground.motion));
+        std::iter::once(("motion".to_owned(), &mut self.motion)).chain(named)
+    }
+
+    /// How a ground moves; `None` where the scene has none of that number.
+    pub fn motion_of(&self, ground: GroundId) -> Option<&Motion> {
+        match ground {
+            GroundId::Reference => Some(&self.motion),
+            GroundId::Named(number) => self.grounds.get(number).map(|named| &named.motion),
+        }
+    }
+
+    /// The place of a ground's motion in the scene's file.
+    pub fn motion_place(&self, ground: GroundId) -> String {
+        match ground {
+            GroundId::Reference => "motion".to_owned(),
+            GroundId::Named(number) => {
+                format!("ground.{}", self.grounds.get(number).map_or("", |named| named.name.as_str()))
+            }
+        }
+    }
+
+    /// The number of the ground of this name.
+    pub fn ground_named(&self, name: &str) -> Option<usize> {
+        self.grounds.iter().position(|ground| ground.name == name)
+    }
+}

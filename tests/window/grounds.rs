@@ -1,0 +1,71 @@
+//! Motions that supports have of their own: added, changed, named, stood on and taken away by hand.
+
+use egui_kittest::kittest::Queryable as _;
+use girderbench::app::{EditCommand, SelectCommand};
+use girderbench::scene::{Motion, presets};
+use girderbench::view::Target;
+
+use super::harness::{choose, open, press, reach_as, settle, slide};
+
+type Window = egui_kittest::Harness<'static, girderbench::app::Workbench>;
+
+fn undo(harness: &mut Window) {
+    harness.state_mut().apply(EditCommand::Undo);
+    settle(harness);
+}
+
+/// Excitation angles of `[motion]` and of the first ground.
+fn angles(harness: &Window) -> [f64; 2] {
+    let scene = harness.state().files.document.scene();
+    [&scene.motion, &scene.grounds[0].motion].map(Motion::angle_deg)
+}
+
+#[test]
+fn an_abutment_is_put_on_a_ground_of_its_own() {
+    let mut harness = open(presets::OPENING);
+    let before = harness.state().files.document.scene().clone();
+    press(&mut harness, "Another ground for a support");
+    settle(&mut harness);
+    let added = harness.state().files.document.scene().clone();
+    assert_eq!(added.grounds.len(), 1, "added");
+    assert_eq!(added.grounds[0].motion, before.motion, "it begins as that of all supports");
+    let answer = |harness: &Window| harness.state().replay.runner.answer().map(|run| run.history.digest());
+    let alone = answer(&harness);
+    slide(&mut harness, "Angle α", 35.0);
+    assert_eq!(angles(&harness), [before.motion.angle_deg(), 35.0], "the ground that is shown, and no other");
+    assert_eq!(answer(&harness), alone, "nothing stands on it");
+    choose(&mut harness, "Motion of", "all supports");
+    slide(&mut harness, "Angle α", 10.0);
+    assert_eq!(angles(&harness), [10.0, 35.0], "the other one");
+    undo(&mut harness);
+    harness.state_mut().apply(SelectCommand::Only(Some(Target::Abutment(0))));
+    settle(&mut harness);
+    choose(&mut harness, "Its ground", "ground 1");
+    let scene = harness.state().files.document.scene().clone();
+    assert_eq!(scene.abutments[0].ground.as_deref(), Some("ground 1"), "it stands there");
+    assert!(harness.state().replay.runner.problems().is_none() && answer(&harness) != alone, "and moves with it");
+    choose(&mut harness, "Motion of", "ground 1");
+    press(&mut harness, "Take it away");
+    settle(&mut harness);
+    let scene = harness.state().files.document.scene().clone();
+    assert!(scene.grounds.is_empty() && scene.abutments[0].ground.is_none(), "with what names it");
+    assert_eq!(answer(&harness), alone, "as before");
+    undo(&mut harness);
+    assert_eq!(
+        harness.state().files.document.scene().abutments[0].ground.as_deref(),
+        Some("ground 1"),
+        "one step back"
+    );
+    choose(&mut harness, "Motion of", "ground 1");
+    reach_as(&mut harness, egui::accesskit::Role::TextInput, "Name of this ground");
+    harness.get_by_role_and_label(egui::accesskit::Role::TextInput, "Name of this ground").click();
+    settle(&mut harness);
+    harness.key_press_modifiers(egui::Modifiers::COMMAND, egui::Key::A);
+    harness.event(egui::Event::Text("east bank".into()));
+    settle(&mut harness);
+    harness.key_press(egui::Key::Enter);
+    settle(&mut harness);
+    let scene = harness.state().files.document.scene();
+    assert_eq!(scene.grounds[0].name, "east bank", "named");
+    assert_eq!(scene.abutments[0].ground.as_deref(), Some("east bank"), "wherever it is named");
+}
