@@ -813,6 +813,7 @@ impact-d = contact, turning
 impact-e = contact, sliding
 impact-f = contact, resting
 ground-none = no ground motion
+ground-own = { $ground }; supports on { $names }
 ground-wave = { $ground }, wave { $speed } m/s { $direction }
 ground-of = ground: { $motion }
 ground-sine = sine { $parts }

@@ -796,6 +796,7 @@ impact-d = 接触回転
 impact-e = 接触滑り
 impact-f = 接触静止
 ground-none = 地震動なし
+ground-own = { $ground }、支点 { $names }
 ground-wave = { $ground }、波 { $speed } m/s { $direction }
 ground-of = 地動：{ $motion }
 ground-sine = 正弦波 { $parts }

@@ -37,4 +37,10 @@ impl Scene {
     pub fn ground_named(&self, name: &str) -> Option<usize> {
         self.grounds.iter().position(|ground| ground.name == name)
     }
+
+    /// Whether an abutment or a pier stands on the ground of this name.
+    pub fn stands_on_ground(&self, name: &str) -> bool {
+        let abutments = self.abutments.iter().map(|abutment| &abutment.ground);
+        abutments.chain(self.piers.iter().map(|pier| &pier.ground)).flatten().any(|ground| ground == name)
+    }
 }

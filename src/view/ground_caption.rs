@@ -4,16 +4,22 @@ use super::scale;
 use crate::language::{Text, values};
 use crate::scene::{Component, Heading, Motion, RecordMotion, STANDARD_GRAVITY, Scene};
 
-/// How the ground moves, in a line: every component with its direction, and how it travels.
+/// How the ground moves, in a line: every component with its direction, how it travels, which grounds supports have of their own.
 pub(super) fn ground_caption(scene: &Scene) -> String {
     let caption = motion_caption(&scene.motion);
-    match &scene.wave {
+    let caption = match &scene.wave {
         Some(wave) if scene.motion != Motion::None => {
             let (speed, direction) = (scale::plain(wave.speed), degrees(wave.angle_deg));
             Text::new("ground-wave").with(&values!["ground" => caption, "speed" => speed, "direction" => direction])
         }
         _ => caption,
+    };
+    let named = scene.grounds.iter().map(|ground| &ground.name).filter(|name| scene.stands_on_ground(name));
+    let named: Vec<String> = named.map(|name| format!("\u{201c}{name}\u{201d}")).collect();
+    if named.is_empty() {
+        return caption;
     }
+    Text::new("ground-own").with(&values!["ground" => caption, "names" => named.join(", ")])
 }
 
 fn motion_caption(motion: &Motion) -> String {
@@ -102,7 +108,7 @@ fn listed(mut parts: Vec<String>) -> String {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::scene::{SineMotion, SyntheticMotion};
+    use crate::scene::{NamedGround, SineMotion, SyntheticMotion};
 
     #[test]
     fn every_component_is_named_with_its_direction() {
@@ -148,5 +154,15 @@ mod tests {
             vertical_phase_deg: None,
         };
         assert_eq!(motion_caption(&Motion::Sine(sine)), "ground: sine 0.40 g, 2.6 Hz at 22.5° + 0.10 g upwards");
+    }
+
+    #[test]
+    fn grounds_that_supports_stand_on_are_named() {
+        let mut scene = crate::scene::presets::load("skew45-abutment").unwrap_or_else(|errors| panic!("{errors}"));
+        let alone = ground_caption(&scene);
+        scene.grounds.push(NamedGround { name: "bank".into(), motion: Motion::None });
+        assert_eq!(ground_caption(&scene), alone, "nothing stands on it");
+        scene.abutments[0].ground = Some("bank".into());
+        assert_eq!(ground_caption(&scene), format!("{alone}; supports on \u{201c}bank\u{201d}"));
     }
 }
