@@ -157,7 +157,10 @@ check-then-stops = the run then stops
 check-then-goes-on = the run goes on without it, and says so
 check-rooms = { $count } of them lose their support, the first beyond { $least } m square to the ends: { $then }
 check-own-ground = { " " }as "{ $ground }",
-check-moving = ground under { $name }:{ $ground } { $delay } s later, × { $factor }; up to { $largest } m from the ground of reference, { $last } m at the end
+moved-support = { $name }:{ $ground } { $delay } s later, × { $factor }; up to { $largest } m from the ground of reference, { $last } m at the end
+check-moving = ground under { $moved }
+run-ground-under = ground under
+check-on-piers = { $count } of them on { $piers }; frequencies are those on piers that stand still
 check-pier = pier { $name }: at { $x }, { $y } m, { $mass } kg, height { $height } m; { $standing }
 check-pier-b = k along, across = { $stiffness } N/m, c = { $damping } N·s/m; alone f = { $frequency } Hz, T = { $period } s{ $turning }{ $yielding }
 check-pier-alone = no end of a girder stands on it alone

@@ -77,6 +77,7 @@ wrong-stiffness-twice = K = E A / L comes from young_modulus_pa, area_m2 and con
 wrong-no-amplitude = give the amplitude: amplitude_g, or amplitude_m_s2
 wrong-no-such-girder = no girder has this name; { $names }
 wrong-one-girder = both points are on one girder: name another body, or leave it out for the ground
+wrong-device-on-pier = a pier: devices join girders, abutments and the ground; leave it out for the ground; { $names }
 wrong-no-such-body = nobody has this name: leave it out for the ground; { $names }
 wrong-pier-bears-nothing = no bearing stands on it: name it in a girder's bearings (on_plus_x, on_minus_x, on), or give its place [x, y]
 wrong-pier-no-stiffness = give it in N/m, or frequency_hz, or column_m with height_m
@@ -96,6 +97,7 @@ wrong-no-such-ground = no ground has this name; { $known }, or leave it out for 
 wrong-no-such-pier = no pier or abutment has this name; { $known }, or leave it out for the ground
 wrong-nameless = give it a name
 wrong-name = tables and --set could not tell it apart: use letters, digits, - and _, and single spaces inside
+wrong-ground-twice = another ground has this name: grounds need a name each
 wrong-name-twice = another body has this name, or a device: girders, abutments, piers and devices need a name each
 wrong-pair-friction = for { $pair } it exceeds the mu_static in force, { $mus }: lower it, or raise mu_static
 wrong-face = this is no contact face: { $error }

@@ -157,7 +157,10 @@ check-then-stops = そこで計算を止める
 check-then-goes-on = その支承なしに計算を続け、そう述べる
 check-rooms = うち { $count } 個は支えを失いうる、最初は桁端に直角に { $least } m：{ $then }
 check-own-ground = 「{ $ground }」、
-check-moving = { $name } の地盤：{ $ground }{ $delay } s 遅れ、× { $factor }。基準の地盤から最大 { $largest } m、最後に { $last } m
+moved-support = { $name }：{ $ground }{ $delay } s 遅れ、× { $factor }。基準の地盤から最大 { $largest } m、最後に { $last } m
+check-moving = 支点の地盤 { $moved }
+run-ground-under = 支点の地盤
+check-on-piers = うち { $count } 個は { $piers } の上。振動数は橋脚が動かないときの値
 check-pier = 橋脚 { $name }：位置 { $x }, { $y } m、{ $mass } kg、高さ { $height } m。{ $standing }
 check-pier-b = k 橋軸, 直角 = { $stiffness } N/m、c = { $damping } N·s/m。単独で f = { $frequency } Hz、T = { $period } s{ $turning }{ $yielding }
 check-pier-alone = 単独で支える桁端なし

@@ -77,6 +77,7 @@ wrong-stiffness-twice = K = E A / L は young_modulus_pa、area_m2、contact_len
 wrong-no-amplitude = 振幅を与える：amplitude_g、または amplitude_m_s2
 wrong-no-such-girder = その名前の桁はない。{ $names }
 wrong-one-girder = 両方の点が同じ桁にある。別の物体を名指すか、外して地盤とする
+wrong-device-on-pier = これは橋脚である。装置がつなぐのは桁、橋台、地盤。外すと地盤となる。{ $names }
 wrong-no-such-body = その名前の物体はない。外すと地盤となる。{ $names }
 wrong-pier-bears-nothing = この橋脚に立つ支承がない。桁の支承（on_plus_x, on_minus_x, on）で名指すか、位置 [x, y] を与える
 wrong-pier-no-stiffness = N/m で与えるか、frequency_hz、または column_m と height_m を与える
@@ -96,6 +97,7 @@ wrong-no-such-ground = その名前の地動はない。{ $known }。外すと [
 wrong-no-such-pier = その名前の橋脚も橋台もない。{ $known }。外すと地盤となる
 wrong-nameless = 名前を付ける
 wrong-name = 表と --set で区別できない。文字、数字、- と _、間の1つの空白だけを使う
+wrong-ground-twice = 同じ名前の地動がある。地動の名前はそれぞれ異なるものとする
 wrong-name-twice = 同じ名前の物体か装置がある。桁、橋台、橋脚、装置の名前はそれぞれ異なるものとする
 wrong-pair-friction = { $pair } で有効な mu_static { $mus } を超える。これを下げるか、mu_static を上げる
 wrong-face = 接触面にならない：{ $error }

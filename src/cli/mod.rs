@@ -20,6 +20,7 @@ mod measure;
 mod mistakes;
 mod motion;
 mod motion_processing;
+mod moved;
 mod open;
 mod output;
 mod plot;

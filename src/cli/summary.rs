@@ -1,10 +1,11 @@
 //! A run's summary as text; millimetres and degrees, since people read it.
 
-use super::{columns, flexible, seats};
+use super::{columns, flexible, moved, seats};
 use crate::language::{Text, said};
 use crate::scene::FrictionLaw;
 use crate::scene::keys::word_told;
 use crate::scene::shown::{escaped, shown};
+use crate::sim::moving_ground::MovedSupport;
 use crate::tables::{DeviceReport, LostReport, OutsideReport, OverlapReport, PierReport, Report, VerdictReport};
 
 /// So many quantities outside the domain, and as many overlaps, are listed; `summary.json` has all.
@@ -52,8 +53,10 @@ fn head(report: &Report) -> Vec<Line> {
         )
     });
     let lost = report.lost_supports.iter().take(MOST_LISTED).map(lost);
+    let moves = |support: &MovedSupport| line(Text::new("run-ground-under"), moved::words(support));
     model
         .into_iter()
+        .chain(report.moved_supports.iter().take(MOST_LISTED).map(moves))
         .chain(gave_up)
         .chain(lost)
         .chain(outside)

@@ -57,8 +57,9 @@ impl GroundPath {
 }
 
 /// How the ground of a support moves: `factor · a(t − delay)` of the ground motion of this number, at rest before.
-#[derive(Clone, Copy, Debug, PartialEq)]
+#[derive(Clone, Copy, Debug, PartialEq, serde::Serialize)]
 pub struct SupportMotion {
+    #[serde(skip)]
     /// Number of the ground motion: 0 that of the ground of reference, from 1 on those with names.
     pub ground: usize,
     /// By how much later it begins; not negative \[s\].

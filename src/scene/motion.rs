@@ -1,7 +1,7 @@
 //! How the ground moves, as written in a scene.
 
-use serde::de::value::MapAccessDeserializer;
-use serde::de::{Error, MapAccess, Visitor};
+use serde::de::value::{MapAccessDeserializer, StringDeserializer};
+use serde::de::{DeserializeSeed, Error, IntoDeserializer, MapAccess, Visitor};
 use serde::{Deserialize, Deserializer, Serialize};
 
 use super::angle::sin_cos_deg;
@@ -122,20 +122,25 @@ enum MotionKind {
 /// Which keys are known depends on `kind`, so it is read first; the reader of scene files hands it out first.
 impl<'de> Deserialize<'de> for Motion {
     fn deserialize<D: Deserializer<'de>>(deserializer: D) -> Result<Self, D::Error> {
-        deserializer.deserialize_map(MotionVisitor)
+        deserializer.deserialize_map(MotionVisitor { name: None })
     }
 }
 
-struct MotionVisitor;
+/// Reads a motion; beside its keys a name, where there is a place for one.
+pub(super) struct MotionVisitor<'n> {
+    /// Where the name goes.
+    pub name: Option<&'n mut Option<String>>,
+}
 
-impl<'de> Visitor<'de> for MotionVisitor {
+impl<'de> Visitor<'de> for MotionVisitor<'_> {
     type Value = Motion;
 
     fn expecting(&self, f: &mut std::fmt::Formatter<'_>) -> std::fmt::Result {
         f.write_str("a table of keys, the kind of motion among them")
     }
 
-    fn visit_map<A: MapAccess<'de>>(self, mut map: A) -> Result<Motion, A::Error> {
+    fn visit_map<A: MapAccess<'de>>(self, map: A) -> Result<Motion, A::Error> {
+        let mut map = OwnKeys { map, name: self.name };
         if map.next_key::<String>()?.as_deref() != Some("kind") {
             return Err(A::Error::missing_field("kind"));
         }
@@ -151,5 +156,32 @@ impl<'de> Visitor<'de> for MotionVisitor {
             }
             MotionKind::Sweep => SweepMotion::deserialize(MapAccessDeserializer::new(map)).map(Motion::Sweep),
         }
+    }
+}
+
+/// The keys of a motion: all of a table, but for the name where that is put aside.
+struct OwnKeys<'n, A> {
+    map: A,
+    name: Option<&'n mut Option<String>>,
+}
+
+impl<'de, A: MapAccess<'de>> MapAccess<'de> for OwnKeys<'_, A> {
+    type Error = A::Error;
+
+    fn next_key_seed<K: DeserializeSeed<'de>>(&mut self, seed: K) -> Result<Option<K::Value>, A::Error> {
+        while let Some(key) = self.map.next_key::<String>()? {
+            match &mut self.name {
+                Some(name) if key == "name" => **name = Some(self.map.next_value()?),
+                _ => {
+                    let key: StringDeserializer<A::Error> = key.into_deserializer();
+                    return seed.deserialize(key).map(Some);
+                }
+            }
+        }
+        Ok(None)
+    }
+
+    fn next_value_seed<V: DeserializeSeed<'de>>(&mut self, seed: V) -> Result<V::Value, A::Error> {
+        self.map.next_value_seed(seed)
     }
 }

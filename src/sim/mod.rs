@@ -19,6 +19,7 @@ mod ledger;
 pub mod links;
 pub mod loops;
 pub mod moving_ground;
+pub mod on_bearings;
 mod overlap;
 mod piers;
 mod quadrature;

@@ -4,6 +4,7 @@ use glam::DVec3;
 
 use super::History;
 use crate::dynamics::Model;
+use crate::dynamics::model::foundation::GROUND;
 use crate::motion::support::SupportMotion;
 use crate::scene::{Girder, ResolvedBearing, Scene, placed};
 
@@ -11,11 +12,12 @@ use crate::scene::{Girder, ResolvedBearing, Scene, placed};
 const LOOKS: u32 = 2000;
 
 /// A support whose ground moves otherwise than the ground of reference.
-#[derive(Clone, Debug, PartialEq)]
+#[derive(Clone, Debug, PartialEq, serde::Serialize)]
 pub struct MovedSupport {
     /// The abutment or pier, or the bearing or device on the ground.
     pub name: String,
     /// How it moves.
+    #[serde(flatten)]
     pub motion: SupportMotion,
     /// The name of its ground motion, where that is not the one of the ground of reference.
     pub ground: Option<String>,
@@ -32,7 +34,8 @@ pub fn moved_supports(scene: &Scene, model: &Model) -> Vec<MovedSupport> {
     let abutments = scene.abutments.iter().enumerate().map(|(i, a)| (a.name.clone(), supports.of_abutment(i)));
     let piers = scene.piers.iter().enumerate().map(|(i, pier)| (pier.name.clone(), supports.of_pier(i)));
     let other = model.foundations.iter().filter(|foundation| !supports.piers.contains(&foundation.motion));
-    let other = other.map(|foundation| (model.bodies[foundation.body].name.clone(), Some(foundation.motion)));
+    let above = |body: usize| model.bodies[body].name.trim_end_matches(GROUND).to_owned();
+    let other = other.map(|foundation| (above(foundation.body), Some(foundation.motion)));
     let moved = |(name, motion): (String, Option<SupportMotion>)| {
         let motion = motion?;
         let apart = |t: f64| moving.displacement(motion, t).length();

@@ -10,6 +10,7 @@ use super::seats::{self, SeatReport};
 use super::verdicts::{self, VerdictReport};
 use crate::language::Text;
 use crate::scene::{Kind, Scene, domain};
+use crate::sim::moving_ground::{MovedSupport, moved_supports};
 use crate::sim::{
     BackfillReading, DegreeCheck, History, Ledger, LostSupport, Overlap, PierReading, Stop, Summary, TooDeep, readings,
 };
@@ -41,6 +42,9 @@ pub struct Report {
     /// Bearings that lost their support, the earliest first: every later sample is without them.
     #[serde(skip_serializing_if = "Vec::is_empty")]
     pub lost_supports: Vec<LostReport>,
+    /// Supports whose ground moves otherwise than that of `[motion]`.
+    #[serde(skip_serializing_if = "Vec::is_empty")]
+    pub moved_supports: Vec<MovedSupport>,
     /// What the run did to the soil behind backwalls that move.
     pub backfill: Vec<BackfillReport>,
     /// What the run did to piers.
@@ -259,6 +263,7 @@ impl Report {
             verdicts: verdicts::of(history),
             seats: seats::of(history),
             lost_supports: lost(history),
+            moved_supports: moved_supports(scene, history.model()),
             backfill: backfill(history),
             piers: piers(history),
             devices: devices::reports(history),

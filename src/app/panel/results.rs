@@ -44,9 +44,10 @@ pub(in crate::app) fn show_girder(
     // A straight girder's is 0 but for the rounding of sin π.
     let number = Some(girder.prism().rotation_number()).filter(|n| n.abs() > 1e-12).unwrap_or(0.0);
     let mut rows = vec![(text::US_SKEW.as_str(), format!("{}°", unit::trimmed(90.0 - girder.skew_deg)))];
-    let body = answer.and_then(|a| a.history.model().bodies.get(i)).filter(|b| b.name == girder.name);
-    if let Some(body) = body {
-        rows.extend(quantities(&body.quantities()));
+    let run =
+        answer.map(|a| &a.history).filter(|run| run.scene().girders.get(i).is_some_and(|g| g.name == girder.name));
+    if let Some(run) = run {
+        rows.extend(quantities(&run.bearing_quantities(i)));
     }
     rows.push((text::CONDITION.as_str(), format!("{} {}", text::short(number), text::turns_or_not(number))));
     table(ui, "computed", rows);

@@ -112,8 +112,8 @@ impl Shaking {
 
 /// The own periods of every girder on its bearings, along its axes and in rotation; none where a girder flies.
 pub(super) fn own_periods(history: &History) -> Vec<OwnPeriod> {
-    let of = |body: &crate::dynamics::model::body::Body| {
-        let omega = body.quantities().omega;
+    let of = |(girder, body): (usize, &crate::dynamics::Body)| {
+        let omega = history.bearing_quantities(girder).omega;
         let named = omega.into_iter().zip(["x", "y", "θ"]);
         let own = named.filter(|(omega, _)| *omega > 0.0 && omega.is_finite());
         own.map(|(omega, axis)| OwnPeriod {
@@ -122,5 +122,5 @@ pub(super) fn own_periods(history: &History) -> Vec<OwnPeriod> {
         })
         .collect::<Vec<_>>()
     };
-    history.model().girders().iter().filter(|body| !body.bearings.is_empty()).flat_map(of).collect()
+    history.model().girders().iter().enumerate().filter(|(_, body)| !body.bearings.is_empty()).flat_map(of).collect()
 }

@@ -8,12 +8,13 @@ use crate::dynamics::Body;
 use crate::dynamics::model::bearing::{Bearing, BearingQuantities};
 use crate::language::{Text, said};
 use crate::scene::shown::escaped;
-use crate::scene::{Direction, Girder, Initial, Kind, Push, ResolvedBearing, Scene, Seat, Setting};
+use crate::scene::{Direction, Girder, Initial, Kind, Push, Scene, Seat};
+use crate::sim::on_bearings::bearings_as_given;
 
 /// All of it, a fact a line.
 pub(super) fn text(scene: &Scene, girder: &Girder, body: &Body) -> String {
     let (kind, setting) = (scene.kind, scene.setting());
-    let own = bearings_of(girder, body, setting);
+    let own = bearings_as_given(girder, body, setting);
     let shape = shape(girder, body);
     let place = format!(
         "  {}\n",
@@ -146,16 +147,6 @@ fn bearings(q: &BearingQuantities, count: usize) -> String {
     )
 }
 
-/// Its bearings as on ground, wherever they stand.
-fn bearings_of(girder: &Girder, body: &Body, setting: Setting) -> Vec<Bearing> {
-    let as_given = |(own, given): (&Bearing, ResolvedBearing)| Bearing {
-        stiffness: given.stiffness.into(),
-        damping: given.damping.into(),
-        ..*own
-    };
-    body.bearings.iter().zip(girder.supports(setting)).map(as_given).collect()
-}
-
 /// How many of its bearings stand on piers, and on which.
 fn on_piers(scene: &Scene, girder: &Girder) -> String {
     let mut piers: Vec<usize> = scene.supports(girder).into_iter().flatten().collect();
@@ -166,7 +157,7 @@ fn on_piers(scene: &Scene, girder: &Girder) -> String {
     piers.sort_unstable();
     piers.dedup();
     let names: Vec<String> = piers.iter().map(|&number| escaped(&scene.piers[number].name).into_owned()).collect();
-    format!("  {count} of them on {}; frequencies are those on piers that stand still\n", names.join(", "))
+    format!("  {}\n", said!("check-on-piers", "count" => count, "piers" => names.join(", ")))
 }
 
 /// What the bearings make of a spatial girder that moves straight up and down.

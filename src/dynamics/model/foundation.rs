@@ -8,18 +8,21 @@ use crate::dynamics::model::moving_ground::Foundation;
 use crate::geometry::Prism;
 use crate::motion::support::SupportMotion;
 
+/// What is added to the name of what stands on it.
+pub const GROUND: &str = ".ground";
+
 /// Ground under a bearing or a foot, which nothing touches.
 const POINT: Prism = Prism { length: 0.0, width: 0.0, thickness: 0.0, skew: std::f64::consts::FRAC_PI_2 };
 
 impl Model {
     /// The body that the ground is under a support which moves in this way; one is added at
-    /// `place` \[m\] for the first that does, and called as what stands on it.
+    /// `place` \[m\] for the first that does, and called as what stands on it with [`GROUND`].
     pub(super) fn foundation(&mut self, motion: SupportMotion, (above, place): (&str, DVec3)) -> Option<usize> {
         let moving = self.moving.as_ref().filter(|_| motion != SupportMotion::REFERENCE)?;
         if let Some(known) = self.foundations.iter().find(|foundation| foundation.motion == motion) {
             return Some(known.body);
         }
-        let (number, body) = (self.bodies.len(), moving.body(above.to_owned(), POINT, place, motion));
+        let (number, body) = (self.bodies.len(), moving.body(format!("{above}{GROUND}"), POINT, place, motion));
         self.bodies.push(body);
         self.foundations.push(Foundation { body: number, motion });
         Some(number)

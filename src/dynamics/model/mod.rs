@@ -13,7 +13,7 @@ mod edge_sites;
 pub mod elastic_body;
 pub mod face_choice;
 pub mod flexible;
-mod foundation;
+pub mod foundation;
 mod ground;
 pub mod ground_now;
 pub mod groups;

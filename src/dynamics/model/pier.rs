@@ -102,9 +102,9 @@ impl Model {
     /// The elastic part of a column on a foot that moves; the numbers of its links.
     fn add_column(&mut self, [body, foot]: [usize; 2], pier: &ResolvedPier) -> Range<usize> {
         let from = self.links.len();
-        for Bearing { place, stiffness, damping, .. } in column(pier) {
+        for (n, Bearing { place, stiffness, damping, .. }) in (1..).zip(column(pier)) {
             let spring = Arc::new(LinearBearing { stiffness, damping });
-            self.add_link(self.between([Some(body), Some(foot)], (pier, place), "column", spring));
+            self.add_link(self.between([Some(body), Some(foot)], (pier, place), &format!("column{n}"), spring));
         }
         from..self.links.len()
     }

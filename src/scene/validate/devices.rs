@@ -61,6 +61,13 @@ fn bodies(scene: &Scene, ends: &Ends<'_>) -> Option<(&'static str, Message, Mess
         return Some(("to", format!("{to:?}").into(), remedy.into()));
     }
     let known = is_girder(to) || scene.abutments.iter().any(|a| a.name == to);
-    let remedy = || message!("wrong-no-such-body", "names" => names(scene));
+    let remedy = || {
+        let is_pier = scene.piers.iter().any(|pier| pier.name == to);
+        if is_pier {
+            message!("wrong-device-on-pier", "names" => names(scene))
+        } else {
+            message!("wrong-no-such-body", "names" => names(scene))
+        }
+    };
     (!known).then(|| ("to", format!("{to:?}").into(), remedy()))
 }

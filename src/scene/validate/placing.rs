@@ -34,7 +34,7 @@ pub(super) fn names(scene: &Scene, complaints: &mut Complaints) {
         } else if name.trim() != name || name.contains(|c: char| RESERVED.contains(&c) || c.is_control()) {
             Text::new("wrong-name")
         } else if !seen.insert(name) {
-            Text::new("wrong-name-twice")
+            Text::new(if kind == "ground" { "wrong-ground-twice" } else { "wrong-name-twice" })
         } else {
             continue;
         };
