@@ -67,7 +67,7 @@ wrong-law-parameter = a head-on hit would return less than e = { $least }, or ne
 wrong-impact-in-space = the impact model knows planar scenes only: make it "contact", or kind = "planar"
 wrong-impact-elastic = the impact model knows rigid girders only: make it "contact", or leave out [girder.elastic]
 found-model-elastic = "{ $model }" with an elastic girder, { $girder }
-wrong-impact-wave = the impact model knows one ground only: make it "contact", or leave out [wave], delay_s and motion_factor
+wrong-impact-wave = the impact model knows one ground only: make it "contact", or leave out [wave], ground, delay_s and motion_factor
 found-model-wave = "{ $model }" on ground that does not move as one
 found-foot-wave = a foot that moves otherwise, up and down as well
 wrong-foot-wave = a pier moves in plan alone: leave out the vertical part of the motion, or what moves its ground otherwise

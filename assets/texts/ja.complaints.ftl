@@ -67,7 +67,7 @@ wrong-law-parameter = 正面衝突が e = { $least } より小さい値を返す
 wrong-impact-in-space = 衝撃モデルは平面シーンだけを扱う。"contact" とするか、kind = "planar" とする
 wrong-impact-elastic = 衝撃モデルは剛な桁だけを扱う。"contact" とするか、[girder.elastic] を外す
 found-model-elastic = "{ $model }" と弾性の桁 { $girder }
-wrong-impact-wave = 衝撃モデルは一様に動く地盤だけを扱う。"contact" とするか、[wave]、delay_s、motion_factor を外す
+wrong-impact-wave = 衝撃モデルは一様に動く地盤だけを扱う。"contact" とするか、[wave]、ground、delay_s、motion_factor を外す
 found-model-wave = 一様に動かない地盤での "{ $model }"
 found-foot-wave = 上下にも基準と異なって動く橋脚の下端
 wrong-foot-wave = 橋脚は平面内だけで動く。地動の上下成分か、地盤の動きの違いを外す

@@ -9,7 +9,7 @@ use crate::sim::moving_ground::MovedSupport;
 pub(super) fn words(moved: &MovedSupport) -> String {
     let MovedSupport { name, motion, ground, largest, last } = moved;
     let [delay, factor, largest, last] = [motion.delay, motion.factor, *largest, *last].map(six);
-    let own = |ground: &String| said!("check-own-ground", "ground" => escaped(ground));
+    let own = |ground: &String| said!("moved-own-ground", "ground" => escaped(ground));
     said!(
         "moved-support",
         "name" => escaped(name),

@@ -51,16 +51,18 @@ impl Scene {
     /// How the ground moves under each support, where it does not move as one; the ground of reference moves as `[motion]` says
     /// and is that of the support which the wave reaches first.
     pub fn moving_supports(&self) -> Option<MovingSupports> {
+        // Ground that stands still is the same later.
+        let still = self.motion == Motion::None;
         let own = |(ground, numbers): (&Option<String>, [Option<f64>; 2])| {
-            ground.is_some() || self.motion != Motion::None && numbers.iter().any(Option::is_some)
+            ground.is_some() || !still && numbers.iter().any(Option::is_some)
         };
-        let differs = self.wave.is_some() && self.motion != Motion::None
+        let differs = self.wave.is_some() && !still
             || self.abutments.iter().any(|a| own((&a.ground, [a.delay, a.motion_factor])))
             || self.piers.iter().any(|pier| own((&pier.ground, [pier.delay, pier.motion_factor])));
         if !differs {
             return None;
         }
-        let slowness = self.wave.map_or(DVec2::ZERO, |wave| {
+        let slowness = self.wave.filter(|_| !still).map_or(DVec2::ZERO, |wave| {
             let (sin, cos) = sin_cos_deg(wave.angle_deg);
             DVec2::new(cos, sin) / wave.speed
         });
@@ -72,14 +74,13 @@ impl Scene {
         let first = places.map(delay).fold(f64::INFINITY, f64::min);
         let origin = if first.is_finite() { -first } else { 0.0 };
         let waved = |place: DVec3| (origin + delay(place)).max(0.0);
-        // A ground of its own says by itself when it begins to move.
         let motion = |place: DVec3, name: &Option<String>, [delay, factor]: [Option<f64>; 2]| {
-            let ground = name.as_ref().and_then(|name| self.ground_named(name));
-            let delay = delay.unwrap_or_else(|| if ground.is_some() { 0.0 } else { waved(place) });
-            SupportMotion {
-                ground: ground.map(|number| number + 1).unwrap_or_default(),
-                delay,
-                factor: factor.unwrap_or(1.0),
+            let factor = factor.unwrap_or(1.0);
+            match name.as_ref().and_then(|name| self.ground_named(name)) {
+                // It says by itself when it begins to move.
+                Some(number) => SupportMotion { ground: number + 1, delay: delay.unwrap_or(0.0), factor },
+                None if still => SupportMotion::REFERENCE,
+                None => SupportMotion { ground: 0, delay: delay.unwrap_or_else(|| waved(place)), factor },
             }
         };
         let supports = MovingSupports {

@@ -34,7 +34,10 @@ pub fn moved_supports(scene: &Scene, model: &Model) -> Vec<MovedSupport> {
     let abutments = scene.abutments.iter().enumerate().map(|(i, a)| (a.name.clone(), supports.of_abutment(i)));
     let piers = scene.piers.iter().enumerate().map(|(i, pier)| (pier.name.clone(), supports.of_pier(i)));
     let other = model.foundations.iter().filter(|foundation| !supports.piers.contains(&foundation.motion));
-    let above = |body: usize| model.bodies[body].name.trim_end_matches(GROUND).to_owned();
+    let above = |body: usize| {
+        let name = model.bodies[body].name.as_str();
+        name.strip_suffix(GROUND).unwrap_or(name).to_owned()
+    };
     let other = other.map(|foundation| (above(foundation.body), Some(foundation.motion)));
     let moved = |(name, motion): (String, Option<SupportMotion>)| {
         let motion = motion?;

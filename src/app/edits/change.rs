@@ -4,7 +4,7 @@ use glam::DVec3;
 
 use super::fresh::first_girder;
 use crate::geometry::End;
-use crate::scene::edit::{Edit, General, free_name};
+use crate::scene::edit::{Edit, General, free_among, free_name};
 use crate::scene::facing::{self, Side};
 use crate::scene::keys::Editable as _;
 use crate::scene::{
@@ -59,19 +59,22 @@ pub(in crate::app) fn motion(scene: &Scene, ground: GroundId, motion: Motion) ->
 
 /// One more motion for supports to have of their own: it begins as that of `[motion]`.
 pub(in crate::app) fn add_ground(scene: &Scene) -> Edit {
-    let taken = |name: &String| scene.ground_named(name).is_some();
-    let mut names = (1..).map(|n| format!("ground {n}")).skip_while(taken);
-    let named = names.next().map(|name| NamedGround { name, motion: scene.motion.clone() });
-    Edit::Grounds(scene.grounds.iter().cloned().chain(named).collect())
+    let name = free_among("ground", |name| scene.ground_named(name).is_some());
+    let named = NamedGround { name, motion: scene.motion.clone() };
+    Edit::Grounds(scene.grounds.iter().cloned().chain([named]).collect())
 }
 
 /// Calls a ground otherwise, wherever it is named, or takes it away where there is no name; supports then stand on that of `[motion]`.
+/// Where the name is taken only the ground takes it, so that those who stand on either can still be told apart.
 pub(in crate::app) fn rename_ground(scene: &Scene, number: usize, name: Option<&str>) -> Edit {
     let mut grounds = scene.grounds.clone();
     let before = match name {
         Some(name) => std::mem::replace(&mut grounds[number].name, name.to_owned()),
         None => grounds.remove(number).name,
     };
+    if name.is_some_and(|name| scene.ground_named(name).is_some()) {
+        return Edit::Grounds(grounds);
+    }
     let named = |ground: &Option<String>| ground.as_ref() == Some(&before);
     let ground = || name.map(str::to_owned);
     let mut edits = vec![Edit::Grounds(grounds)];

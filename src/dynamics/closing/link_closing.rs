@@ -135,14 +135,13 @@ fn in_steps(world: &World, number: usize, t: f64, until: f64) -> Option<f64> {
     let resolution = resolution_of(link, &here);
     let span = until - t;
     if let Some(bounds) = bounds(motion_here.vector().length(), t, until) {
-        // A gap changes by no more than its points move against one another, and stays above the parabola of the greatest curvature:
-        // the device is slack throughout.
-        let reach = first.gap - bounds.speed * span;
+        // Less the way of its points, or above the parabola of the greatest curvature, the gap stays open: slack throughout.
+        let less_way = first.gap - bounds.speed * span;
         let lowest = || {
             let curvature = link.device.gap_curvature(phase, &bounds);
             first.gap + first.rate.min(0.0) * span - 0.5 * curvature * span * span
         };
-        if first.gap > resolution && (reach > 0.0 || lowest() > 0.0) {
+        if first.gap > resolution && (less_way > 0.0 || lowest() > 0.0) {
             return None;
         }
     }

@@ -56,7 +56,7 @@ pub trait Device: Connection<State = Phase, Motion = Separation> + std::fmt::Deb
     }
 
     /// Distance to the beginning of the force, and its rate; while the force acts, less the deformation that it is
-    /// measured by \[m, m/s\].
+    /// measured by \[m, m/s\]. While it is positive it changes by no more than its points are displaced against one another.
     fn gap(&self, phase: &Phase, motion: &Separation) -> [f64; 2];
 
     /// Upper bound of the second derivative of the gap while the motion keeps to `bounds` \[m/s²\].

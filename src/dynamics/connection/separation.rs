@@ -120,6 +120,16 @@ impl SeparationBounds {
     }
 }
 
+/// Upper bounds of how far the motion of a connection's first point against its second departs from what it is at the start of a
+/// stretch of time, in the connection's axes.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Excursion {
+    /// Displacement \[m\].
+    pub way: f64,
+    /// Integral of the magnitude of the relative acceleration, which the rate changes by at most \[m/s\].
+    pub rate: f64,
+}
+
 #[cfg(test)]
 mod tests {
     use super::*;
@@ -141,14 +151,4 @@ mod tests {
         assert_eq!(at(0.0).moved, DVec3::ZERO, "as placed nothing has moved");
         assert_eq!(at(0.0).vector(), placed);
     }
-}
-
-/// Upper bounds of how far the motion of a connection's first point against its second departs from what it is at the start of a
-/// stretch of time, in the connection's axes.
-#[derive(Clone, Copy, Debug, PartialEq)]
-pub struct Excursion {
-    /// Displacement \[m\].
-    pub way: f64,
-    /// Integral of the magnitude of the relative acceleration, which the rate changes by at most \[m/s\].
-    pub rate: f64,
 }

@@ -74,13 +74,19 @@ pub fn of_place(place: &str) -> Option<(&'static Table, &'static Key)> {
     }
     let last = steps.pop()?;
     let name = last.split('[').next().unwrap_or(last);
-    if steps.first() == Some(&"ground") && !(steps.len() == 1 && find(GROUND, name).is_some()) {
-        steps[0] = "motion";
-    }
     let way: Vec<String> = steps.iter().map(|step| without_number(step)).collect();
-    let way = way.join(".");
+    let way = as_of_motion(way.join("."), name);
     let mut tables = TABLES.iter().filter(|t| t.path.split(" kind").next() == Some(way.as_str()));
     tables.find_map(|table| Some((table, find(table.keys, name)?)))
+}
+
+/// The table that lists a key of a `[[ground]]`, `ground.component`: that of `[motion]`, but for those that every ground has.
+pub(in crate::scene) fn as_of_motion(table: String, key: &str) -> String {
+    match table.strip_prefix("ground") {
+        Some("") if find(GROUND, key).is_some() => table,
+        Some(below) if below.is_empty() || below.starts_with('.') => format!("motion{below}"),
+        _ => table,
+    }
 }
 
 /// Whether a list of tables is walked by name.

@@ -31,6 +31,7 @@ pub use super::sweep::SWEEP;
 pub use super::synthetic::SYNTHETIC;
 pub use super::top::TOP;
 pub use super::wave::WAVE;
+pub(in crate::scene) use index::as_of_motion;
 pub use index::{TABLES, Table, find, of_place};
 pub use key::{Fallback, Key};
 pub use range::Range;

@@ -123,7 +123,7 @@ static PROBLEMS: [Problem; 17] = [
     ),
     problem(
         "viaduct",
-        "five 30 m spans of 60° skew on four piers, facing ends, two components of a synthetic earthquake, 0.45 g, 10 s",
+        "five 30 m spans of 60° skew on four piers, facing ends, synthetic earthquake of 0.45 g, 10 s",
         Source::Second,
         scenes::viaduct,
     ),

@@ -4,6 +4,7 @@
 use girderbench::motion::support::GroundPath;
 use girderbench::scene::{Abutment, NamedGround, Scene, overrides, presets, validate};
 use girderbench::sim::History;
+use girderbench::tables::{Report, TableOptions, trajectory};
 use glam::DVec3;
 
 use crate::support::{run, scene, within};
@@ -66,35 +67,36 @@ fn a_girder_and_its_abutment_on_ground_that_moves_later_do_the_same_later() {
     shifted(scene, 1e-9);
 }
 
+/// A deck on a pier that turns, under this motion.
+fn on_a_pier(more: &str, motion: &str) -> Scene {
+    scene(&format!(
+        r#"
+        name = "pier"
+        duration_s = 5.0
+        [[girder]]
+        name = "deck"
+        length_m = 30.0
+        width_m = 10.0
+        thickness_m = 1.5
+        mass_kg = 3e5
+        bearings = {{ frequency_hz = 1.1, damping_ratio = 0.03, at_m = [[12, 4], [-12, 4], [-12, -4], [12, -4]], on_minus_x = "p", on_plus_x = "p" }}
+        [[pier]]
+        name = "p"
+        mass_kg = 1.2e5
+        stiffness_n_per_m = [2e7, 3e7]
+        position_m = [2.0, 1.0]
+        turn_stiffness_n_m_per_rad = 2e9
+        {more}
+        [motion]
+        {motion}
+        "#
+    ))
+}
+
 #[test]
 fn girders_on_piers_whose_feet_move_later_do_the_same_later() {
-    let pier = |more: &str| {
-        scene(&format!(
-            r#"
-            name = "pier"
-            duration_s = 5.0
-            [[girder]]
-            name = "deck"
-            length_m = 30.0
-            width_m = 10.0
-            thickness_m = 1.5
-            mass_kg = 3e5
-            bearings = {{ frequency_hz = 1.1, damping_ratio = 0.03, at_m = [[12, 4], [-12, 4], [-12, -4], [12, -4]], on_minus_x = "p", on_plus_x = "p" }}
-            [[pier]]
-            name = "p"
-            mass_kg = 1.2e5
-            stiffness_n_per_m = [2e7, 3e7]
-            position_m = [2.0, 1.0]
-            turn_stiffness_n_m_per_rad = 2e9
-            {more}
-            [motion]
-            kind = "synthetic"
-            length_s = 5.0
-            peak_g = 0.4
-            angle_deg = 30.0
-            "#
-        ))
-    };
+    let quake = "kind = \"synthetic\"\nlength_s = 5.0\npeak_g = 0.4\nangle_deg = 30.0";
+    let pier = |more: &str| on_a_pier(more, quake);
     shifted(pier(""), 1e-9);
     shifted(pier("yield_force_n = [3e5, 4e5]"), 1e-8);
 }
@@ -283,30 +285,8 @@ fn a_girder_between_two_grounds_is_the_mean_of_those_on_either() {
 
 #[test]
 fn a_ground_of_its_own_under_a_pier_carries_it_as_motion_does() {
-    let mut scene = scene(&format!(
-        r#"
-        name = "pier"
-        duration_s = 5.0
-        [[girder]]
-        name = "deck"
-        length_m = 30.0
-        width_m = 10.0
-        thickness_m = 1.5
-        mass_kg = 3e5
-        bearings = {{ frequency_hz = 1.1, damping_ratio = 0.03, at_m = [[12, 4], [-12, 4], [-12, -4], [12, -4]], on_minus_x = "p", on_plus_x = "p" }}
-        [[pier]]
-        name = "p"
-        mass_kg = 1.2e5
-        stiffness_n_per_m = [2e7, 3e7]
-        yield_force_n = [3e5, 4e5]
-        position_m = [2.0, 1.0]
-        turn_stiffness_n_m_per_rad = 2e9
-        [motion]
-        {RECORD}
-        [solver]
-        tolerance = 1e-12
-        "#
-    ));
+    let mut scene = on_a_pier("yield_force_n = [3e5, 4e5]", RECORD);
+    scene.solver.tolerance = 1e-12;
     let before = run(&scene);
     let own = std::mem::take(&mut scene.motion);
     scene.grounds.push(NamedGround { name: "foot".into(), motion: own });
@@ -324,4 +304,43 @@ fn a_ground_that_no_support_names_changes_no_bit() {
     let plain = between([5e6, 9e6], "");
     let more = between([5e6, 9e6], &format!("[[ground]]\nname = \"a\"\n{RECORD}"));
     assert_eq!(run(&more).digest(), run(&plain).digest(), "as without");
+}
+
+#[test]
+fn still_ground_is_no_later_under_a_wave() {
+    let mut scene = on_grounds([5e6, 9e6], STILL, [SINE, SINE]);
+    scene.abutments[0].ground = None;
+    let alone = run(&scene);
+    scene.wave = Some(girderbench::scene::Wave { speed: 100.0, angle_deg: 180.0 });
+    assert_eq!(run(&scene).digest(), alone.digest(), "nothing of [motion] travels");
+    let supports = scene.moving_supports().expect("the east one");
+    assert!(supports.of_abutment(0).is_none() && supports.of_abutment(1).is_some(), "{supports:?}");
+}
+
+#[test]
+fn tables_and_summary_tell_ground_from_what_stands_on_it() {
+    let mut scene = on_a_pier("delay_s = 0.2", SINE);
+    scene.duration = 1.0;
+    let history = run(&scene);
+    let options = TableOptions::default();
+    let mut table = Vec::new();
+    trajectory(&history, 1.0, &mut table).expect("it is written into memory");
+    let table = String::from_utf8(table).expect("UTF-8");
+    let columns: Vec<&str> = table.lines().next().expect("a head").split(',').collect();
+    let different: std::collections::BTreeSet<&str> = columns.iter().copied().collect();
+    assert_eq!(different.len(), columns.len(), "each column has a name of its own: {columns:?}");
+    assert!(different.contains("p.x") && different.contains("p.ground.x"), "{columns:?}");
+    let links: Vec<&str> = history.model().links.iter().map(|link| link.name.as_str()).collect();
+    assert_eq!(links.iter().collect::<std::collections::BTreeSet<_>>().len(), links.len(), "devices too: {links:?}");
+    let moved = Report::of(&history, &options).moved_supports;
+    let [one] = &moved[..] else { panic!("one support: {moved:?}") };
+    assert_eq!((one.name.as_str(), one.motion.delay, &one.ground), ("p", 0.2, &None), "whose, and how");
+    assert!(one.largest > 0.0 && one.last <= one.largest, "{one:?}");
+}
+
+#[test]
+fn frequencies_are_those_on_supports_that_stand_still() {
+    let history = run(&Scene { duration: 0.5, ..on_a_pier("delay_s = 0.2", SINE) });
+    let [x, y, _] = history.bearing_quantities(0).omega.map(|omega| omega / std::f64::consts::TAU);
+    within("f of the scene", (x - 1.1).abs().max((y - 1.1).abs()), 1e-14);
 }

@@ -13,10 +13,10 @@ pub(super) fn below(path: &str, key: &str) -> String {
 /// Where the documentation lists a key among those of its table; what is not listed comes last.
 pub(super) fn rank(path: &str, key: &str) -> usize {
     let plain = |listed: &'static str| listed.split(" kind").next().map(|way| way.trim_end_matches("[]"));
-    // A named ground has its name, then the keys of [motion].
-    let motion = path.strip_prefix("ground").filter(|_| key != "name").map(|below| format!("motion{below}"));
-    let (path, before) = motion.as_deref().map_or((path, 0), |motion| (motion, 1));
-    let tables = keys::TABLES.iter().filter(|table| plain(table.path) == Some(path));
+    let listed_in = keys::as_of_motion(path.to_owned(), key);
+    // What every ground has comes before the keys of its motion.
+    let before = if listed_in == path { 0 } else { keys::GROUND.len() };
+    let tables = keys::TABLES.iter().filter(|table| plain(table.path) == Some(listed_in.as_str()));
     let at = tables.flat_map(|table| table.keys).position(|listed| listed.name == key);
     at.map_or(usize::MAX, |at| before + at)
 }
