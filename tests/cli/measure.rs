@@ -144,7 +144,7 @@ fn an_exposure_blurs_what_moves_and_measuring_finds_the_mean_of_it() {
     let folder = tempfile::tempdir().expect("a folder");
     let film_of = |name: &str, flags: &[&str]| {
         let out = folder.path().join(name);
-        let span = ["--from", "0.4", "--to", "0.8"];
+        let span = ["--from", "0.4", "--to", "0.6"];
         let said = film(&out, &[&span[..], flags].concat())?;
         assert_eq!(said.status, Some(0), "{}", said.err);
         Some(errors(&measure(&out, &["--scene", "skew45-abutment"]).out))

@@ -1,6 +1,6 @@
 //! Devices between two points: added, selected in the list and in the view, dragged, edited, copied and removed, with undo.
 
-use super::harness::{click, drag, on_screen, open, press, reach, settle, type_in};
+use super::harness::{click, drag, on_screen, open, open_for, press, reach, settle, type_in};
 use super::studio;
 use egui::{Key, Modifiers};
 use egui_kittest::Harness;
@@ -24,7 +24,7 @@ fn device(harness: &Window, kind: DeviceKind, number: usize) -> Device {
 
 #[test]
 fn every_kind_is_added_from_the_list_runs_and_is_undone() {
-    let mut harness = open("deck-30m");
+    let mut harness = open_for("deck-30m", 2.0);
     let before = harness.state().files.document.scene().clone();
     for (kind, words) in [
         (DeviceKind::Restrainer, "Restrainer cable"),
@@ -47,7 +47,7 @@ fn every_kind_is_added_from_the_list_runs_and_is_undone() {
 
 #[test]
 fn a_cable_is_picked_in_the_view_dragged_by_its_points_and_edited() {
-    let mut harness = open("deck-30m");
+    let mut harness = open_for("deck-30m", 2.0);
     harness.state_mut().apply(ViewCommand::Preset(ViewPreset::Top));
     harness.state_mut().apply(PlaceCommand::AddDevice(DeviceKind::Restrainer));
     harness.state_mut().apply(SelectCommand::Only(None));

@@ -2,14 +2,13 @@
 
 use std::collections::BTreeMap;
 
-use super::harness::{choose, open, press, reach_as, settle, type_in};
+use super::harness::{bench_of, builder, choose, open, press, reach_as, settle, type_in};
 use egui::accesskit::Role;
 use egui::{Key, Modifiers};
 use egui_kittest::Harness;
 use egui_kittest::kittest::{NodeT as _, Queryable as _, by};
-use girderbench::app::{EditCommand, FileCommand, SelectCommand, Workbench};
+use girderbench::app::{FileCommand, SelectCommand, Workbench};
 use girderbench::files::{Supplement, read_record};
-use girderbench::scene::edit::Edit;
 use girderbench::scene::keys::{self, Fallback, Range, TABLES};
 use girderbench::scene::{
     DeviceId, DeviceKind, GroundId, ModelKind, Motion, PlotSettings, Processing, Scene, overrides, presets,
@@ -36,20 +35,24 @@ const FOLDED: [&str; 11] = [
     "Flexibility",
 ];
 
+/// A window on the first instants of a scene, unfolded: what its fields say depends on no answer.
 fn show(scene: Scene, select: Option<Target>) -> Window {
-    let mut harness = open(presets::OPENING);
-    let edit = Edit::Scene(Box::new(scene));
-    harness.state_mut().apply(EditCommand::Change { edit, gesture: None });
+    let bench = bench_of(Scene { duration: 0.2, ..scene });
+    let mut harness = builder([1280.0, 720.0]).build_ui_state(super::harness::show, bench);
     harness.state_mut().apply(SelectCommand::Only(select));
     settle(&mut harness);
-    for label in FOLDED {
-        if let Some(header) = harness.query_by_label(label) {
-            header.click_accesskit();
-            harness.run_steps(20);
+    let mut folded = FOLDED.to_vec();
+    // Sections are within sections.
+    loop {
+        let (there, hidden): (Vec<_>, Vec<_>) =
+            folded.into_iter().partition(|label| harness.query_by_label(label).is_some());
+        if there.is_empty() {
+            return harness;
         }
+        there.iter().for_each(|label| harness.get_by_label(label).click_accesskit());
+        harness.run_steps(24);
+        folded = hidden;
     }
-    harness.run_steps(4);
-    harness
 }
 
 /// Every field in the window: the place that it is for, and what it says of itself.
@@ -143,8 +146,7 @@ fn windows() -> Vec<Window> {
     let high = "girder.deck.bearings={ kind = \"pendulum\", at_m = [[10, 0], [-10, 0]], vertical_frequency_hz = 5 }";
     let high = with(&deck, &[high]);
     let elastic = "girder.deck.elastic={ area_m2 = 0.001, rayleigh = { mass = 0.1, stiffness = 1e-5 } }";
-    // Before the first hit: steps in contact follow the fastest modes.
-    let elastic = with(&planar, &["duration_s=0.2", elastic]);
+    let elastic = with(&planar, &[elastic]);
     let places = with(&planar, &["girder.deck.bearings.at_m=[[0.05, 0]]"]);
     let others = vec![
         show(both.clone(), None),
@@ -159,7 +161,7 @@ fn windows() -> Vec<Window> {
         show(with(&deck, &["motion.kind=sweep"]), None),
         show(record_in_space, None),
         show(metric_in_space, None),
-        show(with(&deck, &["duration_s=0.2", "girder.deck.elastic={ area_m2 = 8 }"]), Some(Target::Girder(0))),
+        show(with(&deck, &["girder.deck.elastic={ area_m2 = 8 }"]), Some(Target::Girder(0))),
         show(with(&deck, &[each]), Some(Target::Girder(0))),
         show(metric, None),
         show(corners, Some(Target::Abutment(0))),

@@ -1,12 +1,12 @@
 //! What the window tests share: the whole workbench in a harness, and the mouse in its 3D view.
 
 use egui::accesskit::Role;
-use egui::{Key, Modifiers, Pos2, Rect};
+use egui::{Key, Modifiers, Pos2, Rect, Vec2};
 use egui_kittest::Harness;
 use egui_kittest::kittest::Queryable as _;
 use girderbench::app::Workbench;
 use girderbench::files::SceneSource;
-use girderbench::scene::presets;
+use girderbench::scene::{Scene, presets};
 use glam::DVec3;
 
 /// Time that one frame of the harness takes \[s\].
@@ -22,17 +22,35 @@ pub(crate) fn open(preset: &str) -> Harness<'static, Workbench> {
     harness
 }
 
+/// The workbench on the first seconds of a preset, for tests of a window that is to look the same and run again and again.
+pub(crate) fn open_for(preset: &str, duration_s: f64) -> Harness<'static, Workbench> {
+    let scene = Scene { duration: duration_s, ..presets::load(preset).expect("the preset ships") };
+    let mut harness = builder([1280.0, 720.0]).build_ui_state(show, bench_of(scene));
+    settle(&mut harness);
+    harness
+}
+
 /// A workbench on a preset that leaves the machine alone while idle, so that tests do not depend on time.
 pub(crate) fn bench(preset: &str) -> Workbench {
-    let mut bench = Workbench::new(presets::load(preset).expect("the preset ships"), SceneSource::New);
+    bench_of(presets::load(preset).expect("the preset ships"))
+}
+
+/// As [`bench`], on any scene.
+pub(crate) fn bench_of(scene: Scene) -> Workbench {
+    let mut bench = Workbench::new(scene, SceneSource::New);
     bench.replay.runner.set_estimates(false);
     bench.replay.runner.wait();
     bench
 }
 
-/// A harness whose inside is a window of this size: the harness itself keeps 8 points on every side.
+/// The size of a harness whose inside is a window of this size: the harness itself keeps 8 points on every side.
+pub(crate) fn in_harness(size: [f32; 2]) -> Vec2 {
+    Vec2::from(size) + Vec2::splat(16.0)
+}
+
+/// A harness whose inside is a window of this size.
 pub(crate) fn builder(size: [f32; 2]) -> egui_kittest::HarnessBuilder<Workbench> {
-    Harness::builder().with_size([size[0] + 16.0, size[1] + 16.0]).with_step_dt(FRAME).with_max_steps(MOST_FRAMES)
+    Harness::builder().with_size(in_harness(size)).with_step_dt(FRAME).with_max_steps(MOST_FRAMES)
 }
 
 /// The whole window.

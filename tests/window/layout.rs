@@ -7,13 +7,12 @@ use egui_kittest::kittest::{NodeT as _, Queryable as _};
 use girderbench::app::{
     Export, FileCommand, Learn, SelectCommand, TimeCommand, Way, WindowCommand, Workbench, lessons,
 };
-use girderbench::files::SceneSource;
 use girderbench::language::{Language, Text};
 use girderbench::render::Image;
 use girderbench::scene::presets;
 use girderbench::view::Target;
 
-use super::harness::{bench, builder, open, press, settle, show, view};
+use super::harness::{bench, bench_of, builder, in_harness, open, press, settle, show, view};
 use super::{golden, studio};
 
 /// Labels of the panels, with where they are; what is scrolled out of sight is not shown and not asked.
@@ -33,20 +32,19 @@ fn said(key: &'static str) -> String {
 fn beside_the_view(preset: &str) -> Workbench {
     let mut scene = presets::load(preset).expect("ships");
     scene.view.plots.retain(|plot| plot.x.is_none());
-    let mut bench = Workbench::new(scene, SceneSource::New);
-    bench.replay.runner.set_estimates(false);
-    bench.replay.runner.wait();
-    bench
+    bench_of(scene)
 }
 
 #[test]
 fn panels_keep_their_words_to_themselves() {
-    for (language, preset) in Language::ALL.into_iter().flat_map(|l| presets::all().iter().map(move |p| (l, p))) {
-        for (size, scale) in [([1024.0, 640.0], 1.0), ([1280.0, 720.0], 2.0), ([2560.0, 1440.0], 1.0)] {
-            let mut harness =
-                builder(size).with_pixels_per_point(scale).build_ui_state(show, beside_the_view(preset.name));
+    let sizes = [([1024.0, 640.0], 1.0), ([1280.0, 720.0], 2.0), ([2560.0, 1440.0], 1.0)];
+    for preset in presets::all() {
+        // One run for all sizes and languages.
+        let mut harness = builder(sizes[0].0).build_ui_state(show, beside_the_view(preset.name));
+        harness.state_mut().apply(SelectCommand::Only(Some(Target::Girder(0))));
+        for (language, (size, scale)) in Language::ALL.into_iter().flat_map(|l| sizes.map(|size| (l, size))) {
+            harness.set_size(in_harness(size)).set_pixels_per_point(scale);
             harness.state_mut().apply(WindowCommand::Language(language));
-            harness.state_mut().apply(SelectCommand::Only(Some(Target::Girder(0))));
             // A panel that grows with what is in it does so frame by frame.
             harness.run_steps(10);
             let (view, window) =

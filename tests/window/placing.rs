@@ -1,6 +1,6 @@
 //! Placing with the mouse: handles, snapping, tools, rows, several at once, numbers with units.
 
-use super::harness::{click, drag, on_screen, open, press, settle};
+use super::harness::{click, drag, on_screen, open, open_for, press, settle};
 use egui::accesskit::Role;
 use egui::{Key, Modifiers, Pos2, vec2};
 use egui_kittest::Harness;
@@ -140,7 +140,7 @@ fn a_gap_in_a_row_moves_the_rest_of_the_row() {
 
 #[test]
 fn a_pier_is_dragged_to_another_height_and_another_stiffness() {
-    let mut harness = open("viaduct-5");
+    let mut harness = open_for("viaduct-5", 1.0);
     // From the side: the foot is in view, and up is up.
     harness.key_press(Key::Num3);
     harness.state_mut().apply(SelectCommand::Only(Some(Target::Pier(0))));

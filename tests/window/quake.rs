@@ -1,6 +1,6 @@
 //! Histories and response spectrum of the ground motion, with the girders' own periods.
 
-use super::harness::{open, press, reach, settle};
+use super::harness::{open, open_for, press, reach, settle};
 use super::studio;
 use egui_kittest::kittest::Queryable as _;
 use girderbench::app::{QuakeCommand, Workbench};
@@ -50,7 +50,7 @@ fn pictures_of_the_ground_motion() {
 
 #[test]
 fn the_motion_travels_at_an_assumed_speed_until_it_is_taken_back() {
-    let mut harness = open("viaduct-5");
+    let mut harness = open_for("viaduct-5", 1.0);
     let before = harness.state().files.document.scene().clone();
     reach(&mut harness, "Let it travel along the bridge");
     press(&mut harness, "Let it travel along the bridge");
