@@ -78,9 +78,15 @@ impl CoupledSystem {
         Self { bodies, layout, bases, active, links, radii, omega: 0.0, quickest: 0.0, decay: None }
     }
 
-    /// Whether no force acts between its bodies, or on them from the ground, but those of their bearings.
-    pub(in crate::dynamics) fn is_free(&self) -> bool {
-        self.active.is_empty() && self.links.is_empty()
+    /// Whether no force acts between its bodies, or on them from the ground, but those of their bearings, standing or lost.
+    pub(in crate::dynamics) fn is_free(&self, model: &Model) -> bool {
+        self.active.is_empty() && self.acting(model).next().is_none()
+    }
+
+    /// Devices but supports that are lost: the link of one takes away what the girder's bearing has, and together they have no
+    /// force and no energy, however far the girder has gone.
+    pub(in crate::dynamics) fn acting(&self, model: &Model) -> impl Iterator<Item = &ActiveLink> {
+        self.links.iter().filter(|link| !link.of(model).device.is_lost(&link.phase))
     }
 
     /// Devices whose memory is a state, in the order of their components.
@@ -121,10 +127,10 @@ mod tests {
 
     #[test]
     fn bodies_without_an_acting_connection_are_free() {
-        let (_, free) = system(&wall(), 0);
-        assert!(free.is_free() && free.connection_count() == 0);
-        let (_, pressed) = system(&wall(), 2);
-        assert!(!pressed.is_free() && pressed.connection_count() == 2);
+        let (model, free) = system(&wall(), 0);
+        assert!(free.is_free(&model) && free.connection_count() == 0);
+        let (model, pressed) = system(&wall(), 2);
+        assert!(!pressed.is_free(&model) && pressed.connection_count() == 2);
         assert!(free.omega < 1.0 && pressed.omega >= (STIFFNESS / 2.0 / MASS).sqrt(), "{} rad/s", pressed.omega);
     }
 

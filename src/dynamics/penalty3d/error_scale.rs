@@ -19,7 +19,8 @@ impl Island {
     pub(in crate::dynamics) fn scale(&mut self, model: &Model) -> ErrorScale {
         let (mut speed2, mut place, mut roundoff) = (0.0f64, 0.0f64, 0.0f64);
         let (mut weight, mut pushed, mut acceleration) = (0.0f64, 0.0f64, 0.0f64);
-        let turns = self.system.active.iter().any(|active| active.angle.is_some());
+        let (turns, free) =
+            (self.system.active.iter().any(|active| active.angle.is_some()), self.system.is_free(model));
         let floor = if turns { ROUNDING_FLOOR_TURNING } else { ROUNDING_FLOOR };
         self.workspace.frames.clear();
         for (i, &b) in self.system.bodies.iter().enumerate() {
@@ -38,13 +39,13 @@ impl Island {
             if body.free[2] {
                 weight = weight.max(body.standing.left.abs() / body.mass);
             }
-            if self.is_free() {
+            if free {
                 acceleration = acceleration.max(self.acceleration(model, i));
             }
         }
-        let omega = self.system.omega.max(self.turning());
+        let omega = if free { self.system.omega.max(self.turning()) } else { self.system.omega };
         self.angles.clear();
-        if !self.is_free() {
+        if !free {
             speed2 = 0.0;
         }
         for number in self.kind.distinct(self.system.active.len()) {
@@ -63,7 +64,7 @@ impl Island {
             }
         }
         let mut memories = Vec::new();
-        for link in &self.system.links {
+        for link in self.system.acting(model) {
             let (motion, _) = link.motion(model, &self.system.bases, &self.workspace.frames);
             let device = &link.of(model).device;
             let phase = link.phase_in(&self.y);
@@ -86,7 +87,7 @@ impl Island {
         let pace = self.stepper.state();
         let rounding = if pace.stiff { IMPLICIT_ROUNDING } else { EXPLICIT_ROUNDING };
         let (long_run, finest) =
-            if self.is_free() { (LONG_RUN_FREE, FINEST_TOLERANCE_FREE) } else { (LONG_RUN_CONTACT, FINEST_TOLERANCE) };
+            if free { (LONG_RUN_FREE, FINEST_TOLERANCE_FREE) } else { (LONG_RUN_CONTACT, FINEST_TOLERANCE) };
         let demanded = model.tolerance * (long_run / self.taken as f64).min(1.0);
         let tolerance = demanded.max(model.tolerance.min(finest));
         let speed = tolerance * speed + rounding * (roundoff + rest);
@@ -98,12 +99,9 @@ impl Island {
         ErrorScale { speed, omega, place }
     }
 
-    /// Largest angular speed of a body without contact \[rad/s\]; 0 with contact. A body that rotates without
-    /// bearings has no other frequency, and an error of its attitude is one of its position a radian later.
+    /// Largest angular speed of a body \[rad/s\]. A body that rotates without contact and bearings has no other frequency, and
+    /// an error of its attitude is one of its position a radian later.
     fn turning(&self) -> f64 {
-        if !self.is_free() {
-            return 0.0;
-        }
         self.workspace.frames.iter().map(|frame| frame.spin.length()).fold(0.0, f64::max)
     }
 
@@ -119,7 +117,7 @@ impl Island {
     /// [`GROUND_PHASE_FREE`].
     pub(in crate::dynamics) fn drive_cap(&self, model: &Model, cap: f64) -> f64 {
         let Ground::Sine { omega, .. } = model.ground else { return cap };
-        if self.is_free() {
+        if self.system.is_free(model) {
             cap.min(self.until + GROUND_PHASE_FREE / omega)
         } else if self.stepper.state().stiff {
             cap.min(self.until + GROUND_PHASE_CONTACT / omega)

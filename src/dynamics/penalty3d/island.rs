@@ -87,7 +87,7 @@ impl Island {
         // A slip angle follows the velocity over a length of the spring's stretch, faster than all other motions:
         // implicit steps.
         let turns = system.active.iter().any(|a| a.angle.is_some());
-        let pace = ControllerState { stiff: pace.stiff && !system.is_free() || turns, ..pace };
+        let pace = ControllerState { stiff: pace.stiff && !system.is_free(model) || turns, ..pace };
         let mut island = Self {
             moved: vec![0.0; system.bodies.len()],
             workspace: Workspace::of(&system.active),
@@ -111,7 +111,7 @@ impl Island {
             y,
             angles: Vec::new(),
         };
-        if island.is_free() {
+        if island.system.is_free(model) {
             island.stepper.expect_no_noise();
         }
         island.rewind(model, t);
@@ -199,11 +199,6 @@ impl Island {
         let changes = |link: &ActiveLink| !link.of(model).device.is_linear();
         let limits = model.moving.is_some() || self.system.links.iter().any(changes);
         if limits { model.next_kink(t) } else { f64::INFINITY }
-    }
-
-    /// Whether no connection acts on its bodies but their bearings.
-    pub(in crate::dynamics) fn is_free(&self) -> bool {
-        self.system.active.is_empty() && self.system.links.is_empty()
     }
 
     /// State of a contact with its slip direction at `t`.

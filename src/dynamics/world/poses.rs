@@ -32,7 +32,7 @@ impl World {
         let track = &self.bodies[slot];
         if let Trajectory::Island { island, index } = track.now
             && let Some(island) = &self.islands[island]
-            && !island.is_free()
+            && !island.system.is_free(&self.model)
         {
             return (island.system.bases[index], island.state_at(&self.model, index, t));
         }

@@ -177,3 +177,46 @@ fn a_girder_in_space_that_loses_two_legs_tips() {
     let books = history.ledger(history.end());
     within("ledger", books.residual / books.scale, 1e-8);
 }
+
+/// m v̇ = −F, Ḟ = K (v − F/c): the slow one of its two exponentials after a start without force, and all that the fast one
+/// leaves, `x = Σ aᵢ (e^{λᵢt} − 1)/λᵢ` with `a₁ + a₂ = v₀`, `a₁λ₁ + a₂λ₂ = 0`.
+#[test]
+fn how_far_a_girder_is_beyond_its_lost_supports_is_no_measure_of_its_error() {
+    let (mass, speed, coefficient, brace) = (6e4, 0.5, 6e4, 6e8);
+    let scene = scene(&format!(
+        r#"
+        name = "adrift"
+        kind = "planar"
+        duration_s = 2.0
+        motion = {{ kind = "still" }}
+        [[girder]]
+        name = "deck"
+        length_m = 10.0
+        width_m = 4.0
+        mass_kg = {mass}
+        initial = {{ velocity_m_s = [{speed}, 0.0] }}
+        after_unseating = "continue"
+        bearings = {{ frequency_hz = 0, damping_ratio = 0, travel_m = 0.004, at_m = [[4, 0], [-4, 0]] }}
+        [[damper]]
+        name = "braced"
+        girder = "deck"
+        at_m = [5.0, 0.0]
+        to_m = [9.0, 0.0]
+        coefficient = {coefficient}
+        exponent = 1.0
+        brace_stiffness_n_per_m = {brace}
+        [solver]
+        tolerance = 1e-8
+        "#
+    ));
+    let history = History::of(&scene).expect("a scene");
+    assert_eq!(history.lost_supports(2.0).len(), 2, "a hundred travels away");
+    let (half, root) = (-brace / (2.0 * coefficient), (brace / (2.0 * coefficient)).powi(2) - brace / mass);
+    let fast = half - root.sqrt();
+    let slow = brace / mass / fast;
+    let [a, b] = [-fast, slow].map(|other| speed * other / (slow - fast));
+    for t in [0.1, 0.5, 1.0, 2.0] {
+        let exact = a * (slow * t).exp_m1() / slow + b * (fast * t).exp_m1() / fast;
+        within("adrift", (history.motion(0, t).displacement.x - exact) / exact, 1e-8);
+    }
+}
