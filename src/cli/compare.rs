@@ -3,13 +3,15 @@
 use std::path::{Path, PathBuf};
 
 use super::args::{Changes, positive};
+use super::columns::{left, right};
 use super::compute::compute;
 use super::console::Console;
+use super::digits::six;
 use super::domain;
 use super::failure::Failure;
 use super::limits;
 use crate::files;
-use crate::language::said;
+use crate::language::{Text, said};
 use crate::tables::compare::{Comparison, Difference, EventDifference, compare, compare_events};
 use crate::tables::read::{self, EventRow, TableError, Trajectory};
 use crate::tables::{self, DEFAULT_SAMPLE_HZ};
@@ -118,37 +120,44 @@ fn run_answer(source: &Path, args: &CompareArgs, console: &mut Console) -> Resul
 
 fn motion_text(comparison: &Comparison, within: f64) -> String {
     let matched = match comparison.unmatched {
-        0 => format!("{} instants in both\n", comparison.instants),
-        others => format!("{} instants in both, {others} in one only\n", comparison.instants),
+        0 => said!("compare-instants", "count" => comparison.instants),
+        others => said!("compare-instants-only", "count" => comparison.instants, "others" => others),
     };
-    let head = format!(
-        "{:<20} {:>12} {:>10} {:>12}  parts by more than {within:e} of the largest at\n",
-        "quantity", "difference", "at t [s]", "largest"
-    );
+    let parts = said!("compare-parts", "within" => format!("{within:e}"));
+    let [quantity, difference, at, largest] =
+        ["compare-quantity", "compare-difference", "compare-at", "compare-largest"].map(Text::new);
+    let head = row(&quantity, [&difference, &at, &largest], &parts);
     let only =
         [(&comparison.only_a, "A"), (&comparison.only_b, "B")].into_iter().filter(|(names, _)| !names.is_empty());
-    let only = only.map(|(names, which)| format!("only in {which}: {}\n", names.join(", ")));
-    [matched, head].into_iter().chain(comparison.differences.iter().map(difference_line)).chain(only).collect()
+    let only = only
+        .map(|(names, which)| format!("{}\n", said!("compare-only", "which" => which, "names" => names.join(", "))));
+    [matched + "\n", head].into_iter().chain(comparison.differences.iter().map(difference_line)).chain(only).collect()
 }
 
 fn difference_line(d: &Difference) -> String {
-    let parts = d.parts_at.map_or("never".to_owned(), |t| format!("{t} s"));
-    format!("{:<20} {:>12} {:>10} {:>12}  {parts}\n", d.name, short(d.largest), d.at, short(d.scale))
+    let parts = d.parts_at.map_or_else(|| Text::new("compare-never").into(), |t| format!("{} s", six(t)));
+    row(&d.name, [&short(d.largest), &six(d.at), &short(d.scale)], &parts)
+}
+
+/// A line of the table of quantities.
+fn row(name: &str, [difference, at, largest]: [&str; 3], parts: &str) -> String {
+    format!("{} {} {} {}  {parts}\n", left(name, 20), right(difference, 12), right(at, 10), right(largest, 12))
 }
 
 fn events_text([in_a, in_b]: [usize; 2], differences: &[(String, EventDifference)]) -> String {
     let same = |d: &EventDifference| if let EventDifference::Same(apart) = d { Some(*apart) } else { None };
     let agreeing = differences.iter().filter_map(|(_, d)| same(d));
     let (count, apart) = agreeing.fold((0, 0.0_f64), |(n, apart), more| (n + 1, apart.max(more)));
-    let head = format!("events: {in_a} in A, {in_b} in B\n");
+    let head = format!("{}\n", said!("compare-events", "a" => in_a, "b" => in_b));
     let agree = match count {
         0 => String::new(),
-        count => format!("  same events in the same order at {count} contacts, times within {} s\n", short(apart)),
+        count => format!("  {}\n", said!("compare-same-events", "count" => count, "apart" => short(apart))),
     };
     let differ = differences.iter().filter_map(|(contact, difference)| match difference {
         EventDifference::Same(_) => None,
         EventDifference::From(a, b) => {
-            Some(format!("  {contact}: A {}, B {}\n", event_words(a.as_ref()), event_words(b.as_ref())))
+            let [a, b] = [a, b].map(|event| event_words(event.as_ref()));
+            Some(format!("  {}\n", said!("compare-event", "contact" => contact.as_str(), "a" => a, "b" => b)))
         }
     });
     [head, agree].into_iter().chain(differ).collect()
@@ -156,25 +165,29 @@ fn events_text([in_a, in_b]: [usize; 2], differences: &[(String, EventDifference
 
 /// The last line: how far the two agree, or when they first part and in what.
 fn verdict(comparison: &Comparison, events: &[(String, EventDifference)], within: f64) -> String {
-    let of_motion = |d: &Difference| Some((d.parts_at?, format!("{}, by more than {within:e} of its largest", d.name)));
+    let of_motion = |d: &Difference| {
+        let (name, within) = (d.name.as_str(), format!("{within:e}"));
+        Some((d.parts_at?, said!("compare-part-motion", "name" => name, "within" => within)))
+    };
     let of_events = |(contact, d): &(String, EventDifference)| match d {
         EventDifference::Same(_) => None,
         EventDifference::From(a, b) => {
             let first = a.iter().chain(b).map(|event| event.t).fold(f64::INFINITY, f64::min);
-            Some((first, format!("the events of {contact}")))
+            Some((first, said!("compare-part-events", "contact" => contact.as_str())))
         }
     };
     let parts = comparison.differences.iter().filter_map(of_motion).chain(events.iter().filter_map(of_events));
     if let Some((t, what)) = parts.min_by(|a, b| a.0.total_cmp(&b.0)) {
-        return format!("part at t = {t} s: {what}\n");
+        return format!("{}\n", said!("compare-part", "t" => six(t), "what" => what));
     }
     let share = |d: &Difference| if d.largest > 0.0 { d.largest / d.scale } else { 0.0 };
     let apart = comparison.differences.iter().map(share).fold(0.0, f64::max);
-    format!("agree to {} of the largest of each quantity\n", short(apart))
+    format!("{}\n", said!("compare-agree", "apart" => short(apart)))
 }
 
 fn event_words(event: Option<&EventRow>) -> String {
-    event.map_or("has no more".to_owned(), |event| format!("{} at {} s", event.kind, event.t))
+    let at = |event: &EventRow| said!("compare-event-at", "kind" => event.kind.as_str(), "t" => six(event.t));
+    event.map_or_else(|| Text::new("compare-no-more").into(), at)
 }
 
 fn short(value: f64) -> String {

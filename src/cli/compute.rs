@@ -1,6 +1,7 @@
 //! Runs a scene in the foreground, with a progress bar and a timer.
 
 use super::progress::{Progress, Timer, Waiting};
+use crate::language::Text;
 use crate::scene::{ModelKind, Scene, SceneErrors};
 use crate::sim::{History, Session};
 use crate::tables::{self, Table, TableOptions};
@@ -15,7 +16,7 @@ pub(super) struct Timed {
 }
 
 /// What is said beside the time while bodies that met are computed again.
-const AGAIN: &str = ", again with contact between bodies that met";
+const AGAIN: Text = Text::new("progress-again");
 
 /// Runs a scene by every model that it asks for, each timed for itself, the one that leads first; never empty.
 pub(super) fn compute(scene: &Scene) -> Result<Vec<Timed>, SceneErrors> {
@@ -30,10 +31,10 @@ pub(super) fn compute(scene: &Scene) -> Result<Vec<Timed>, SceneErrors> {
 /// Runs a scene to its end, or to where it gives up: the model that leads, with the other beside it.
 pub(super) fn compute_as_asked(scene: &Scene) -> Result<Timed, SceneErrors> {
     let timer = Timer::start();
-    let mut progress = Progress::over(scene.duration, "s");
+    let mut progress = Progress::over(scene.duration, Text::new("progress-seconds"));
     let mut session = Session::new(scene)?;
     session.advance(scene.duration, &mut |reached| {
-        progress.show_of(reached.t, if reached.met > 0 { AGAIN } else { "" });
+        progress.show_of(reached.t, if reached.met > 0 { AGAIN.as_str() } else { "" });
         true
     });
     let history = session.finish();
@@ -50,8 +51,7 @@ impl Timed {
 
     /// The estimated error \[m\], with a sign of life while a long run is repeated.
     pub(super) fn estimate_error(&self) -> f64 {
-        let _waiting =
-            Waiting::for_about(self.run_time, "estimating the error: the run at a hundredth of the tolerance");
+        let _waiting = Waiting::for_about(self.run_time, Text::new("progress-error"));
         self.history.estimate_error()
     }
 }

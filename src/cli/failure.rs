@@ -2,7 +2,8 @@
 
 use std::process::ExitCode;
 
-use super::summary::{name, plain};
+use super::digits::six;
+use super::summary::name;
 use crate::files::{ReadError, WriteError};
 use crate::language::said;
 use crate::scene::SceneErrors;
@@ -42,9 +43,9 @@ fn gave_up(scene: &str, stop: &Stop) -> String {
         "failed-gave-up",
         "scene" => name(scene),
         "ended" => stop.cause.verb().as_str(),
-        "t" => plain(stop.t),
+        "t" => six(stop.t),
         "place" => stop.place.as_str(),
-        "reason" => stop.reason.as_str()
+        "reason" => stop.reason.to_string()
     )
 }
 

@@ -42,10 +42,9 @@ fn of_girder(girder: &FlexibleReport) -> Vec<(String, String)> {
     let bounds = run.neglected.named().map(|(name, bound)| format!("{name} {bound:.1e}"));
     lines.push((format!("  {}", Text::new("run-left-out")), bounds.join(", ")));
     if !run.not_negligible.is_empty() {
-        lines.push((
-            format!("  {}", Text::new("run-warning")),
-            said!("run-not-negligible", "names" => run.not_negligible.join(", ")),
-        ));
+        let names: Vec<&str> = run.not_negligible.iter().map(|name| name.as_str()).collect();
+        let said = said!("run-not-negligible", "names" => names.join(", "));
+        lines.push((format!("  {}", Text::new("run-warning")), said));
     }
     lines
 }

@@ -7,6 +7,7 @@
 use std::io::Write;
 
 use super::failure::Failure;
+use crate::language::Text;
 
 /// A stretch in which files are written.
 #[derive(Debug)]
@@ -27,7 +28,7 @@ impl Writing {
     /// # Errors
     /// When a signal has come.
     pub(super) fn check(&self) -> Result<(), Failure> {
-        if (self.raised)() { Err(Failure::Interrupted("nothing was written".into())) } else { Ok(()) }
+        if (self.raised)() { Err(Failure::Interrupted(Text::new("interrupted-nothing").into())) } else { Ok(()) }
     }
 
     /// A writer that fails once a signal has come.

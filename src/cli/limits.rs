@@ -1,5 +1,6 @@
 //! How many cells tables may have.
 
+use super::digits::six;
 use super::failure::Failure;
 use crate::language::{Text, said};
 use crate::scene::Scene;
@@ -46,6 +47,6 @@ fn check(sample_hz: f64, (table, cells): (&str, f64), most: f64) -> Result<(), F
 
 /// What is wrong with a time after the end of the run.
 pub(super) fn after_end(flag: &str, t: f64, history: &History) -> Failure {
-    let [t, end] = [t, history.end()].map(|t| t.to_string());
+    let [t, end] = [t, history.end()].map(six);
     Failure::Input(said!("wrong-after-end", "flag" => flag, "t" => t, "end" => end))
 }

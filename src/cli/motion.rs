@@ -96,7 +96,11 @@ fn text(number: usize, channel: &Channel, figures: &Figures) -> String {
     let name = if channel.name.is_empty() { no_name.into() } else { escaped(&channel.name) };
     let count = channel.samples.len();
     let length = (count - 1) as f64 * channel.dt;
-    let done = if channel.done.is_empty() { Text::new("motion-nothing").into() } else { channel.done.join("; ") };
+    let done = if channel.done.is_empty() {
+        Text::new("motion-nothing").into()
+    } else {
+        channel.done.iter().map(ToString::to_string).collect::<Vec<_>>().join("; ")
+    };
     let lines = [
         said!("motion-channel", "number" => number, "name" => name, "direction" => direction),
         said!(

@@ -5,7 +5,7 @@ use std::path::Path;
 use super::args::{finite, not_negative, positive};
 use super::digits::six;
 use super::failure::Failure;
-use crate::language::said;
+use crate::language::{Message, message, said};
 use crate::motion::format::Channel;
 use crate::scene::{Baseline, Processing};
 
@@ -59,8 +59,8 @@ impl ProcessingArgs {
         let factor = processing.factor(|| samples.iter().fold(0.0, |most, a| most.max(a.abs())));
         let factor = factor * self.scale.unwrap_or(1.0);
         let mut done = channel.done.clone();
-        done.extend(processing.in_words());
-        done.extend(self.scale.map(|scale| format!("multiplied by {}", six(scale))));
+        done.extend(processing.in_words().into_iter().map(Message::from));
+        done.extend(self.scale.map(|scale| message!("processed-scale", "scale" => six(scale))));
         let samples = samples.iter().map(|a| a * factor).collect();
         Ok(Channel { dt, samples, done, name: channel.name.clone(), ..*channel })
     }

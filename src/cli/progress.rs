@@ -4,6 +4,9 @@ use std::time::{Duration, Instant};
 
 use indicatif::{ProgressBar, ProgressStyle};
 
+use super::digits::six;
+use crate::language::{Text, said};
+
 /// How long something may take before a bar shows.
 const PATIENCE: Duration = Duration::from_millis(500);
 /// Parts that a bar's length is divided into.
@@ -31,13 +34,13 @@ impl Timer {
 pub(super) struct Progress {
     started: Timer,
     whole: f64,
-    unit: &'static str,
+    unit: Text,
     bar: Option<ProgressBar>,
 }
 
 impl Progress {
     /// For work that goes from 0 to `whole`, counted in `unit`.
-    pub(super) fn over(whole: f64, unit: &'static str) -> Self {
+    pub(super) fn over(whole: f64, unit: Text) -> Self {
         Self { started: Timer::start(), whole, unit, bar: None }
     }
 
@@ -55,7 +58,11 @@ impl Progress {
             #[expect(clippy::cast_possible_truncation, clippy::cast_sign_loss, reason = "in 0..=PARTS")]
             bar.set_position((reached / self.whole * PARTS).clamp(0.0, PARTS) as u64);
             let digits = if reached.fract() == 0.0 { 0 } else { 3 };
-            bar.set_message(format!("{reached:.digits$} of {} {}{words}", self.whole, self.unit));
+            let reached = format!("{reached:.digits$}");
+            let (whole, unit) = (six(self.whole), self.unit);
+            bar.set_message(
+                said!("progress-of", "reached" => reached, "whole" => whole, "unit" => unit, "words" => words),
+            );
         }
     }
 
@@ -73,10 +80,10 @@ pub(super) struct Waiting(Option<ProgressBar>);
 
 impl Waiting {
     /// For work that may take about `seconds`; nothing shows if that is short.
-    pub(super) fn for_about(seconds: f64, what: &'static str) -> Self {
+    pub(super) fn for_about(seconds: f64, what: Text) -> Self {
         let long = seconds > PATIENCE.as_secs_f64();
         Self(long.then(|| {
-            let spinner = ProgressBar::new_spinner().with_message(what);
+            let spinner = ProgressBar::new_spinner().with_message(what.as_str());
             spinner.enable_steady_tick(Duration::from_millis(200));
             spinner
         }))
@@ -95,7 +102,10 @@ fn new_bar() -> ProgressBar {
     #[expect(clippy::cast_possible_truncation, clippy::cast_sign_loss, reason = "a small positive constant")]
     let bar = ProgressBar::new(PARTS as u64);
     // The template is a constant; were it wrong, indicatif's own would do.
-    match ProgressStyle::with_template("{bar:40} {percent}% {msg}, {eta} to go") {
+    match ProgressStyle::with_template(&format!(
+        "{{bar:40}} {{percent}}% {{msg}}, {}",
+        said!("progress-left", "left" => "{eta}")
+    )) {
         Ok(style) => bar.with_style(style),
         Err(_) => bar,
     }

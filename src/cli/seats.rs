@@ -114,5 +114,6 @@ fn row(DemandReport { demand, met, .. }: &DemandReport) -> String {
         [(!demand.confirmed, "*"), (assumed, "°")].map(|(marked, mark)| if marked { mark } else { "" }).concat();
     let [needed, there, used] = [demand.required, demand.provided, demand.used].map(|metres| 1e3 * metres);
     let verdict = if *met { String::new() } else { format!("  {}", Text::new("too-short")) };
-    format!("    {:<39} {needed:>8.1} {there:>8.1} {used:>8.1}{verdict}\n", format!("{} {marks}", demand.rule))
+    let rule = left(&format!("{} {marks}", demand.rule), 39);
+    format!("    {rule} {needed:>8.1} {there:>8.1} {used:>8.1}{verdict}\n")
 }

@@ -1,5 +1,6 @@
 //! A run's summary as text; millimetres and degrees, since people read it.
 
+use super::digits::six;
 use super::{columns, flexible, moved, seats};
 use crate::language::{Text, said};
 use crate::scene::FrictionLaw;
@@ -17,7 +18,7 @@ pub(super) fn text(report: &Report) -> String {
     let lines = lines.into_iter().map(|(label, value)| format!("  {} {value}\n", columns::left(&label, 22)));
     std::iter::once(format!(
         "{}\n",
-        said!("run-head", "name" => name(&report.scene), "end" => plain(report.end), "duration" => report.duration)
+        said!("run-head", "name" => name(&report.scene), "end" => six(report.end), "duration" => six(report.duration))
     ))
     .chain(lines)
     .chain([seats::table(&report.seats)])
@@ -46,9 +47,9 @@ fn head(report: &Report) -> Vec<Line> {
             stop.cause.verb(),
             said!(
                 "run-gave-up-at",
-                "t" => plain(stop.t),
+                "t" => six(stop.t),
                 "place" => stop.place.as_str(),
-                "reason" => stop.reason.as_str()
+                "reason" => stop.reason.to_string()
             ),
         )
     });
@@ -290,12 +291,6 @@ fn force(newtons: f64) -> String {
 /// A time in few digits; adding 0 turns −0 into 0.
 fn short(seconds: f64) -> String {
     if seconds == 0.0 || seconds >= 1e-3 { format!("{:.4}", seconds + 0.0) } else { format!("{seconds:.2e}") }
-}
-
-/// A number in all its digits, without a row of zeros before them.
-pub(super) fn plain(value: f64) -> String {
-    // Adding 0 turns −0 into 0.
-    if value == 0.0 || value.abs() >= 1e-4 { format!("{}", value + 0.0) } else { format!("{value:e}") }
 }
 
 /// How many times, in three digits.

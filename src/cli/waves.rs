@@ -7,6 +7,7 @@ use clap::builder::{PossibleValuesParser, TypedValueParser};
 use super::args::{SceneArgs, Threads, not_negative};
 use super::compute::compute_as_asked;
 use super::console::Console;
+use super::digits::six;
 use super::domain;
 use super::failure::Failure;
 use super::limits::after_end;
@@ -17,6 +18,7 @@ use crate::language::{Text, said};
 use crate::scene::Kind;
 use crate::sim::{History, OfSection};
 use crate::study::waves::{Wanted, Waves};
+use crate::view;
 
 /// Run a scene and draw a section force of a girder that bends over time and station: waves are seen to run and turn
 #[derive(Clone, Debug, clap::Args)]
@@ -81,7 +83,7 @@ pub(super) fn run(args: &WavesArgs, console: &mut Console) -> Result<(), Failure
     let written = write_files(&args.out, &files)?;
     let (unit, size) = args.force.unit();
     let largest = format!("{:.6} {unit}", waves.field.largest() / size);
-    let what = args.force.label().to_string();
+    let what = view::section_force(args.force);
     console.print(&format!("{}\n{written}", said!("waves-largest", "what" => what, "largest" => largest)));
     match history.stop() {
         Some(stop) => Err(Failure::GaveUp { scene: scene.name, stop: stop.clone() }),
@@ -115,7 +117,7 @@ fn span(history: &History, args: &WavesArgs) -> Result<[Option<f64>; 2], Failure
     }
     match (args.from, args.to) {
         (Some(from), Some(to)) if from >= to => {
-            let [to, from] = [to, from].map(|t| t.to_string());
+            let [to, from] = [to, from].map(six);
             Err(Failure::Input(said!("wrong-picture-backwards", "to" => to, "from" => from)))
         }
         (None, Some(_)) => Err(Failure::Input(Text::new("wrong-no-from").into())),

@@ -22,8 +22,8 @@ impl Code for AashtoGuide {
         let opening = Input::of_run("Δ_eq", "m", case.seat.used().max(0.0));
         let skew = Input::of_scene("S", "°", case.skew_deg());
         vec![Demand {
-            rule: "AASHTO Guide Specifications, SDC D, N",
-            edition: "2nd edition, 2011",
+            rule: Text::new("code-aashto-guide"),
+            edition: Text::new("code-edition-aashto-guide"),
             formula: "N = (4 + 1.65 Δ_eq)(1 + 0.00025 S²) ≥ 24 in",
             confirmed: false,
             note: Text::new("code-note-aashto-guide"),

@@ -22,8 +22,8 @@ impl Code for AashtoLrfd {
         let skew = Input::of_scene("S", "°", case.skew_deg());
         let base = 1e-3 * support_length_mm(1e3 * length.value, 1e3 * height.value, skew.value);
         vec![Demand {
-            rule: "AASHTO LRFD 4.7.4.4, N",
-            edition: "9th edition, 2020",
+            rule: Text::new("code-aashto-lrfd"),
+            edition: Text::new("code-edition-aashto-lrfd"),
             formula: "N = (200 + 0.0017 L + 0.0067 H)(1 + 0.000125 S²) mm, times the percentage of the zone",
             confirmed: false,
             note: Text::new("code-note-aashto-lrfd"),

@@ -33,8 +33,8 @@ impl Code for Caltrans {
         let given = case.codes.caltrans_support.map(|support| least_in(support) * INCH);
         let least = Input::given_or("least N", "m", given, least_in(support) * INCH);
         vec![Demand {
-            rule: "Caltrans SDC, N",
-            edition: "version 2.0, 2019",
+            rule: Text::new("code-caltrans"),
+            edition: Text::new("code-edition-caltrans"),
             formula: "N = Δ_p/s + Δ_cr+sh + Δ_temp + Δ_eq + 4 in, ≥ 30 in at abutments, ≥ 24 in at hinges",
             confirmed: false,
             note: Text::new("code-note-caltrans"),

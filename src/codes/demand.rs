@@ -80,9 +80,9 @@ impl Input {
 #[derive(Clone, Debug, PartialEq, serde::Serialize)]
 pub struct Demand {
     /// Code and symbol.
-    pub rule: &'static str,
+    pub rule: Text,
     /// Edition that the formula is quoted from.
-    pub edition: &'static str,
+    pub edition: Text,
     /// The formula in a line.
     pub formula: &'static str,
     /// Whether the formula was read in that edition; otherwise it is quoted from memory.

@@ -63,8 +63,8 @@ impl Code for En1998Part2 {
             ground_displacement(STANDARD_GRAVITY * acceleration.value, soil.value, [corner.value, displacement.value]);
         let d_es = seismic.value + long_term.value + 0.5 * temperature.value;
         vec![Demand {
-            rule: "EN 1998-2 6.6.4, l_ov",
-            edition: "2005 + A2:2011; S, T_C, T_D of EN 1998-1:2004, type 1",
+            rule: Text::new("code-en-1998-2"),
+            edition: Text::new("code-edition-en-1998-2"),
             formula: "l_ov = l_m + d_eg + d_es; d_eg = 2 d_g L_eff/L_g ≤ 2 d_g, d_g = 0.025 a_g S T_C T_D; d_es = d_E + d_G + d_T/2",
             confirmed: false,
             note: Text::new("code-note-en-1998-2"),

@@ -39,8 +39,8 @@ impl Code for Jra {
         let relative = Input::of_run("u_R", "m", case.seat.used().max(0.0));
         let [provided, used] = [case.seat.ledge.placed(), case.seat.used()];
         let mut all = vec![Demand {
-            rule: "JRA part V, S_E",
-            edition: "2002 (English); ε_G and later editions not read",
+            rule: Text::new("code-jra"),
+            edition: Text::new("code-edition-jra"),
             formula: "S_E = u_R + ε_G L ≥ S_EM = 0.7 + 0.005 l",
             confirmed: true,
             note: Text::new("code-note-jra"),
@@ -54,8 +54,8 @@ impl Code for Jra {
             let angle = Input::of_scene("θ", "°", 90.0 - case.skew_deg());
             let rotation = Input::given_or("α_E", "°", codes.rotation_deg, ROTATION_DEG);
             all.push(Demand {
-                rule: "JRA part V, S_Eθ",
-                edition: "2002 (English); later editions not read",
+                rule: Text::new("code-jra-rotation"),
+                edition: Text::new("code-edition-jra-rotation"),
                 formula: "S_Eθ = (L_θ/2)[sin θ − sin(θ − α_E)]",
                 confirmed: true,
                 note: Text::new("code-note-jra-rotation"),

@@ -13,6 +13,7 @@ use crate::dynamics::record::link_log::LinkLog;
 use crate::dynamics::record::recomputed_steps::Replay;
 use crate::dynamics::trajectory::stored_path::StoredPath;
 use crate::dynamics::{Model, impact2d};
+use crate::language::Text;
 use crate::scene::ModelKind;
 
 /// What the run of a group leaves behind.
@@ -65,15 +66,11 @@ pub fn start(model: &Arc<Model>, group: usize, kind: ModelKind) -> Box<dyn Run> 
         model.groups[group].iter().all(|&body| matches!(model.bodies[body].coordinates, BodyCoordinates::Planar));
     match kind {
         ModelKind::Contact | ModelKind::Both => Box::new(ContactRun::new(model, group)),
-        ModelKind::Impact if !model.group_links[group].is_empty() => Box::new(ContactRun::refused(
-            model,
-            group,
-            "the impact model knows no devices, no piers, no bearings that yield and no backwalls that move",
-        )),
-        ModelKind::Impact if planar => Box::new(impact2d::engine::Engine::new(model, group)),
-        ModelKind::Impact => {
-            Box::new(ContactRun::refused(model, group, "the impact model knows rigid girders in plan only"))
+        ModelKind::Impact if !model.group_links[group].is_empty() => {
+            Box::new(ContactRun::refused(model, group, Text::new("stop-devices-in-impact")))
         }
+        ModelKind::Impact if planar => Box::new(impact2d::engine::Engine::new(model, group)),
+        ModelKind::Impact => Box::new(ContactRun::refused(model, group, Text::new("stop-space-in-impact"))),
     }
 }
 

@@ -5,6 +5,7 @@
 
 use csv::{ReaderBuilder, StringRecord, Trim};
 
+use crate::language::{Message, Text, message};
 use crate::motion::format::{RecordError, decimal};
 
 /// What stands in the first column.
@@ -33,10 +34,10 @@ impl Quantity {
     }
 
     /// In words, with its unit.
-    pub fn words(self) -> &'static str {
+    pub fn words(self) -> Text {
         match self {
-            Self::Time => "time in s",
-            Self::Frequency => "frequency in Hz",
+            Self::Time => Text::new("columns-time"),
+            Self::Frequency => Text::new("columns-frequency"),
         }
     }
 }
@@ -78,8 +79,13 @@ fn shown(text: &str) -> String {
     text.chars().filter(|c| !c.is_control()).take(LONGEST).collect()
 }
 
-fn wrong(line: u64, value: impl Into<String>, remedy: impl Into<String>) -> RecordError {
-    RecordError { line, value: shown(&value.into()), remedy: shown(&remedy.into()) }
+fn wrong(line: u64, value: impl Into<Message>, remedy: impl Into<Message>) -> RecordError {
+    RecordError { line, value: value.into(), remedy: remedy.into() }
+}
+
+/// A column by its name.
+fn named(name: &str) -> Message {
+    message!("columns-this", "name" => shown(name))
 }
 
 /// Name and unit of a column: `x_mm`, `x [mm]` and `x (mm)` are x in mm.
@@ -114,7 +120,11 @@ impl Columns<'_> {
         let mut chosen: Option<[usize; 2]> = None;
         for record in reader.records() {
             let record = record.map_err(|error| {
-                wrong(error.position().map_or(0, csv::Position::line), "no text", "save the table as UTF-8 text")
+                wrong(
+                    error.position().map_or(0, csv::Position::line),
+                    Text::new("record-no-text"),
+                    Text::new("columns-save-text"),
+                )
             })?;
             if record.iter().all(str::is_empty) {
                 continue;
@@ -132,23 +142,27 @@ impl Columns<'_> {
             push(&mut measured, self.first, columns, &record, line)?;
         }
         if measured.x.len() < 2 {
-            return Err(wrong(1, "fewer than two rows of numbers", format!("give rows of {}", self.words())));
+            return Err(wrong(
+                1,
+                Text::new("columns-few-rows"),
+                message!("columns-give-rows", "words" => self.words()),
+            ));
         }
         Ok(measured)
     }
 
-    fn words(&self) -> String {
-        format!("{} and displacement", self.first.words())
+    fn words(&self) -> Message {
+        message!("columns-both", "first" => self.first.words())
     }
 
     /// Numbers of both columns from the first line, the name of the second where that line is a heading, and its unit.
     fn choose(&self, first: &StringRecord, line: u64) -> Result<([usize; 2], Option<String>, f64), RecordError> {
         if first.iter().all(|field| decimal(field).is_some()) {
             if first.len() != 2 || self.name.is_some() {
-                let value = format!("{} columns without a heading", first.len());
-                return Err(wrong(line, value, "write a line of names above the numbers: t_s,x_mm"));
+                let value = message!("columns-no-heading", "count" => first.len());
+                return Err(wrong(line, value, Text::new("columns-write-heading")));
             }
-            let unit = self.unit.ok_or_else(|| wrong(line, "displacements without a unit", NO_UNIT))?;
+            let unit = self.unit.ok_or_else(|| wrong(line, Text::new("columns-no-unit"), NO_UNIT))?;
             return Ok(([0, 1], None, unit));
         }
         let names: Vec<&str> = first.iter().collect();
@@ -163,12 +177,12 @@ impl Columns<'_> {
             self.first.names().iter().any(|own| name.eq_ignore_ascii_case(own))
         };
         let Some(at) = names.iter().position(known) else {
-            let remedy = format!("name the column of {} {}", self.first.words(), self.first.names()[0]);
-            return Err(wrong(line, format!("the columns {}", names.join(", ")), remedy));
+            let remedy = message!("columns-name-first", "words" => self.first.words(), "name" => self.first.names()[0]);
+            return Err(wrong(line, message!("columns-these", "names" => shown(&names.join(", "))), remedy));
         };
         match parts(names[at]).1 {
             Some(unit) if unit != self.first.unit() => {
-                Err(wrong(line, format!("the column {}", names[at]), format!("give {}", self.first.words())))
+                Err(wrong(line, named(names[at]), message!("columns-give", "words" => self.first.words())))
             }
             _ => Ok(at),
         }
@@ -176,17 +190,23 @@ impl Columns<'_> {
 
     fn column(&self, names: &[&str], at: usize, line: u64) -> Result<usize, RecordError> {
         let others: Vec<usize> = (0..names.len()).filter(|n| *n != at).collect();
-        let list = || others.iter().map(|n| names[*n]).collect::<Vec<_>>().join(", ");
+        let list = || shown(&others.iter().map(|n| names[*n]).collect::<Vec<_>>().join(", "));
         match (self.name, &others[..]) {
             (Some(name), _) => {
                 let found = others.iter().copied().find(|n| names[*n] == name || parts(names[*n]).0 == name);
-                found.ok_or_else(|| wrong(line, format!("no column {name}"), format!("give one of {}", list())))
+                found.ok_or_else(|| {
+                    wrong(
+                        line,
+                        message!("columns-none", "name" => shown(name)),
+                        message!("columns-one-of", "names" => list()),
+                    )
+                })
             }
             (None, [only]) => Ok(*only),
-            (None, []) => Err(wrong(line, "one column", format!("give two: {}", self.words()))),
+            (None, []) => Err(wrong(line, Text::new("columns-one"), message!("columns-two", "words" => self.words()))),
             (None, _) => {
-                let value = format!("{} columns beside {}", others.len(), names[at]);
-                Err(wrong(line, value, format!("choose one with --column: {}", list())))
+                let value = message!("columns-beside", "count" => others.len(), "name" => shown(names[at]));
+                Err(wrong(line, value, message!("columns-choose", "names" => list())))
             }
         }
     }
@@ -198,20 +218,15 @@ impl Columns<'_> {
         let of_run = names[0] == "t" && matches!(quantity, Some("x" | "y"));
         match (stated.or(of_run.then_some(1.0)), self.unit) {
             (Some(stated), Some(given)) if stated != given => {
-                let value = format!("the column {}", names[of]);
-                Err(wrong(
-                    line,
-                    value,
-                    "--unit differs from the unit in the heading: leave it out, or change the heading",
-                ))
+                Err(wrong(line, named(names[of]), Text::new("columns-units-differ")))
             }
             (Some(unit), _) | (None, Some(unit)) => Ok(unit),
-            (None, None) => Err(wrong(line, format!("the column {} without a unit", names[of]), NO_UNIT)),
+            (None, None) => Err(wrong(line, message!("columns-unitless", "name" => shown(names[of])), NO_UNIT)),
         }
     }
 }
 
-const NO_UNIT: &str = "state the unit: in the heading, as x_mm, or with --unit m, cm, mm or um";
+const NO_UNIT: Text = Text::new("columns-state-unit");
 
 fn push(
     measured: &mut Measured,
@@ -223,20 +238,17 @@ fn push(
     let number = |column: usize| {
         let field = record.get(column).unwrap_or_default();
         let cut: String = field.chars().take(40).collect();
-        let value = if field.is_empty() { "nothing".to_owned() } else { format!("`{cut}`") };
-        decimal(field).ok_or_else(|| wrong(line, value, format!("column {} must hold finite numbers", column + 1)))
+        let nothing = || Text::new("found-nothing").into();
+        let value: Message = if field.is_empty() { nothing() } else { format!("`{cut}`").into() };
+        decimal(field).ok_or_else(|| wrong(line, value, message!("columns-finite", "number" => column + 1)))
     };
     let [at, x] = [number(columns[0])?, number(columns[1])? * measured.unit];
     let grows = measured.at.last().is_none_or(|last| at > *last);
     if !grows || (first == Quantity::Frequency && at <= 0.0) {
-        return Err(wrong(
-            line,
-            format!("{} {at}", first.names()[1]),
-            "give rows in growing order, frequencies above 0",
-        ));
+        return Err(wrong(line, format!("{} {at}", first.names()[1]), Text::new("columns-order")));
     }
     if measured.x.len() == MOST_ROWS {
-        return Err(wrong(line, format!("more than {MOST_ROWS} rows"), "give a shorter table"));
+        return Err(wrong(line, message!("columns-many", "most" => MOST_ROWS), Text::new("columns-shorter")));
     }
     measured.at.push(at);
     measured.x.push(x);

@@ -5,6 +5,7 @@ use std::f64::consts::TAU;
 use super::least_squares::{self, Model, Solution, dot};
 use super::noise::{Noise, student_95};
 use super::resonance::{band, resonance, spaced};
+use crate::language::{Text, said};
 use crate::motion::oscillator::{Shaking, forced, free};
 
 /// A measured displacement, relative to the ground.
@@ -42,7 +43,7 @@ pub struct Given {
 #[derive(Clone, Debug, PartialEq)]
 pub struct Estimate {
     /// What it is.
-    pub name: &'static str,
+    pub name: Text,
     /// Its unit; empty of a ratio.
     pub unit: &'static str,
     /// Of least squares, in SI.
@@ -76,7 +77,7 @@ pub struct Identified {
 #[derive(Clone, Debug, PartialEq, thiserror::Error)]
 pub enum NotIdentified {
     /// Too few rows.
-    #[error("{have} rows within the time asked for: give {need} at least")]
+    #[error("{}", said!("identify-too-few", "have" => *have, "need" => *need))]
     TooFew {
         /// Rows.
         have: usize,
@@ -84,12 +85,10 @@ pub enum NotIdentified {
         need: usize,
     },
     /// It does not move.
-    #[error("every displacement is the same: give a history that moves")]
+    #[error("{}", Text::new("identify-no-motion"))]
     Still,
     /// Frequency and damping change nothing that was measured, or alike.
-    #[error(
-        "f and h do not show: give a longer history, one that begins while it moves, or the ground motion that it answers to"
-    )]
+    #[error("{}", Text::new("identify-undetermined"))]
     Undetermined,
 }
 
@@ -112,10 +111,10 @@ const MOVED: f64 = 1e-6;
 const ROWS_LEFT: usize = 5;
 
 /// Name and unit of a parameter.
-type Named = (&'static str, &'static str);
+type Named = (Text, &'static str);
 
-const FREQUENCY: Named = ("natural frequency f", "Hz");
-const DAMPING: Named = ("damping ratio h", "");
+const FREQUENCY: Named = (Text::new("identify-frequency"), "Hz");
+const DAMPING: Named = (Text::new("identify-damping"), "");
 
 /// The model's values as a sum of columns with known and unknown factors.
 struct Parts {
@@ -146,8 +145,12 @@ impl Linear for History<'_> {
     }
 
     fn names(&self) -> Vec<Named> {
-        let mut names = vec![("initial displacement", "m"), ("initial velocity", "m/s"), ("zero of the scale", "m")];
-        names.extend(self.scaled.then_some(("factor of the ground motion", "")));
+        let mut names = vec![
+            (Text::new("identify-displacement"), "m"),
+            (Text::new("identify-velocity"), "m/s"),
+            (Text::new("identify-zero"), "m"),
+        ];
+        names.extend(self.scaled.then_some((Text::new("identify-factor"), "")));
         names
     }
 }
@@ -164,7 +167,7 @@ impl Linear for SteadyResponse<'_> {
     }
 
     fn names(&self) -> Vec<Named> {
-        self.ground.is_none().then_some(("amplitude of the ground", "m/s²")).into_iter().collect()
+        self.ground.is_none().then_some((Text::new("identify-amplitude"), "m/s²")).into_iter().collect()
     }
 }
 

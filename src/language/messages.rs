@@ -4,7 +4,7 @@ use std::fmt;
 
 use fluent_bundle::FluentArgs;
 
-use super::Text;
+use super::{Language, Text, six};
 
 /// A text with values in their places, as a [`Message`]: `message!("wrong-order", "name" => name, "most" => most)`.
 macro_rules! message {
@@ -33,6 +33,22 @@ impl Message {
             Self::Plain(words) => words,
             Self::Told(..) => "",
         }
+    }
+
+    /// Whether it is this text, with whatever values.
+    pub fn is(&self, text: Text) -> bool {
+        matches!(self, Self::Told(own, _) if *own == text)
+    }
+
+    /// The words in English, for files, which are read by other programs.
+    pub fn english(&self) -> String {
+        Language::English.within(|| self.to_string())
+    }
+}
+
+impl serde::Serialize for Message {
+    fn serialize<S: serde::Serializer>(&self, serializer: S) -> Result<S::Ok, S::Error> {
+        serializer.serialize_str(&self.english())
     }
 }
 
@@ -71,18 +87,26 @@ macro_rules! plain {
         })+
     };
 }
-plain!(&str, f64, u32, u64, usize);
+plain!(&str, u32, u64, usize);
+
+/// In the digits that people read.
+impl From<f64> for Message {
+    fn from(value: f64) -> Self {
+        Self::Plain(six(value))
+    }
+}
 
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::language::Language;
 
     #[test]
     fn a_message_is_in_the_language_in_which_it_is_shown() {
         let both = message!("found-both", "one" => Text::new("found-nothing"), "other" => 3.5);
         assert_eq!(both.to_string(), "nothing and 3.5", "in English");
         assert_eq!(Language::Japanese.within(|| both.to_string()), "なし と 3.5", "the value in it too");
+        assert_eq!(Language::Japanese.within(|| both.english()), "nothing and 3.5", "English in files");
+        assert_eq!(Message::from(0.1 + 0.2).plain(), "0.3", "digits that mean something");
         assert_eq!(both.plain(), "", "nothing that is the same everywhere");
         assert_eq!(Message::from("deck").plain(), "deck", "a name is");
     }

@@ -5,12 +5,14 @@
 //! [`Language`] and, where egui's fonts lack its letters, a font.
 
 mod catalog;
+mod digits;
 mod letters;
 mod messages;
 mod text;
 
 use std::cell::Cell;
 
+pub(crate) use digits::six;
 pub use fluent_bundle::FluentArgs;
 #[cfg(feature = "render")]
 pub use letters::JAPANESE_FONT;

@@ -4,6 +4,8 @@ use std::collections::BTreeSet;
 
 use serde::{Deserialize, Serialize};
 
+use crate::language::{Text, said};
+
 /// The body that every other is measured against: marks that stand still with the table.
 pub const TABLE: &str = "table";
 
@@ -59,8 +61,8 @@ impl Layout {
     pub fn parse(text: &str) -> Result<Self, String> {
         let layout: Self = toml::from_str(text).map_err(|error| {
             let line = error.span().map_or(1, |span| 1 + text[..span.start.min(text.len())].matches('\n').count());
-            let said: String = error.message().chars().filter(|c| !c.is_control()).take(200).collect();
-            format!("line {line}: {said}")
+            let told: String = error.message().chars().filter(|c| !c.is_control()).take(200).collect();
+            said!("layout-line", "line" => line, "what" => told)
         })?;
         layout.fault().map_or(Ok(()), Err)?;
         Ok(layout)
@@ -71,20 +73,16 @@ impl Layout {
         let positive = |value: f64| value.is_finite() && value > 0.0;
         let places = self.mark.iter().flat_map(|mark| mark.pixel.into_iter().chain(mark.at_mm.into_iter().flatten()));
         match () {
-            () if !positive(self.fps) => Some(format!("fps {}: give pictures a second, above 0", self.fps)),
-            () if !self.from_s.is_finite() => Some(format!("from_s {}: give a time in s", self.from_s)),
-            () if self.mm_per_pixel.is_some_and(|scale| !positive(scale)) => {
-                Some("mm_per_pixel: give a length above 0".to_owned())
+            () if !positive(self.fps) => Some(said!("layout-fps", "fps" => self.fps.to_string())),
+            () if !self.from_s.is_finite() => Some(said!("layout-from", "from" => self.from_s.to_string())),
+            () if self.mm_per_pixel.is_some_and(|scale| !positive(scale)) => Some(Text::new("layout-scale").into()),
+            () if self.mark.len() > MOST_MARKS => {
+                Some(said!("layout-many", "count" => self.mark.len(), "most" => MOST_MARKS))
             }
-            () if self.mark.len() > MOST_MARKS => Some(format!("{} marks: give at most {MOST_MARKS}", self.mark.len())),
-            () if self.mark.iter().any(|mark| !is_name(&mark.body)) => {
-                Some("body: give names of 1 to 60 characters on one line".to_owned())
-            }
-            () if self.mark.is_empty() => Some("no marks: give [[mark]] with body and pixel".to_owned()),
-            () if places.into_iter().any(|value| !value.is_finite()) => {
-                Some("pixel and at_mm must be finite numbers".to_owned())
-            }
-            () if self.bodies().is_empty() => Some(format!("every mark is on the {TABLE}: give those of a body")),
+            () if self.mark.iter().any(|mark| !is_name(&mark.body)) => Some(Text::new("layout-body").into()),
+            () if self.mark.is_empty() => Some(Text::new("layout-none").into()),
+            () if places.into_iter().any(|value| !value.is_finite()) => Some(Text::new("layout-finite").into()),
+            () if self.bodies().is_empty() => Some(said!("layout-table", "table" => TABLE)),
             () => None,
         }
     }

@@ -8,6 +8,7 @@
 use num_complex::Complex64;
 
 use super::layout::{Layout, TABLE};
+use crate::language::Text;
 
 /// Scale and turn of a film.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -60,10 +61,7 @@ impl Calibration {
             (Some(scale), Some(factor)) => Ok(Self { factor: factor * (scale / factor.norm()) }),
             (Some(scale), None) => Ok(Self { factor: scale.into() }),
             (None, Some(factor)) => Ok(Self { factor }),
-            (None, None) => {
-                Err("no scale: give mm_per_pixel (--mm-per-pixel), or at_mm of two marks on the table or on one body"
-                    .into())
-            }
+            (None, None) => Err(Text::new("layout-no-scale").into()),
         }
     }
 

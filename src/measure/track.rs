@@ -6,6 +6,7 @@
 use super::grey::Grey;
 use super::layout::Layout;
 use super::marks::{Finder, Mark};
+use crate::language::said;
 
 /// A mark whose pixels are more than this multiple of those at first has run together with something: two equal ones have
 /// twice as many, and blur adds a rim. One with as many times fewer is partly covered.
@@ -13,11 +14,16 @@ const MERGED: f64 = 1.7;
 /// How far a lone mark is looked for, as a share of the picture's height.
 const ALONE: f64 = 0.2;
 
+/// A place in a picture, in a message \[pixels\].
+fn place(pixels: f64) -> String {
+    format!("{pixels:.1}")
+}
+
 /// Why a mark was not followed. Marks are numbered from 1.
 #[derive(Clone, Debug, PartialEq, thiserror::Error)]
 pub enum Lost {
     /// None where it should be.
-    #[error("mark {mark} ({body}) is missing: nothing bright within {within:.0} pixels of ({:.1}, {:.1})", near[0], near[1])]
+    #[error("{}", said!("mark-missing", "mark" => *mark, "body" => body.as_str(), "within" => format!("{within:.0}"), "x" => place(near[0]), "y" => place(near[1])))]
     Missing {
         /// Its number.
         mark: usize,
@@ -29,7 +35,7 @@ pub enum Lost {
         within: f64,
     },
     /// It and another are one.
-    #[error("marks {} and {} are merged into one at ({:.1}, {:.1})", marks[0], marks[1], at[0], at[1])]
+    #[error("{}", said!("mark-merged", "one" => marks[0], "other" => marks[1], "x" => place(at[0]), "y" => place(at[1])))]
     Merged {
         /// Their numbers.
         marks: [usize; 2],
@@ -37,7 +43,7 @@ pub enum Lost {
         at: [f64; 2],
     },
     /// It is one with something else that is bright.
-    #[error("mark {mark} ({body}) has run together with something bright at ({:.1}, {:.1}): {area} pixels, {first} at first", at[0], at[1])]
+    #[error("{}", said!("mark-grown", "mark" => *mark, "body" => body.as_str(), "x" => place(at[0]), "y" => place(at[1]), "area" => *area, "first" => *first))]
     Grown {
         /// Its number.
         mark: usize,
@@ -51,7 +57,7 @@ pub enum Lost {
         first: usize,
     },
     /// Part of it is covered.
-    #[error("mark {mark} ({body}) is partly covered at ({:.1}, {:.1}): {area} pixels, {first} at first", at[0], at[1])]
+    #[error("{}", said!("mark-shrunk", "mark" => *mark, "body" => body.as_str(), "x" => place(at[0]), "y" => place(at[1]), "area" => *area, "first" => *first))]
     Shrunk {
         /// Its number.
         mark: usize,
@@ -65,7 +71,7 @@ pub enum Lost {
         first: usize,
     },
     /// The edge of the picture cuts it off.
-    #[error("mark {mark} ({body}) reaches the edge of the picture at ({:.1}, {:.1})", at[0], at[1])]
+    #[error("{}", said!("mark-at-edge", "mark" => *mark, "body" => body.as_str(), "x" => place(at[0]), "y" => place(at[1])))]
     AtEdge {
         /// Its number.
         mark: usize,
@@ -75,7 +81,7 @@ pub enum Lost {
         at: [f64; 2],
     },
     /// Another size of picture.
-    #[error("it has {} × {} pixels, the first picture {} × {}: give pictures of one size", found[0], found[1], first[0], first[1])]
+    #[error("{}", said!("mark-size", "width" => found[0], "height" => found[1], "firstwidth" => first[0], "firstheight" => first[1]))]
     Size {
         /// Its width and height.
         found: [usize; 2],

@@ -4,7 +4,7 @@ use std::fmt::Write as _;
 
 use super::plan::trimmed;
 use crate::codes::{Input, RotationCondition, Source};
-use crate::language::{Text, said};
+use crate::language::{Text, said, six};
 use crate::scene::{Bearings, ContactSettings, Girder, Kind, Limits, Setting};
 use crate::sim::{History, readings};
 use crate::study::plot::draw::escape;
@@ -70,7 +70,7 @@ pub(super) fn headline(report: &Report) -> String {
         let _ = writeln!(html, "<p class=\"no\">{}</p>", escape(&words));
     }
     if let Some(stop) = &report.gave_up {
-        let (t, place, reason) = (stop.t.to_string(), stop.place.as_str(), stop.reason.as_str());
+        let (t, place, reason) = (six(stop.t), stop.place.as_str(), stop.reason.to_string());
         let words = said!("report-gave-up", "t" => t, "place" => place, "reason" => reason);
         let _ = writeln!(html, "<p class=\"no\">{}</p>", escape(&words));
     }
@@ -78,7 +78,7 @@ pub(super) fn headline(report: &Report) -> String {
         Kind::Planar => Text::new("report-planar"),
         Kind::Spatial => Text::new("report-spatial"),
     };
-    let (end, duration) = (report.end.to_string(), report.duration.to_string());
+    let (end, duration) = (six(report.end), six(report.duration));
     let computed = said!("report-computed-of", "end" => end, "duration" => duration);
     html + &facts([
         fact(Text::new("report-model"), format!("{}, {dimensions}", report.model)),
@@ -191,7 +191,7 @@ pub(super) fn assumptions(history: &History, report: &Report) -> String {
     for DemandReport { demand, .. } in report.seats.iter().flat_map(|seat| &seat.codes) {
         let assumed = demand.inputs.iter().filter(|input| input.source == Source::Assumed);
         let values: Vec<String> = assumed.map(input_words).collect();
-        let words = format!("{}: {} {mark}", escape(demand.rule), values.join(", "));
+        let words = format!("{}: {} {mark}", escape(&demand.rule), values.join(", "));
         if !values.is_empty() && !inputs.contains(&words) {
             inputs.push(words);
         }
@@ -333,12 +333,12 @@ fn demand_row(DemandReport { demand, met, ratio }: &DemandReport) -> String {
     format!(
         "<tr><td>{}</td><td class=\"number\">{:.1}</td><td class=\"number\">{:.1}</td><td class=\"number\">{:.1}</td>\
          <td class=\"number\">{:.2}</td><td>{verdict}</td><td>{}{confirmed}<br><code>{}</code><br>{}; {}</td></tr>\n",
-        escape(demand.rule),
+        escape(&demand.rule),
         1e3 * demand.required,
         1e3 * demand.provided,
         1e3 * demand.used,
         ratio,
-        escape(demand.edition),
+        escape(&demand.edition),
         escape(demand.formula),
         inputs.join(", "),
         escape(&demand.note)

@@ -7,7 +7,7 @@ use std::borrow::Cow;
 use serde::{Deserialize, Serialize};
 
 use super::keys::{Fallback, Range, table, words};
-use crate::language::{Message, Text, message};
+use crate::language::{Message, Text, message, said, six};
 use crate::motion::format::STANDARD_GRAVITY;
 use crate::motion::process;
 
@@ -110,19 +110,19 @@ impl Processing {
     /// What it does, a step each, in the order done.
     pub fn in_words(&self) -> Vec<String> {
         let cut = (self.from.is_some() || self.until.is_some()).then(|| {
-            let end = |t: Option<f64>, otherwise: &str| t.map_or_else(|| otherwise.to_owned(), |t| format!("{t} s"));
-            format!("cut from {} to {}", end(self.from, "its start"), end(self.until, "its end"))
+            let end = |t: Option<f64>, otherwise: Text| t.map_or_else(|| otherwise.into(), |t| format!("{t} s"));
+            let [from, until] = [Text::new("processed-start"), Text::new("processed-end")];
+            said!("processed-cut", "from" => end(self.from, from), "to" => end(self.until, until))
         });
         let baseline =
-            (self.baseline != Baseline::None).then(|| format!("baseline: {} removed", self.baseline.label()));
-        let number = |given: bool, words: &str, value: f64| given.then(|| format!("{words} {value}"));
+            (self.baseline != Baseline::None).then(|| said!("processed-baseline", "kind" => self.baseline.label()));
         let steps = [
             cut,
             baseline,
-            number(self.taper > 0.0, "tapered over s:", self.taper),
-            number(self.pad > 0.0, "padded by s:", self.pad),
-            number(self.time_scale != 1.0, "time scaled by", self.time_scale),
-            self.peak_g.map(|peak| format!("scaled to a peak of {peak} g")),
+            (self.taper > 0.0).then(|| said!("processed-taper", "seconds" => six(self.taper))),
+            (self.pad > 0.0).then(|| said!("processed-pad", "seconds" => six(self.pad))),
+            (self.time_scale != 1.0).then(|| said!("processed-time", "factor" => six(self.time_scale))),
+            self.peak_g.map(|peak| said!("processed-peak", "peak" => six(peak))),
         ];
         steps.into_iter().flatten().collect()
     }

@@ -2,6 +2,7 @@
 //! (`docs/stability.md`).
 
 use super::History;
+use crate::language::said;
 
 /// Residual per tolerance. A step errs by the tolerance, relative to the motion in hand, its energy by twice that; errors of many
 /// steps add up. Tuned: ten thousand seeds stay below.
@@ -31,11 +32,8 @@ impl Balance {
 
 impl std::fmt::Display for Balance {
     fn fmt(&self, f: &mut std::fmt::Formatter<'_>) -> std::fmt::Result {
-        let Self { residual, bound } = self;
-        write!(
-            f,
-            "the ledger's residual is {residual:.1e} of the largest energy, more than the {bound:.1e} of a sound answer"
-        )
+        let [residual, bound] = [self.residual, self.bound].map(|share| format!("{share:.1e}"));
+        f.write_str(&said!("ledger-unsound", "residual" => residual, "bound" => bound))
     }
 }
 

@@ -10,6 +10,7 @@ use crate::dynamics::model::elastic_body::ElasticBody;
 use crate::dynamics::model::flexible::Flexible;
 use crate::dynamics::model::pair::Pair;
 use crate::dynamics::model::wrench::Wrench;
+use crate::language::Text;
 
 /// Stations, in parts of half the length, at which stress is looked for.
 const STATIONS: [f64; 9] = [-1.0, -0.75, -0.5, -0.25, 0.0, 0.25, 0.5, 0.75, 1.0];
@@ -37,12 +38,12 @@ pub struct Neglected {
 
 impl Neglected {
     /// Each with its name.
-    pub fn named(&self) -> [(&'static str, f64); 4] {
+    pub fn named(&self) -> [(Text, f64); 4] {
         [
-            ("centrifugal force", self.centrifugal),
-            ("Coriolis force", self.coriolis),
-            ("change of inertia", self.inertia),
-            ("softening by thrust", self.thrust),
+            (Text::new("neglected-centrifugal"), self.centrifugal),
+            (Text::new("neglected-coriolis"), self.coriolis),
+            (Text::new("neglected-inertia"), self.inertia),
+            (Text::new("neglected-thrust"), self.thrust),
         ]
     }
 }

@@ -22,6 +22,7 @@ use crate::dynamics::trajectory::heading::StepHeading;
 use crate::dynamics::trajectory::step_polynomial::StepPolynomial;
 use crate::dynamics::trajectory::stored_path::{StoredMotion, StoredPath};
 use crate::geometry::End;
+use crate::language::Text;
 use crate::scene::{Between, Scene};
 
 /// Instants at which two runs are compared.
@@ -176,9 +177,8 @@ impl History {
         let Some(met) = self.overlaps().first() else { return self };
         let (t, [one, other]) = (met.first(), met.bodies.map(|body| body.name(&self.scene)));
         let place = format!("{one}, {other}");
-        let reason = "they meet where the impact model has no contact: it knows facing ends and declared pairs; choose `kind = \
-                      \"contact\"` in [model], declare the pair, or let bodies pass with `between = \"ends\"` in [contact]";
-        self.stop = Some(Stop { cause: Cause::NoContact, t, place, reason: reason.to_owned() });
+        let reason = Text::new("stop-no-contact").into();
+        self.stop = Some(Stop { cause: Cause::NoContact, t, place, reason });
         self.end = t;
         self.record = self.record.map(|record| Record::together(vec![record], t));
         (self.touches, self.books, self.overlaps) = (OnceLock::new(), OnceLock::new(), OnceLock::new());

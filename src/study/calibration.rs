@@ -11,6 +11,7 @@ use super::plot::COLORS;
 use super::plot::chart::{Chart, Curve, Panel};
 use crate::identify::least_squares::{self, Model, dot};
 use crate::identify::noise::{Noise, student_95};
+use crate::language::{said, six};
 use crate::scene::validate::validate;
 use crate::scene::{Scene, overrides};
 use crate::sim::History;
@@ -93,10 +94,10 @@ impl Calibration {
 #[derive(Clone, Debug, PartialEq, Eq, thiserror::Error)]
 pub enum NotCalibrated {
     /// The scene cannot be run with the starts.
-    #[error("the scene does not run with {0}: {1}")]
+    #[error("{}", said!("fit-start", "values" => .0.as_str(), "why" => .1.as_str()))]
     Start(String, String),
     /// The keys change nothing that was measured, or alike.
-    #[error("{0} do not show in what was measured, or not apart: leave one out, or measure more (y shows friction)")]
+    #[error("{}", said!("fit-undetermined", "keys" => .0.as_str()))]
     Undetermined(String),
 }
 
@@ -123,10 +124,8 @@ impl Runs<'_> {
         let history = History::of(&scene).map_err(|errors| errors.to_string())?;
         let (last, end) = (self.measured.times.last().copied().unwrap_or_default(), history.end());
         match history.stop() {
-            Some(stop) => Err(format!("the run ends at {} s, {}: start from other values", stop.t, stop.reason)),
-            None if last > end => Err(format!(
-                "the run ends at {end} s, and what was measured at {last} s: --set duration_s={last}, or --to {end}"
-            )),
+            Some(stop) => Err(said!("fit-ended", "t" => six(stop.t), "reason" => stop.reason.to_string())),
+            None if last > end => Err(said!("fit-too-short", "end" => six(end), "last" => six(last))),
             None => Ok(history),
         }
     }

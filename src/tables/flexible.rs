@@ -3,6 +3,7 @@
 use serde::Serialize;
 
 use crate::dynamics::model::elastic_body::ElasticBody;
+use crate::language::Text;
 use crate::sim::{ElasticHit, FlexibleReading, History, NEGLIGIBLE, Neglected};
 
 /// An elastic girder in short, SI.
@@ -55,7 +56,7 @@ pub struct FlexibleRun {
     /// Relative bounds of what the model leaves out.
     pub neglected: Neglected,
     /// Which of them are above 1e-2.
-    pub not_negligible: Vec<&'static str>,
+    pub not_negligible: Vec<Text>,
 }
 
 /// Of all girders that the scene calls elastic.

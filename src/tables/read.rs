@@ -1,5 +1,6 @@
 //! Reads `trajectory.csv` and `events.csv` back, to compare runs that were written to disk.
 
+use crate::language::{Message, Text, message, said};
 use crate::scene::shown::shown;
 
 /// A place or a value as a complaint shows it.
@@ -31,14 +32,14 @@ pub struct EventRow {
 
 /// What is wrong with a table, and where.
 #[derive(Clone, Debug, PartialEq, Eq, thiserror::Error)]
-#[error("{}: {}: {remedy}", cut(place), cut(value))]
+#[error("{}", said!("table-error", "place" => cut(&place.to_string()), "value" => cut(&value.to_string()), "remedy" => *remedy))]
 pub struct TableError {
     /// `line 3, column deck.x`.
-    pub place: String,
+    pub place: Message,
     /// What stands there.
-    pub value: String,
+    pub value: Message,
     /// What would be right.
-    pub remedy: &'static str,
+    pub remedy: Text,
 }
 
 /// Reads the bytes of a `trajectory.csv`; columns of states, `NAME.state`, are words and are passed over.
@@ -49,8 +50,8 @@ pub fn trajectory(bytes: &[u8]) -> Result<Trajectory, TableError> {
     let mut reader = csv::Reader::from_reader(bytes);
     let names: Vec<String> = reader.headers().map_err(not_csv)?.iter().map(str::to_owned).collect();
     if names.first().is_none_or(|name| name != "t") {
-        let value = format!("the columns {}", names.join(", "));
-        return Err(TableError { place: "line 1".into(), value, remedy: "the first column is called t" });
+        let value = message!("columns-these", "names" => cut(&names.join(", ")));
+        return Err(TableError { place: line(1), value, remedy: Text::new("table-first") });
     }
     let mut values = vec![Vec::new(); names.len()];
     for record in reader.records() {
@@ -80,8 +81,8 @@ pub fn events(bytes: &[u8]) -> Result<Vec<EventRow>, TableError> {
     let names = reader.headers().map_err(not_csv)?.clone();
     let find = |name: &str| names.iter().position(|have| have == name);
     let need = |name: &'static str| {
-        let remedy = "the columns t, pair and kind are there";
-        find(name).ok_or_else(|| TableError { place: "line 1".into(), value: format!("no column {name}"), remedy })
+        let remedy = Text::new("table-needed");
+        find(name).ok_or_else(|| TableError { place: line(1), value: message!("columns-none", "name" => name), remedy })
     };
     let (t, pair, kind) = (need("t")?, need("pair")?, need("kind")?);
     let contact = [Some(pair), find("node"), find("face")];
@@ -97,20 +98,27 @@ pub fn events(bytes: &[u8]) -> Result<Vec<EventRow>, TableError> {
 
 fn number(field: &str, column: &str, record: &csv::StringRecord) -> Result<f64, TableError> {
     field.trim().parse::<f64>().ok().filter(|value| value.is_finite()).ok_or_else(|| TableError {
-        place: format!("line {}, column {column}", record.position().map_or(0, csv::Position::line)),
-        value: format!("{field:?}"),
-        remedy: "a finite number stands there",
+        place: message!(
+            "table-line-column",
+            "line" => record.position().map_or(0, csv::Position::line),
+            "column" => column
+        ),
+        value: format!("{field:?}").into(),
+        remedy: Text::new("table-number"),
     })
 }
 
 #[expect(clippy::needless_pass_by_value, reason = "for map_err")]
 fn not_csv(error: csv::Error) -> TableError {
-    let line = error.position().map_or(0, csv::Position::line);
     TableError {
-        place: format!("line {line}"),
-        value: error.to_string(),
-        remedy: "every line of the table has the same number of fields, as UTF-8 text",
+        place: line(error.position().map_or(0, csv::Position::line)),
+        value: error.to_string().into(),
+        remedy: Text::new("table-fields"),
     }
+}
+
+fn line(number: u64) -> Message {
+    message!("table-line", "line" => number)
 }
 
 #[cfg(test)]
@@ -120,7 +128,7 @@ mod tests {
     #[test]
     fn a_word_for_a_number_is_refused_by_line_and_column() {
         let error = trajectory(b"t,deck.x\n0,0\n0.1,abc\n").expect_err("abc is no number");
-        assert_eq!(error.place, "line 3, column deck.x", "where it stands");
+        assert_eq!(error.place.to_string(), "line 3, column deck.x", "where it stands");
         assert!(error.to_string().contains("abc"), "what stands there: {error}");
     }
 

@@ -67,3 +67,42 @@ fn a_scene_that_is_wrong_in_many_ways_is_complained_about_in_japanese() {
         assert!(!line.contains(['\u{2068}', '\u{2069}']), "no marks around values: {line}");
     }
 }
+
+#[test]
+fn what_the_other_commands_print_is_in_the_language_that_is_asked_for() {
+    let folder = tempfile::tempdir().expect("a folder");
+    let path = |name: &str| folder.path().join(name).to_str().expect("UTF-8").to_owned();
+    let decay: Vec<String> = (0..200)
+        .map(|n| 0.01 * f64::from(n))
+        .map(|t| format!("{t},{}\n", (-0.8 * t).exp() * (15.0 * t).cos() + 1e-3 * (97.0 * t).sin()))
+        .collect();
+    let decay = decay.concat();
+    std::fs::write(path("decay.csv"), format!("t_s,x_mm\n{decay}")).expect("written");
+    std::fs::write(path("wrong.csv"), "t_s,x_mm\n0,1\n1,x\n").expect("written");
+    let (decay, wrong, laws) = (path("decay.csv"), path("wrong.csv"), path("laws"));
+    let angle = ["--set", "motion.angle_deg=10"];
+    for (args, words) in [
+        (vec!["compare", "skew45-abutment", "straight-abutment"], ["両方にある時刻", "イベント：A に", "で分かれる"]),
+        (vec!["identify", &decay], ["固有振動数 f", "静止：自由減衰", "目盛の零点"]),
+        (vec!["identify", &wrong], ["3 行が `x`", "2 列目は有限の数", ""]),
+        (vec!["study", "laws", "--out", &laws], ["に書いた", "ファイル", ""]),
+        (vec!["study", "accuracy", "nothing", "--out", &laws], ["のどれでもない", "この中から与える", ""]),
+        (vec!["run", "deck-30m", "--until", "0.1"], ["道示 V、S_E ", "道示 V、S_Eθ", "必要"]),
+        (
+            vec!["run", "viaduct-5", "--set", "model.kind=impact"],
+            ["衝撃モデルは装置、橋脚、降伏する支承", "扱わない", "中断"],
+        ),
+        (
+            vec!["sweep", "skew45-abutment", "--vary", "motion.angle_deg=0,45", "--measure", "foo", "--out", &laws],
+            ["その名前の量はない", "max_rotation", ""],
+        ),
+        ([&["check", "skew45-abutment"], &angle[..]].concat(), ["入力角 10°", "正弦波", ""]),
+    ] {
+        let said = call(&[&args[..], &["--lang", "ja"]].concat());
+        let all = format!("{}{}", said.out, said.err);
+        assert!(words.iter().all(|words| all.contains(words)), "{args:?}: {all}");
+        for english in ["instants", "displacements in", " rows", "written", "give ", "lower its", "measures:"] {
+            assert!(!all.contains(english), "{args:?}: {english}: {all}");
+        }
+    }
+}

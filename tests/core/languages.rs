@@ -8,6 +8,9 @@ use std::fs;
 use std::path::Path;
 
 use girderbench::language::{Language, Text};
+use girderbench::motion::format::{self, Supplement};
+use girderbench::scene::{overrides, presets};
+use girderbench::sim::History;
 
 /// The tables that every language has: of the window, of complaints, of the command line.
 const TABLES: [&str; 3] = ["", ".complaints", ".command"];
@@ -108,5 +111,44 @@ fn texts_without_values_are_read_in_every_language() {
                 "{key}"
             );
         }
+    }
+}
+
+/// Whether a sentence of English stands in it: three of its commonest words are enough to know one by.
+fn has_english(text: &str) -> bool {
+    let words = |word: &str| text.split(|c: char| !c.is_ascii_alphabetic()).any(|own| own == word);
+    ["the", "must", "give", "is", "found", "line", "of", "a", "too"].into_iter().any(words)
+}
+
+#[test]
+fn why_a_run_ends_is_told_in_the_language_of_its_reader_and_in_english_in_files() {
+    let scene = presets::load("viaduct-5").expect("a preset");
+    let scene = overrides::apply(&scene, "model.kind=impact").expect("a scene");
+    let history = History::of(&scene).expect("it runs");
+    let stop = history.stop().expect("it gives up");
+    assert!(stop.reason.to_string().contains("the impact model knows no devices, no piers"), "{stop:?}");
+    Language::Japanese.within(|| {
+        let said = stop.reason.to_string();
+        assert!(said.contains("衝撃モデルは装置、橋脚") && !has_english(&said), "{said}");
+        let file = serde_json::to_string(stop).expect("written");
+        assert!(file.contains("the impact model knows no devices, no piers"), "{file}");
+    });
+}
+
+#[test]
+fn what_is_wrong_with_a_record_is_told_in_the_language_of_its_reader() {
+    let at2 = "PEER\nA QUAKE, 270\nACCELERATION IN UNITS OF G\nNPTS= 4, DT= .01 SEC\n";
+    for (name, text, japanese) in [
+        ("a.csv", "0,1\n0.1,x\n".to_owned(), "加速度は m/s² の有限の数"),
+        ("a.csv", "0,1\n0.1,2\n0.5,3\n".to_owned(), "データは等間隔とする"),
+        ("a.dat", "1\n2\n".to_owned(), "時間刻みを与える"),
+        ("a.at2", format!("{at2}0.1 0.2 0.3\n"), "見出しではデータ 4 個"),
+        ("a.at2", "PEER\n".to_owned(), "ファイルが途切れている"),
+        ("a.xyz", "no record\n".to_owned(), "読める形式の記録を与える"),
+    ] {
+        let wrong = format::read(text.as_bytes(), Path::new(name), &Supplement::default()).expect_err("no record");
+        assert!(wrong.to_string().starts_with("line ") && has_english(&wrong.to_string()), "English: {wrong}");
+        let said = Language::Japanese.within(|| wrong.to_string());
+        assert!(said.contains(japanese) && !has_english(&said), "{name}: {said}");
     }
 }

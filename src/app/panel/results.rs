@@ -150,7 +150,11 @@ fn show_seats(ui: &mut Ui, answer: &Answer, girder: usize, t: f64) {
         ui.add_space(4.0);
         ui.label(RichText::new(text::seat_at(end)).strong());
         seat_orbit::show(ui, &answer.history, (girder, &demands.seat), &seat.orbit, t);
-        table(ui, text::seat_at(end), demands.demands.iter().map(|demand| (demand.rule, text::demand(demand))));
+        table(
+            ui,
+            text::seat_at(end),
+            demands.demands.iter().map(|demand| (demand.rule.as_str(), text::demand(demand))),
+        );
     }
 }
 

@@ -1,6 +1,6 @@
 //! How numbers are written, with words around them.
 
-use crate::language::{Text, values};
+use crate::language::{Message, Text, values};
 
 /// A number with three significant digits and no needless zeros.
 pub(in crate::app) fn short(value: f64) -> String {
@@ -64,7 +64,7 @@ pub(in crate::app) fn record(samples: usize, dt: f64, peak: f64) -> String {
 }
 
 /// What was read of a record: format, name of the channel, unit, what was done to the numbers.
-pub(in crate::app) fn record_read(format: &str, name: &str, unit: &str, done: &[String]) -> String {
+pub(in crate::app) fn record_read(format: &str, name: &str, unit: &str, done: &[Message]) -> String {
     let name = if name.is_empty() { String::new() } else { format!(", {name}") };
     let done: Vec<String> = done.iter().map(|step| format!("; {step}")).collect();
     Text::new("record-read").with(&values!["format" => format, "name" => name, "unit" => unit, "done" => done.concat()])

@@ -8,6 +8,7 @@ use std::path::{Path, PathBuf};
 use serde_json::json;
 
 use super::args::{at_least_one, finite, positive, record_unit};
+use super::columns::left;
 use super::console::Console;
 use super::digits::six;
 use super::failure::Failure;
@@ -19,7 +20,7 @@ use crate::identify::columns::LENGTHS;
 use crate::identify::{
     Columns, Estimate, Given, History, Identified, Measured, Quantity, SteadyResponse, from_history, from_response,
 };
-use crate::language::{Text, said};
+use crate::language::{Language, Message, Text, message, said};
 use crate::motion::Ground;
 use crate::motion::format::{STANDARD_GRAVITY, Unit};
 use crate::motion::oscillator::Shaking;
@@ -127,7 +128,7 @@ pub(super) fn run(args: &IdentifyArgs, console: &mut Console) -> Result<(), Fail
         from_history(&History { times: &measured.at, x: &measured.x, shaking: &shaking, scaled }, given)
     };
     let found = found.map_err(|error| in_file(&error))?;
-    let ground = if args.response { "sines of constant acceleration".to_owned() } else { ground };
+    let ground = if args.response { Text::new("identify-sines").into() } else { ground };
     console.print(&text(args, &measured, &found, &ground));
     args.ground.warn_of_hits(&measured.at, console)?;
     let Some(out) = &args.out else { return Ok(()) };
@@ -158,42 +159,43 @@ impl GroundArgs {
         let history = Run::of(&scene)?;
         let first = times.first().copied().unwrap_or_default();
         if let Some(touch) = history.touches().iter().find(|touch| touch.end >= first) {
-            console.note(&format!(
-                "warning: {}: in this scene's own run {} touches from {:.4} s on, and an oscillator does not: use the rows before \
-                 (--to), or find the scene's values with --fit",
-                path.display(),
-                escaped(&history.model().pairs[touch.pair].name),
-                touch.start
+            console.note(&said!(
+                "identify-touches",
+                "scene" => path.display().to_string(),
+                "pair" => escaped(&history.model().pairs[touch.pair].name),
+                "t" => format!("{:.4}", touch.start)
             ));
         }
         Ok(())
     }
 
     /// The ground motion along the displacements, and what it is in words.
-    fn shaking(&self, console: &mut Console) -> Result<(Shaking, String), Failure> {
+    fn shaking(&self, console: &mut Console) -> Result<(Shaking, Message), Failure> {
         if let Some(path) = &self.record {
             let record = read_record(path, &Supplement { dt: self.dt, unit: self.record_unit })?;
             let channel = record.channel(self.channel);
             let wrong = |remedy| Failure::Input(format!("{}: --channel: {remedy}", path.display()));
             let channel = channel.map_err(wrong)?;
             let shaking = Shaking::Samples { dt: channel.dt, values: channel.samples.clone() };
-            return Ok((shaking, format!("{}, {}", escaped(&path.display().to_string()), record.format)));
+            return Ok((shaking, format!("{}, {}", escaped(&path.display().to_string()), record.format).into()));
         }
         let Some(path) = &self.scene else {
             if self.scaled {
                 return Err(Failure::Input(Text::new("wrong-scaled").into()));
             }
-            return Ok((Shaking::Still, "at rest: a free decay".to_owned()));
+            return Ok((Shaking::Still, Text::new("identify-still").into()));
         };
         let scene = files::load_scene(path, &self.sets)?;
         let model = Model::compile(&scene)?;
         let angle = self.along.unwrap_or(0.0);
         let shaking = Shaking::along(&model.ground, Ground::direction(angle));
         if shaking.peak() == 0.0 {
-            console.note(&format!("{}: its ground does not move along {angle}°", path.display()));
+            let scene = path.display().to_string();
+            console.note(&said!("identify-no-shaking", "scene" => scene, "angle" => six(angle)));
         }
         let peak = six(shaking.peak() / STANDARD_GRAVITY);
-        Ok((shaking, format!("of {}, {peak} g along {}°", escaped(&path.display().to_string()), six(angle))))
+        let scene = escaped(&path.display().to_string()).into_owned();
+        Ok((shaking, message!("identify-shaken", "scene" => scene, "peak" => peak, "angle" => six(angle))))
     }
 }
 
@@ -216,34 +218,44 @@ fn with_interval(estimate: &Estimate) -> String {
 }
 
 /// What was found, a line each.
-fn text(args: &IdentifyArgs, measured: &Measured, found: &Identified, ground: &str) -> String {
+fn text(args: &IdentifyArgs, measured: &Measured, found: &Identified, ground: &Message) -> String {
     let [first, last] = [measured.at.first(), measured.at.last()].map(|at| six(at.copied().unwrap_or_default()));
     let unit = if args.response { "Hz" } else { "s" };
-    let name = if measured.name.is_empty() { String::new() } else { format!(" of {}", escaped(&measured.name)) };
+    let name = Some(&measured.name).filter(|name| !name.is_empty());
+    let name = name.map_or_else(String::new, |name| said!("identify-of", "name" => escaped(name)));
     let in_file = LENGTHS.iter().find(|(_, length)| *length == measured.unit).map_or("m", |(word, _)| word);
-    let mut said = format!(
-        "{}: {} rows{name}, {first} to {last} {unit}, displacements in {in_file}\n",
-        escaped(&args.file.display().to_string()),
-        measured.x.len()
-    );
+    let file = args.file.display().to_string();
+    let mut text = said!(
+        "identify-rows",
+        "file" => escaped(&file),
+        "count" => measured.x.len(),
+        "name" => name,
+        "from" => first,
+        "to" => last,
+        "unit" => unit,
+        "in" => in_file
+    ) + "\n";
     let mut line = |label: &str, value: &str| {
-        let _ = writeln!(said, "  {label:<26} {value}");
+        let _ = writeln!(text, "  {} {value}", left(label, 26));
     };
-    line("ground", ground);
-    line("resonance", &format!("{:.4} Hz, where the search began", found.resonance));
-    let given = if found.frequency.half_width == 0.0 && args.frequency.is_some() { ", as given" } else { "" };
-    line(found.frequency.name, &format!("{}{given}", with_interval(&found.frequency)));
+    line(&Text::new("identify-ground"), &ground.to_string());
+    let resonance = format!("{:.4}", found.resonance);
+    line(&Text::new("identify-resonance"), &said!("identify-resonance-of", "frequency" => resonance));
+    let is_given = found.frequency.half_width == 0.0 && args.frequency.is_some();
+    let given = if is_given { Text::new("identify-as-given").as_str() } else { "" };
+    line(&found.frequency.name, &format!("{}{given}", with_interval(&found.frequency)));
     for estimate in std::iter::once(&found.damping).chain(&found.others) {
-        line(estimate.name, &with_interval(estimate));
+        line(&estimate.name, &with_interval(estimate));
     }
     let rms = six(1e3 * (found.residuals.iter().map(|r| r * r).sum::<f64>() / found.residuals.len() as f64).sqrt());
-    line("residual", &format!("{rms} mm RMS, {:.2} % of the motion", 100.0 * found.unexplained));
+    let share = format!("{:.2}", 100.0 * found.unexplained);
+    line(&Text::new("identify-residual"), &said!("identify-residual-of", "rms" => rms, "share" => share));
     line("", &noise_words(found));
-    line("", "± is half of the interval that holds the true value 95 times in 100, of an oscillator");
+    line("", &Text::new("identify-interval"));
     if found.unexplained > POOR {
-        line("", "it moves otherwise than an oscillator: the intervals have no sense (hits, slip, other ground?)");
+        line("", &Text::new("identify-poor"));
     }
-    said
+    text
 }
 
 /// Share of the motion left over above which no oscillator explains it: more than any camera or laser adds to what it measures.
@@ -251,12 +263,10 @@ const POOR: f64 = 0.3;
 
 fn noise_words(found: &Identified) -> String {
     match found.noise.order {
-        0 => "independent from row to row".to_owned(),
+        0 => Text::new("identify-independent").into(),
         order => {
             let next = found.noise.correlations.get(1).copied().unwrap_or_default();
-            format!(
-                "correlated from row to row by {next:.2} (autoregression of order {order}), which the intervals account for"
-            )
+            said!("identify-correlated", "next" => format!("{next:.2}"), "order" => order)
         }
     }
 }
@@ -266,7 +276,7 @@ fn written(
     args: &IdentifyArgs,
     measured: &Measured,
     found: &Identified,
-    (first, ground): (Quantity, &str),
+    (first, ground): (Quantity, &Message),
 ) -> Result<Vec<(String, Vec<u8>)>, Failure> {
     let stem = args.file.file_stem().unwrap_or(args.file.as_os_str()).to_string_lossy().into_owned();
     let title = format!("{stem}: f = {}, h = {}", with_interval(&found.frequency), with_interval(&found.damping));
@@ -280,11 +290,17 @@ fn written(
     Ok(files)
 }
 
+/// A text of a file that other programs read.
+fn in_english(text: Text) -> &'static str {
+    Language::English.within(|| text.as_str())
+}
+
 /// All of it as JSON, in SI.
-fn report(file: &Path, measured: &Measured, found: &Identified, ground: &str) -> serde_json::Value {
+fn report(file: &Path, measured: &Measured, found: &Identified, ground: &Message) -> serde_json::Value {
     let estimate = |e: &Estimate| json!({ "value": e.value, "half_width_95": e.half_width, "unit": e.unit });
     let others: serde_json::Map<String, serde_json::Value> =
-        found.others.iter().map(|e| (e.name.replace(' ', "_"), estimate(e))).collect();
+        found.others.iter().map(|e| (in_english(e.name).replace(' ', "_"), estimate(e))).collect();
+
     json!({
         "file": file.to_string_lossy(),
         "rows": measured.x.len(),

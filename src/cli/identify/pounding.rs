@@ -1,17 +1,18 @@
 //! `girderbench identify --fit`: values of a scene's keys from the measured history of a girder that pounds.
 
-use std::fmt::Write as _;
 use std::path::{Path, PathBuf};
 
 use serde_json::json;
 
+use crate::cli::columns::left;
 use crate::cli::console::Console;
+use crate::cli::digits::six;
 use crate::cli::failure::Failure;
 use crate::cli::output::write_files;
 use crate::cli::plot_files::plot_files;
 use crate::files;
 use crate::identify::{Columns, Measured, Quantity};
-use crate::language::said;
+use crate::language::{Text, said};
 use crate::motion::format::RecordError;
 use crate::scene::Scene;
 use crate::scene::shown::escaped;
@@ -31,10 +32,10 @@ pub(super) struct PoundingArgs {
 }
 
 fn key(text: &str) -> Result<(String, f64), String> {
-    let (key, start) = text.split_once('=').ok_or("give KEY=START")?;
-    let start: f64 = start.parse().map_err(|_| "START must be a number")?;
+    let (key, start) = text.split_once('=').ok_or_else(|| Text::new("fit-key"))?;
+    let start: f64 = start.parse().map_err(|_| Text::new("fit-number"))?;
     let sound = start.is_finite() && start != 0.0 && !key.trim().is_empty();
-    sound.then(|| (key.trim().to_owned(), start)).ok_or_else(|| "START must be a number other than 0".to_owned())
+    sound.then(|| (key.trim().to_owned(), start)).ok_or_else(|| Text::new("fit-not-zero").into())
 }
 
 /// What is measured, by which scene.
@@ -99,14 +100,19 @@ fn measured(request: &Request<'_>, scene: &Scene, girder: usize) -> Result<calib
     let mut along = vec![(0, x)];
     match read("y") {
         Ok(y) => along.push((1, cut(&y).1)),
-        Err(error) if error.value.starts_with("no column") => {}
+        Err(error) if error.value.is(Text::new("columns-none")) => {}
         Err(error) => return Err(in_file(error)),
     }
     let last = times.last().copied().unwrap_or_default();
     if times.len() < LEAST_ROWS || times[0] < 0.0 || last > scene.duration {
-        let what = format!("give {LEAST_ROWS} rows or more within the {} s of the run", scene.duration);
-        let have = times.len();
-        return Err(Failure::Input(format!("{}: {have} rows up to {last} s: {what}", request.file.display())));
+        return Err(Failure::Input(said!(
+            "fit-outside",
+            "file" => request.file.display().to_string(),
+            "have" => times.len(),
+            "last" => six(last),
+            "least" => LEAST_ROWS,
+            "end" => six(scene.duration)
+        )));
     }
     Ok(calibration::Measured { girder, times, along })
 }
@@ -123,22 +129,23 @@ fn with_interval(Fitted { value, half_width, .. }: &Fitted) -> String {
 
 fn text(request: &Request<'_>, scene: &Scene, measured: &calibration::Measured, found: &Calibration) -> String {
     let name = &scene.girders[measured.girder].name;
-    let both = if measured.along.len() > 1 { "x and y" } else { "x" };
+    let axes = if measured.along.len() > 1 { Text::new("fit-both").as_str() } else { "x" };
     let file = escaped(&request.file.display().to_string()).into_owned();
     let (rows, model) = (measured.times.len(), scene.model.kind.label());
-    let mut said = format!("{file}: {rows} rows of {both} of {}\n", escaped(name))
-        + &format!("  {:<34} {}, model \"{model}\"\n", "runs of", scene.name);
+    let line = |label: &str, value: &str| format!("  {} {value}\n", left(label, 34));
+    let head = said!("fit-rows", "file" => file, "rows" => rows, "axes" => axes, "girder" => escaped(name));
+    let model = said!("fit-model", "scene" => scene.name.as_str(), "model" => model);
+    let mut text = format!("{head}\n{}", line(&Text::new("fit-runs"), &model));
     for fitted in &found.keys {
-        let _ = writeln!(said, "  {:<34} {}", fitted.key, with_interval(fitted));
+        text += &line(&fitted.key, &with_interval(fitted));
     }
-    let share = 100.0 * found.unexplained;
-    let correlated = match found.order {
-        0 => "independent from row to row".to_owned(),
-        order => format!("correlated from row to row (autoregression of order {order})"),
+    let [rms, share] = [format!("{:.4}", 1e3 * found.rms), format!("{:.2}", 100.0 * found.unexplained)];
+    let noise = match found.order {
+        0 => Text::new("identify-independent").into(),
+        order => said!("fit-correlated", "order" => order),
     };
-    let _ =
-        writeln!(said, "  {:<34} {:.4} mm RMS, {share:.2} % of the motion, {correlated}", "residual", 1e3 * found.rms);
-    said
+    let residual = said!("fit-residual", "rms" => rms, "share" => share, "noise" => noise);
+    text + &line(&Text::new("identify-residual"), &residual)
 }
 
 fn written(

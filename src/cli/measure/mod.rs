@@ -10,11 +10,13 @@ use serde_json::json;
 
 use super::args::positive;
 use super::console::Console;
+use super::digits::six;
 use super::failure::Failure;
 use super::output::write_files;
 use super::plot_files::plot_files;
 use super::progress::Progress;
 use crate::files;
+use crate::language::{Text, said};
 use crate::measure::{Calibration, Finder, Grey, LAYOUT, Layout, MOST_MARKS, Poses, Tracker};
 use crate::scene::shown::escaped;
 use crate::study::measured::{Difference, Differences, Film, Measured, differences};
@@ -50,7 +52,7 @@ pub(super) struct MeasureArgs {
 }
 
 fn brightness(text: &str) -> Result<f32, String> {
-    text.parse().ok().filter(|b| (0.0..255.0).contains(b)).ok_or_else(|| "give a number from 0 to below 255".into())
+    text.parse().ok().filter(|b| (0.0..255.0).contains(b)).ok_or_else(|| Text::new("wrong-brightness").into())
 }
 
 /// Does it.
@@ -94,16 +96,16 @@ impl MeasureArgs {
             _ => None,
         };
         let Some(path) = self.layout.clone().or(beside) else { return Ok(None) };
-        let wrong = |what: &str| Failure::Input(format!("{}: {what}", path.display()));
-        let text = String::from_utf8(files::read_input(&path)?).map_err(|_| wrong("no text: write it as UTF-8"))?;
+        let wrong = |what: &dyn std::fmt::Display| Failure::Input(format!("{}: {what}", path.display()));
+        let text = String::from_utf8(files::read_input(&path)?).map_err(|_| wrong(&Text::new("measure-no-text")))?;
         Layout::parse(&text).map(Some).map_err(|error| wrong(&error))
     }
 
     fn finder(&self, first: &Grey, path: &Path) -> Result<Finder, Failure> {
-        let threshold = self.threshold.or_else(|| Finder::threshold_of(first)).ok_or_else(|| {
-            let what = "nothing stands out from the background: give bright marks, or --threshold";
-            Failure::Input(format!("{}: {what}", path.display()))
-        })?;
+        let threshold = self
+            .threshold
+            .or_else(|| Finder::threshold_of(first))
+            .ok_or_else(|| Failure::Input(format!("{}: {}", path.display(), Text::new("measure-dark"))))?;
         Ok(Finder { threshold, least: self.least_pixels })
     }
 
@@ -118,7 +120,7 @@ impl MeasureArgs {
         let count = layout.mark.len();
         if count == 0 || count > MOST_MARKS {
             let least = finder.least;
-            let what = format!("{count} marks of {least} pixels or more: give another --threshold or --least-pixels");
+            let what = said!("measure-count", "count" => count, "least" => least);
             return Err(Failure::Input(format!("{}: {what}", path.display())));
         }
         layout.fps = self.fps.unwrap_or(layout.fps);
@@ -130,7 +132,8 @@ impl MeasureArgs {
 /// Follows the marks through all pictures.
 fn follow(layout: &Layout, finder: Finder, first: &Grey, paths: &[PathBuf]) -> Result<Film, Failure> {
     let in_picture = |number: usize, error: &dyn std::fmt::Display| {
-        Failure::Input(format!("{} (picture {}): {error}", paths[number].display(), number + 1))
+        let picture = said!("measure-picture", "number" => number + 1);
+        Failure::Input(format!("{} ({picture}): {error}", paths[number].display()))
     };
     let mut tracker = Tracker::start(layout, finder, first).map_err(|error| in_picture(0, &error))?;
     let calibration = Calibration::of(layout, tracker.places()).map_err(|error| in_picture(0, &error))?;
@@ -138,7 +141,7 @@ fn follow(layout: &Layout, finder: Finder, first: &Grey, paths: &[PathBuf]) -> R
     let names = layout.bodies();
     let mut bodies: Vec<Measured> =
         names.iter().map(|name| Measured { body: (*name).to_owned(), poses: Vec::new() }).collect();
-    let mut progress = Progress::over(paths.len() as f64, "pictures");
+    let mut progress = Progress::over(paths.len() as f64, Text::new("progress-pictures"));
     for (number, path) in paths.iter().enumerate() {
         if number > 0 {
             let image = pictures::read(path)?;
@@ -153,48 +156,60 @@ fn follow(layout: &Layout, finder: Finder, first: &Grey, paths: &[PathBuf]) -> R
 }
 
 fn heading(paths: &[PathBuf], first: &Grey, layout: &Layout, finder: Finder, film: &Film) -> String {
-    let shown = |path: &Path| escaped(&path.display().to_string()).into_owned();
-    let (count, marks) = (paths.len(), layout.mark.len());
-    let folder = paths[0].parent().unwrap_or(Path::new(""));
-    let [width, height] = [first.width, first.height];
-    format!(
-        "{}: {count} pictures of {width} × {height}, {} a second from {} s\n  \
-         {marks} marks brighter than {}; {:.5} mm a pixel\n",
-        shown(folder),
-        layout.fps,
-        layout.from_s,
-        finder.threshold,
-        film.mm_per_pixel
-    )
+    let folder = paths[0].parent().unwrap_or(Path::new("")).display().to_string();
+    let pictures = said!(
+        "measure-film",
+        "folder" => escaped(&folder),
+        "count" => paths.len(),
+        "width" => first.width,
+        "height" => first.height,
+        "fps" => six(layout.fps),
+        "from" => six(layout.from_s)
+    );
+    let marks = said!(
+        "measure-marks",
+        "marks" => layout.mark.len(),
+        "threshold" => finder.threshold.to_string(),
+        "scale" => format!("{:.5}", film.mm_per_pixel)
+    );
+    format!("{pictures}\n  {marks}\n")
 }
 
 /// Extremes of a body's motion.
 fn extent(Measured { body, poses }: &Measured) -> String {
     let range = |values: &mut dyn Iterator<Item = f64>| {
         let (low, high) = values.fold((f64::INFINITY, f64::NEG_INFINITY), |(a, b), v| (a.min(v), b.max(v)));
-        format!("{low:.3} to {high:.3}")
+        said!("measure-range", "low" => format!("{low:.3}"), "high" => format!("{high:.3}"))
     };
     let [x, y] = [0, 1].map(|axis| range(&mut poses.iter().map(|pose| pose.displacement[axis])));
     let turned = poses.first().is_some_and(|pose| pose.rotation.is_some());
     let rotation = range(&mut poses.iter().filter_map(|pose| pose.rotation.map(f64::to_degrees)));
-    let rotation = if turned { format!("θ {rotation}°") } else { "one mark: no θ".to_owned() };
-    format!("{}: x {x} mm, y {y} mm, {rotation}, since the first picture\n", escaped(body))
+    let rotation = if turned { format!("θ {rotation}°") } else { Text::new("measure-one-mark").into() };
+    format!("{}\n", said!("measure-extent", "body" => escaped(body), "x" => x, "y" => y, "rotation" => rotation))
 }
 
 /// How it differs from the run.
 fn against(found: &Differences, mm_per_pixel: f64) -> String {
-    let mut said = String::new();
+    let mut text = String::new();
     for (name, Difference { rms, largest, at }) in ["x", "y"].into_iter().zip(found.place) {
-        let [rms_px, largest_px] = [rms, largest].map(|mm| mm / mm_per_pixel);
-        let _ = writeln!(
-            said,
-            "  {name} against the run: RMS {rms_px:.4} pixel = {rms:.5} mm, largest {largest_px:.4} pixel = {largest:.5} mm at {at:.3} s"
+        let [rms_px, largest_px] = [rms, largest].map(|mm| format!("{:.4}", mm / mm_per_pixel));
+        let line = said!(
+            "measure-against",
+            "name" => name,
+            "rmspx" => rms_px,
+            "rms" => format!("{rms:.5}"),
+            "largestpx" => largest_px,
+            "largest" => format!("{largest:.5}"),
+            "t" => format!("{at:.3}")
         );
+        let _ = writeln!(text, "  {line}");
     }
     if let Some(Difference { rms, largest, at }) = found.rotation {
-        let _ = writeln!(said, "  θ against the run: RMS {rms:.5}°, largest {largest:.5}° at {at:.3} s");
+        let [rms, largest, t] = [format!("{rms:.5}"), format!("{largest:.5}"), format!("{at:.3}")];
+        let line = said!("measure-against-turn", "rms" => rms, "largest" => largest, "t" => t);
+        let _ = writeln!(text, "  {line}");
     }
-    said
+    text
 }
 
 type Compared = (usize, Option<Vec<[f64; 3]>>, Option<Differences>);

@@ -5,6 +5,7 @@ use std::path::{Path, PathBuf};
 
 use crate::cli::failure::Failure;
 use crate::files;
+use crate::language::{Text, said};
 use crate::measure::Grey;
 use crate::render::Image;
 
@@ -23,14 +24,13 @@ pub(super) fn listed(given: &[PathBuf], count: Option<usize>) -> Result<Vec<Path
     if let Some(count) = count {
         if all.len() < count {
             let (folder, have) = (given[0].display(), all.len());
-            let what =
-                format!("the layout states {count} pictures, {have} are there: draw them again, or put it right");
+            let what = said!("measure-too-few", "count" => count, "have" => have);
             return Err(Failure::Input(format!("{folder}: {what}")));
         }
         all.truncate(count);
     }
     if all.is_empty() {
-        return Err(Failure::Input(format!("{}: no PNG pictures: give a folder that has some", given[0].display())));
+        return Err(Failure::Input(format!("{}: {}", given[0].display(), Text::new("measure-no-pictures"))));
     }
     Ok(all)
 }
@@ -46,10 +46,7 @@ fn in_folder(folder: &Path) -> Result<Vec<PathBuf>, Failure> {
     }
     all.sort_by(|a, b| by_number(&a.to_string_lossy(), &b.to_string_lossy()));
     if let Some([before, after]) = hole(&all) {
-        let what = format!(
-            "after {before} comes {after}, and every picture is taken for the next instant: put what is missing there, or list the \
-             pictures themselves"
-        );
+        let what = said!("measure-hole", "before" => before, "after" => after);
         return Err(Failure::Input(format!("{}: {what}", folder.display())));
     }
     Ok(all)
@@ -109,10 +106,10 @@ pub(super) fn read(path: &Path) -> Result<Grey, Failure> {
     let side = |at: usize| bytes.get(at..at + 4).and_then(|b| b.try_into().ok()).map_or(0, u32::from_be_bytes);
     let [width, height] = [side(16), side(20)];
     if u64::from(width) * u64::from(height) > MOST_PIXELS {
-        return Err(wrong(format!("{width} × {height} pixels: give pictures of at most {MOST_PIXELS} pixels")));
+        return Err(wrong(said!("measure-pixels", "width" => width, "height" => height, "most" => MOST_PIXELS)));
     }
-    let image = Image::from_png(&bytes)
-        .map_err(|error| wrong(format!("no PNG picture that is read ({error}): save it anew, or leave it out")))?;
+    let image =
+        Image::from_png(&bytes).map_err(|error| wrong(said!("measure-no-picture", "error" => error.to_string())))?;
     // Grey pictures are expanded to two bytes a pixel, grey and alpha.
     let rgba = if image.rgba.len() == 2 * (image.width as usize) * (image.height as usize) {
         image.rgba.chunks_exact(2).flat_map(|p| [p[0], p[0], p[0], p[1]]).collect()
@@ -120,7 +117,7 @@ pub(super) fn read(path: &Path) -> Result<Grey, Failure> {
         image.rgba
     };
     if rgba.len() != 4 * (image.width as usize) * (image.height as usize) {
-        return Err(wrong("a depth of colour that is not read: give 8 bits a channel".to_owned()));
+        return Err(wrong(Text::new("measure-depth").into()));
     }
     Ok(Grey::of_rgba(image.width, image.height, &rgba))
 }

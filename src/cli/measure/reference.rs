@@ -3,8 +3,10 @@
 use std::path::PathBuf;
 
 use crate::cli::compute::compute_as_asked;
+use crate::cli::digits::six;
 use crate::cli::failure::Failure;
 use crate::files;
+use crate::language::said;
 use crate::sim::History;
 use crate::tables::read::{self, Trajectory};
 
@@ -60,11 +62,13 @@ impl Reference {
     /// # Errors
     /// No such body; a run that ends before the film.
     pub(super) fn of(&self, body: &str, times: &[f64]) -> Result<Vec<[f64; 3]>, Failure> {
-        let no_body = |have: String| Failure::Input(format!("{}: no body {body}: mark one of {have}", self.name()));
+        let no_body = |have: String| {
+            let what = said!("measure-no-body", "body" => body, "names" => have);
+            Failure::Input(format!("{}: {what}", self.name()))
+        };
         let last = times.last().copied().unwrap_or_default();
         let too_short = |end: f64| {
-            let what =
-                format!("the run ends at {end} s, the film at {last} s: let it run on, or put from_s or fps right");
+            let what = said!("measure-short", "end" => six(end), "last" => six(last));
             Failure::Input(format!("{}: {what}", self.name()))
         };
         match self {

@@ -5,6 +5,7 @@ use std::path::{Path, PathBuf};
 use super::choices::{Behind, BendingFactor, Size, Work, bending_factor, frame_rate, instant, layer, size, view};
 use super::mark_args::{MarkArgs, PAPERS_CAMERA};
 use crate::cli::args::{SceneArgs, Threads, not_negative, positive};
+use crate::cli::digits::six;
 use crate::cli::failure::Failure;
 use crate::cli::limits::after_end;
 use crate::cli::waves::{known_in, section_force};
@@ -131,7 +132,7 @@ impl RenderArgs {
         reaches(history, "--from", from)?;
         reaches(history, "--to", to)?;
         if from > to {
-            let [to, from] = [to, from].map(|t| t.to_string());
+            let [to, from] = [to, from].map(six);
             return Err(Failure::Input(said!("wrong-film-backwards", "to" => to, "from" => from)));
         }
         Ok((from, to))

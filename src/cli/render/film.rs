@@ -38,7 +38,7 @@ pub(super) fn take(
     wanted: &[Wanted],
 ) -> Result<String, Failure> {
     let shots: Vec<Shot> = wanted.iter().map(|w| w.shot.clone()).collect();
-    let mut progress = Progress::over(shots.len() as f64, "pictures");
+    let mut progress = Progress::over(shots.len() as f64, Text::new("progress-pictures"));
     let drawn = if args.gif_file().is_some() {
         take_gif(args, studio, history, &shots, &mut progress)
     } else {

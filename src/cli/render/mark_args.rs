@@ -1,6 +1,7 @@
 //! Flags of `girderbench render` for a film of marks.
 
 use crate::cli::args::{not_negative, positive};
+use crate::cli::digits::six;
 use crate::cli::failure::Failure;
 use crate::language::said;
 use crate::scene::Scene;
@@ -40,7 +41,7 @@ impl MarkArgs {
     pub(super) fn exposure(self) -> Result<f64, Failure> {
         let (ms, most) = (self.exposure_ms, 1e3 / self.rate);
         if ms > most {
-            let [ms, most] = [ms, most].map(|ms| ms.to_string());
+            let [ms, most] = [ms, most].map(six);
             return Err(Failure::Input(said!("wrong-exposure", "ms" => ms, "most" => most)));
         }
         Ok(1e-3 * ms)

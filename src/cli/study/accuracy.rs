@@ -2,12 +2,13 @@
 
 use std::path::PathBuf;
 
-use super::page::{OccasionArgs, picture_extension};
+use super::page::{OccasionArgs, picture_extension, written};
 use crate::cli::args::at_least_one;
 use crate::cli::console::Console;
 use crate::cli::failure::Failure;
 use crate::cli::output::write_files;
 use crate::cli::plot_files::plot_files;
+use crate::language::said;
 use crate::study::accuracy::{Options, Problem, method, problem, study};
 
 /// Measure work against error: every method on every problem
@@ -52,7 +53,7 @@ pub(super) fn run(args: &AccuracyArgs, console: &mut Console) -> Result<(), Fail
         all.extend(plot_files(&name, plot.svg())?);
     }
     write_files(&args.out, &all)?;
-    console.print(&format!("written to {}: {} files\n", args.out.display(), all.len()));
+    console.print(&written(&args.out, all.len()));
     Ok(())
 }
 
@@ -84,7 +85,8 @@ fn named<T>(
     let find = |name: &String| {
         all.iter().find(|thing| name_of(thing) == name).ok_or_else(|| {
             let known: Vec<&str> = all.iter().map(&name_of).collect();
-            Failure::Input(format!("{flag}: \"{name}\" is none of {}: give some of these", known.join(", ")))
+            let known = known.join(", ");
+            Failure::Input(said!("study-none-of", "flag" => flag, "name" => name.as_str(), "known" => known))
         })
     };
     names.iter().map(find).collect()

@@ -2,7 +2,7 @@
 
 use std::path::PathBuf;
 
-use super::page::OccasionArgs;
+use super::page::{OccasionArgs, written};
 use crate::cli::args::Threads;
 use crate::cli::console::Console;
 use crate::cli::failure::Failure;
@@ -40,6 +40,6 @@ pub(super) fn run(args: &CameraArgs, console: &mut Console) -> Result<(), Failur
     }
     write_files(&args.out, &all)?;
     console.print(&csv);
-    console.print(&format!("written to {}: {} files\n", args.out.display(), all.len()));
+    console.print(&written(&args.out, all.len()));
     Ok(())
 }

@@ -12,6 +12,7 @@ use crate::cli::failure::Failure;
 use crate::cli::output::write_files;
 use crate::cli::progress::Progress;
 use crate::files::{Supplement, check_folder, read_record};
+use crate::language::{Text, said};
 use crate::motion::format::Unit as RecordUnit;
 use crate::study::experiment::{Earthquake, Results, Unit, findings, report};
 
@@ -76,7 +77,8 @@ pub(super) fn run(args: &ExperimentArgs, console: &mut Console) -> Result<(), Fa
     write_files(&args.out.join(MAPS), &maps.collect::<Vec<_>>())?;
     say(&results, console);
     let (run, there) = (due.len(), asked.len() - due.len());
-    console.print(&format!("{run} computed, {there} there before; {}\n", args.out.join("report.html").display()));
+    let page = args.out.join("report.html").display().to_string();
+    console.print(&format!("{}\n", said!("study-computed", "run" => run, "there" => there, "page" => page)));
     Ok(())
 }
 
@@ -86,8 +88,9 @@ fn asked(only: &[String]) -> Result<Vec<Unit>, Failure> {
     for word in only {
         if !all.iter().any(|unit| unit.answers_to(word)) {
             let names: Vec<String> = all.iter().map(Unit::name).collect();
-            let (kinds, names) = (Unit::KINDS.join(", "), names.join(", "));
-            return Err(Failure::Input(format!("--only: \"{word}\" is none of {kinds}, {names}: give some of these")));
+            let known = format!("{}, {}", Unit::KINDS.join(", "), names.join(", "));
+            let said = said!("study-none-of", "flag" => "--only", "name" => word.as_str(), "known" => known);
+            return Err(Failure::Input(said));
         }
     }
     Ok(all.into_iter().filter(|unit| only.is_empty() || only.iter().any(|word| unit.answers_to(word))).collect())
@@ -118,7 +121,7 @@ fn is_kept(unit: &Unit, earthquake: &Earthquake, folder: &Path) -> Result<bool, 
 
 /// Computes what is due on all threads; each result is written as soon as it is there.
 fn compute(due: &[&Unit], earthquake: &Earthquake, folder: &Path) -> Result<(), Failure> {
-    let progress = Mutex::new((Progress::over(due.len() as f64, "results"), 0.0));
+    let progress = Mutex::new((Progress::over(due.len() as f64, Text::new("progress-results")), 0.0));
     let done = due.par_iter().try_for_each(|unit| {
         let text = unit.run(earthquake)?;
         write_files(folder, &[(format!("{}.json", unit.name()), text.into_bytes())])?;

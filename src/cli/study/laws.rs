@@ -2,7 +2,7 @@
 
 use std::path::PathBuf;
 
-use super::page::{OccasionArgs, picture_extension};
+use super::page::{OccasionArgs, picture_extension, written};
 use crate::cli::args::Threads;
 use crate::cli::console::Console;
 use crate::cli::failure::Failure;
@@ -39,6 +39,6 @@ pub(super) fn run(args: &LawsArgs, console: &mut Console) -> Result<(), Failure>
     }
     write_files(&args.out, &all)?;
     console.print(&csv);
-    console.print(&format!("written to {}: {} files\n", args.out.display(), all.len()));
+    console.print(&written(&args.out, all.len()));
     Ok(())
 }

@@ -1,5 +1,8 @@
 //! What the pages of all studies need: the occasion, as flags, and what their pictures end in.
 
+use std::path::Path;
+
+use crate::language::said;
 use crate::study::Occasion;
 
 /// What a page says of when and where it was measured.
@@ -22,4 +25,9 @@ impl OccasionArgs {
 /// What pictures on a page end in.
 pub(super) fn picture_extension() -> &'static str {
     if cfg!(feature = "study") { "png" } else { "svg" }
+}
+
+/// How many files were written where, a line.
+pub(super) fn written(folder: &Path, count: usize) -> String {
+    format!("{}\n", said!("study-written", "folder" => folder.display().to_string(), "count" => count))
 }

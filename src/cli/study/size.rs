@@ -2,7 +2,7 @@
 
 use std::path::PathBuf;
 
-use super::page::{OccasionArgs, picture_extension};
+use super::page::{OccasionArgs, picture_extension, written};
 use crate::cli::args::at_least_one;
 use crate::cli::console::Console;
 use crate::cli::failure::Failure;
@@ -40,6 +40,6 @@ pub(super) fn run(args: &SizeArgs, console: &mut Console) -> Result<(), Failure>
     all.extend(plot_files("size", size::plot(&rows).svg())?);
     write_files(&args.out, &all)?;
     console.print(&csv);
-    console.print(&format!("written to {}: {} files\n", args.out.display(), all.len()));
+    console.print(&written(&args.out, all.len()));
     Ok(())
 }

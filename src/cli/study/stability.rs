@@ -8,6 +8,7 @@ use crate::cli::console::Console;
 use crate::cli::failure::Failure;
 use crate::cli::output::write_files;
 use crate::cli::progress::{Progress, Timer};
+use crate::language::{Text, said};
 use crate::scene::format;
 use crate::study::clock::thread_seconds;
 use crate::study::stability::{self, Asked, Limits, Verdict};
@@ -48,7 +49,7 @@ pub(super) fn run(args: &StabilityArgs, console: &mut Console) -> Result<(), Fai
     let threads = args.threads.map_or(cores, |n| n as usize);
     let limits = Limits { patience: args.patience, events: args.events as usize, ..Limits::NONE };
     let asked = Asked { from: args.from, seeds: args.seeds, inside: args.inside, threads, limits };
-    let progress = Mutex::new((Progress::over(args.seeds as f64, "seeds"), 0.0));
+    let progress = Mutex::new((Progress::over(args.seeds as f64, Text::new("progress-seeds")), 0.0));
     let verdicts = stability::run(&asked, &thread_seconds, &|_| {
         if let Ok(mut shown) = progress.lock() {
             shown.1 += 1.0;
@@ -83,22 +84,27 @@ fn say(args: &StabilityArgs, verdicts: &[Verdict], console: &mut Console) -> Res
     for verdict in &failed {
         for complaint in verdict.complaints() {
             let (seed, family, check) = (verdict.seed, verdict.family, complaint.check.label());
-            console.print(&format!("seed {seed} ({family}): {check}: {}\n", complaint.detail));
+            let detail = complaint.detail.as_str();
+            let line = said!("study-seed", "seed" => seed, "family" => family, "check" => check, "detail" => detail);
+            console.print(&format!("{line}\n"));
         }
     }
     let (seeds, out) = (verdicts.len(), &args.out);
     let inside = verdicts.iter().filter(|v| v.inside).count();
     let failed_inside = failed.iter().filter(|v| v.inside).count();
-    console.print(&format!(
-        "{seeds} seeds: {inside} inside the domain, {failed_inside} failed; {} outside, {} failed; written to {}\n",
-        seeds - inside,
-        failed.len() - failed_inside,
-        out.display()
-    ));
+    let line = said!(
+        "study-seeds",
+        "seeds" => seeds,
+        "inside" => inside,
+        "failedinside" => failed_inside,
+        "outside" => seeds - inside,
+        "failedoutside" => failed.len() - failed_inside,
+        "folder" => out.display().to_string()
+    );
+    console.print(&format!("{line}\n"));
     if failed.is_empty() {
         return Ok(());
     }
-    let page = out.join("stability.md");
-    let said = "lists them with the command that repeats each";
-    Err(Failure::Study(format!("{} of {seeds} seeds failed: {} {said}", failed.len(), page.display())))
+    let page = out.join("stability.md").display().to_string();
+    Err(Failure::Study(said!("study-failed", "failed" => failed.len(), "seeds" => seeds, "page" => page)))
 }

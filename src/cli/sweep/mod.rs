@@ -112,7 +112,7 @@ pub(super) fn measure_keys() -> impl Iterator<Item = String> {
 }
 
 fn compute_missing(plan: &Plan, missing: &[usize], folder: &mut Folder) -> Result<(), Failure> {
-    let mut progress = Progress::over(missing.len() as f64, "runs");
+    let mut progress = Progress::over(missing.len() as f64, Text::new("progress-runs"));
     let mut done = 0.0;
     compute(plan, missing, rayon::current_num_threads(), &mut |row| {
         done += 1.0;

@@ -2,8 +2,6 @@
 
 use std::sync::Arc;
 
-use glam::DVec3;
-
 use crate::contact::Frame;
 use crate::dynamics::connection::{Phase, Separation, Switch};
 use crate::dynamics::contact_model::at_instant::EventInstant;
@@ -12,6 +10,7 @@ use crate::dynamics::event_loop::schedule::Schedule;
 use crate::dynamics::record::event::Cause;
 use crate::dynamics::world::World;
 use crate::dynamics::world::tracks::LinkTrack;
+use crate::language::{Message, message};
 
 /// Devices of a group of bodies during an event.
 pub(in crate::dynamics) struct LinkTransitions<'a> {
@@ -42,8 +41,8 @@ impl LinkTransitions<'_> {
         self.enter(number, next, released);
         if self.world.links[number].log.changes_at(self.now.t) > DEVICE_EVENTS_PER_INSTANT {
             let slots: Vec<usize> = self.world.links[number].slots.into_iter().flatten().collect();
-            let link = &model.links[self.world.links[number].link].name;
-            let reason = format!("the device {link} changes its phase without end at one instant; give it some slack");
+            let link = model.links[self.world.links[number].link].name.as_str();
+            let reason = message!("stop-device", "name" => link);
             self.schedule.give_up(self.now.t, self.world.names(&slots), reason);
         }
     }
@@ -61,20 +60,17 @@ impl LinkTransitions<'_> {
     }
 
     /// Why the run ends where a support is lost or a corner has dropped, with the place of the link's point.
-    fn end_of_support(&self, number: usize, name: &str) -> String {
+    fn end_of_support(&self, number: usize, name: &str) -> Message {
         let LinkTrack { link, slots, phase, .. } = &self.world.links[number];
         let link = &self.world.model.links[*link];
         let frame = slots[0]
             .and_then(|slot| self.now.pose(slot, link.sections[0]))
             .unwrap_or_else(|| Frame::fixed(link.homes[0]));
-        let DVec3 { x, y, z } = frame.origin() + frame.turn(link.arms[0]);
+        let [x, y, z] = (frame.origin() + frame.turn(link.arms[0])).to_array().map(|place| format!("{place:.4}"));
         if link.device.is_lost(phase) {
-            format!(
-                "vertical support is lost: {name} left its support at ({x:.4}, {y:.4}) m; give after_unseating = \"continue\" to go \
-                 on without it"
-            )
+            message!("stop-support-left", "name" => name, "x" => x, "y" => y)
         } else {
-            format!("the girder tips off its supports: {name} has dropped to ({x:.4}, {y:.4}, {z:.4}) m")
+            message!("stop-support-dropped", "name" => name, "x" => x, "y" => y, "z" => z)
         }
     }
 
@@ -189,7 +185,7 @@ mod tests {
         links.begin();
         (0..=DEVICE_EVENTS_PER_INSTANT).for_each(|_| links.change(0, Switch::Closing));
         let stop = schedule.stop().expect("a reason");
-        assert!(stop.reason.contains("the device ratchet"), "{stop:?}");
+        assert!(stop.reason.to_string().contains("the device ratchet"), "{stop:?}");
         assert_eq!(stop.place, world.names(&[0]), "its body");
     }
 }

@@ -25,6 +25,7 @@ use crate::dynamics::model::closed_form::GroundSpring;
 use crate::dynamics::record::event::Event;
 use crate::dynamics::world::World;
 use crate::dynamics::world::tracks::{BodyTrack, Trajectory};
+use crate::language::{Message, Text};
 
 /// The run of one group of bodies under the contact model.
 #[derive(Debug)]
@@ -59,11 +60,11 @@ impl ContactRun {
     }
 
     /// A run that stops at t = 0 for `reason`.
-    pub(in crate::dynamics) fn refused(model: &Arc<Model>, group: usize, reason: &str) -> Self {
+    pub(in crate::dynamics) fn refused(model: &Arc<Model>, group: usize, reason: Text) -> Self {
         let mut run = Self::new(model, group);
         let slots: Vec<usize> = (0..run.world.bodies.len()).collect();
         let names = run.world.names(&slots);
-        run.schedule.give_up(0.0, names, reason.to_owned());
+        run.schedule.give_up(0.0, names, reason.into());
         run
     }
 
@@ -216,7 +217,7 @@ impl Mechanics for ContactRun {
         self.bounds.exceeds(&spent)
     }
 
-    fn excess(&self, source: Source) -> (String, String) {
+    fn excess(&self, source: Source) -> (String, Message) {
         let slots: Vec<usize> = match source.into() {
             EventSource::Island(number) => {
                 self.world.islands[number].as_ref().map(|island| island.slots.clone()).unwrap_or_default()

@@ -14,6 +14,7 @@ use crate::dynamics::penalty3d::event_location;
 use crate::dynamics::penalty3d::island::Island;
 use crate::dynamics::penalty3d::link_events;
 use crate::dynamics::world::World;
+use crate::language::message;
 
 /// Plans the next step of the island of this number, locates the first event within it and enters its time, or the end
 /// of the step, in the queue. A step that cannot be made stops the run.
@@ -33,10 +34,7 @@ pub(in crate::dynamics) fn plan(world: &mut World, schedule: &mut Schedule, numb
     let forecast = if going_on { earliest_change(world, &island, WORTHWHILE_CUT * pace.step) } else { f64::INFINITY };
     let due = match island.plan(&model, cap, forecast) {
         Err(error) => {
-            let reason = format!(
-                "the step fell to {:.1e} s; a lower stiffness or a larger tolerance would be followed",
-                error.step
-            );
+            let reason = message!("stop-step", "step" => format!("{:.1e}", error.step));
             schedule.give_up(from, world.names(&island.slots), reason);
             island.until
         }
@@ -120,6 +118,6 @@ mod tests {
         let mut schedule = Schedule::default();
         plan(&mut world, &mut schedule, 0);
         let stop = schedule.stop().expect("a reason");
-        assert!(stop.reason.starts_with("the step fell to"), "{stop:?}");
+        assert!(stop.reason.to_string().starts_with("the step fell to"), "{stop:?}");
     }
 }

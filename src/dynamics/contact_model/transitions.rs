@@ -14,6 +14,7 @@ use crate::dynamics::penalty3d::due::Reason;
 use crate::dynamics::record::event::{Event, EventKind};
 use crate::dynamics::world::World;
 use crate::dynamics::world::tracks::{ChangeCount, ContactTrack};
+use crate::language::message;
 
 /// Contacts of a group of bodies during an event.
 pub(in crate::dynamics) struct Transitions<'a> {
@@ -73,14 +74,7 @@ impl Transitions<'_> {
         let ChangeCount { of_touch: touch, at_instant: same, .. } = track.changes;
         if same > CONTACT_EVENTS_PER_INSTANT || touch > CONTACT_EVENTS_PER_TOUCH {
             let place = self.world.model.contacts[track.site].node.clone();
-            self.schedule.give_up(
-                t,
-                place,
-                format!(
-                    "{touch} changes of state in one touch, {same} of them at this instant: stick and slip alternate without \
-                     end; another law, a lower stiffness or a larger tolerance may end it"
-                ),
-            );
+            self.schedule.give_up(t, place, message!("stop-alternates", "touch" => touch, "same" => same));
         }
     }
 

@@ -3,6 +3,7 @@
 use crate::dynamics::contact_model::constants::{
     HOPELESS, MEMORY_SHARE_OF_GROUP, PACE_SHARE, STEADY, WORK_BETWEEN_LOOKS, WORK_BOUND_PER_BODY,
 };
+use crate::language::{Message, Text, message};
 
 /// What a run has spent.
 #[derive(Clone, Copy, Debug)]
@@ -83,23 +84,20 @@ impl WorkBounds {
     }
 
     /// Which bound is exceeded, and what would avoid it.
-    pub(super) fn reason(&self) -> String {
+    pub(super) fn reason(&self) -> Message {
         let spent = match self.excess {
             Some(Excess::Memory(bytes, most)) => {
-                let [bytes, most] = [bytes, most].map(|bytes| bytes as f64 / f64::from(1 << 20));
-                format!("the steps so far take {bytes:.0} MiB, more than the {most:.0} MiB that a run may take")
+                let [bytes, most] = [bytes, most].map(|bytes| format!("{:.0}", bytes as f64 / f64::from(1 << 20)));
+                message!("stop-memory", "bytes" => bytes, "most" => most)
             }
-            Some(Excess::Pace(from, done, expected)) => format!(
-                "{done} steps and evaluations since t = {from:e} s: at this pace the run would take {expected:.0e}, beyond what \
-                 a run may take"
-            ),
-            Some(Excess::Work(work)) => format!("{work} steps and evaluations exceed the bound on the work of a run"),
-            None => "the bound on the work of a run is exceeded".to_owned(),
+            Some(Excess::Pace(from, done, expected)) => {
+                let [from, expected] = [format!("{from:e}"), format!("{expected:.0e}")];
+                message!("stop-pace", "done" => done, "from" => from, "expected" => expected)
+            }
+            Some(Excess::Work(work)) => message!("stop-work", "work" => work),
+            None => Text::new("stop-bound").into(),
         };
-        format!(
-            "{spent}: a contact, a bearing or the ground is far too fast for the duration; lower its stiffness, damping or \
-             frequency, or shorten the run"
-        )
+        message!("stop-too-fast", "spent" => spent)
     }
 }
 
@@ -118,7 +116,7 @@ mod tests {
         assert!(!bounds.exceeds(&at(WORK_BOUND_PER_BODY)), "as much as is allowed");
         assert!(bounds.is_due(WORK_BOUND_PER_BODY + 1), "the next one is looked at");
         assert!(bounds.exceeds(&at(WORK_BOUND_PER_BODY + 1)), "one more");
-        assert!(bounds.reason().contains("exceed the bound on the work"), "{}", bounds.reason());
+        assert!(bounds.reason().to_string().contains("exceed the bound on the work"), "{}", bounds.reason());
         assert!(!WorkBounds::default().exceeds(&Spent { bodies: [2, 2], ..at(WORK_BOUND_PER_BODY + 1) }), "two bodies");
     }
 
@@ -139,7 +137,7 @@ mod tests {
         let mut bounds = WorkBounds::default();
         assert!(!bounds.exceeds(&Spent { work: window - 1, t: 1e-12, ..BODY }), "too short to tell");
         assert!(bounds.exceeds(&Spent { work: window, t: 1e-12, ..BODY }), "now");
-        assert!(bounds.reason().contains("at this pace"), "{}", bounds.reason());
+        assert!(bounds.reason().to_string().contains("at this pace"), "{}", bounds.reason());
         assert!(!pace(BODY.duration), "at the end nothing is left");
     }
 

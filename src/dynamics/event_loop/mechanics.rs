@@ -5,6 +5,7 @@
 
 use crate::dynamics::event_loop::event_queue::Source;
 use crate::dynamics::event_loop::schedule::Schedule;
+use crate::language::Message;
 
 /// A model of contact: one group of bodies, advanced from event to event.
 pub trait Mechanics {
@@ -22,7 +23,7 @@ pub trait Mechanics {
 
     /// Place and reason of a stop where a bound is exceeded: the bodies of the source, and a change of the scene that
     /// would avoid it.
-    fn excess(&self, source: Source) -> (String, String);
+    fn excess(&self, source: Source) -> (String, Message);
 
     /// Handles the event of a source at `t`.
     fn handle(&mut self, source: Source, t: f64);
@@ -78,7 +79,7 @@ mod tests {
             self.schedule.work > self.most
         }
 
-        fn excess(&self, source: Source) -> (String, String) {
+        fn excess(&self, source: Source) -> (String, Message) {
             (format!("clock {}", source.number), "it strikes too often".into())
         }
 

@@ -3,6 +3,7 @@
 use crate::dynamics::event_loop::effort::Effort;
 use crate::dynamics::event_loop::event_queue::EventQueue;
 use crate::dynamics::record::event::{Cause, Stop};
+use crate::language::Message;
 
 /// Progress of the run of one group of bodies.
 #[derive(Debug, Default)]
@@ -31,12 +32,12 @@ impl Schedule {
     }
 
     /// Stops the run at `t`, where the computation comes to its bounds; the first of several reasons is kept.
-    pub fn give_up(&mut self, t: f64, place: String, reason: String) {
+    pub fn give_up(&mut self, t: f64, place: String, reason: Message) {
         self.end(t, Cause::Computation, place, reason);
     }
 
     /// Stops the run at `t`; the first of several reasons is kept.
-    pub fn end(&mut self, t: f64, cause: Cause, place: String, reason: String) {
+    pub fn end(&mut self, t: f64, cause: Cause, place: String, reason: Message) {
         if self.stop.is_none() {
             self.stop = Some(Stop { cause, t, place, reason });
         }

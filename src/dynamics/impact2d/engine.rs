@@ -17,6 +17,7 @@ use crate::dynamics::impact2d::record::Record;
 use crate::dynamics::impact2d::run::Run;
 use crate::dynamics::impact2d::tracks::BodyTrack;
 use crate::dynamics::impact2d::world::World;
+use crate::language::{Message, message};
 
 /// The run of one group of bodies under the impact model.
 #[derive(Debug)]
@@ -81,10 +82,7 @@ impl Engine {
         let Some((pair, depth)) = overlap(&self.run.world, slots) else { return false };
         let world = &self.run.world;
         let name = world.model.pairs[world.pairs[pair].number].name.clone();
-        let reason = format!(
-            "it starts {depth:.3e} m inside: rigid girders cannot overlap; move it out by its initial \
-             displacement or its place, or take the contact model"
-        );
+        let reason = message!("stop-starts-inside", "depth" => format!("{depth:.3e}"));
         self.run.schedule.give_up(0.0, name, reason);
         true
     }
@@ -158,18 +156,14 @@ impl Mechanics for Engine {
         self.run.schedule.work > most || self.is_stuck(t)
     }
 
-    fn excess(&self, source: Source) -> (String, String) {
+    fn excess(&self, source: Source) -> (String, Message) {
         let world = &self.run.world;
         let place = if source == Run::pair(source.number) {
             world.model.pairs[world.pairs[source.number].number].name.clone()
         } else {
             world.lasting[source.number].as_ref().map_or(String::new(), |contact| world.names(&contact.bodies))
         };
-        let reason = format!(
-            "{} hits, searches and steps, {} of them at this instant, lead nowhere; a larger stop_speed_m_s or a lower \
-             restitution_normal would end it, or the contact model",
-            self.run.schedule.work, self.run.last.1
-        );
+        let reason = message!("stop-nowhere", "work" => self.run.schedule.work, "same" => self.run.last.1);
         (place, reason)
     }
 
@@ -305,7 +299,7 @@ mod tests {
         let model = Arc::new(example::at_wall(|scene| scene.girders[0].initial.displacement = [1e-3, 0.0, 0.0]));
         let end = finished(&model, 0);
         let stop = end.stop.expect("a reason");
-        assert!(stop.t == 0.0 && stop.reason.contains("1.000e-3 m inside"), "{stop:?}");
+        assert!(stop.t == 0.0 && stop.reason.to_string().contains("1.000e-3 m inside"), "{stop:?}");
     }
 
     #[test]

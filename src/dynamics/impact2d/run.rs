@@ -83,7 +83,7 @@ impl Run {
         let until = contact.until;
         match planned {
             Ok(()) => self.schedule.queue.set(Self::lasting(number), until),
-            Err(reason) => self.schedule.give_up(until, self.world.names(&contact.bodies), reason),
+            Err(reason) => self.schedule.give_up(until, self.world.names(&contact.bodies), reason.into()),
         }
         self.world.lasting[number] = Some(contact);
     }

@@ -1,6 +1,6 @@
 //! Events of contacts as recorded, and the reason of an early stop.
 
-use crate::language::Text;
+use crate::language::{Message, Text};
 
 /// Kind of a contact's event (`docs/physics.md#contact-events`).
 #[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord, Hash)]
@@ -109,5 +109,5 @@ pub struct Stop {
     /// Pair or bodies concerned.
     pub place: String,
     /// Cause, and a change of the scene that would avoid it.
-    pub reason: String,
+    pub reason: Message,
 }

@@ -6,15 +6,11 @@
 use super::record::{Channel, Format, Orientation, RecordError, Supplement};
 use super::text::{Lines, count, expect_count, find_word, first_number, interval, orientation, quoted, sample};
 use super::unit::Unit;
+use crate::language::Text;
 
 /// This format.
-pub(super) const FORMAT: Format = Format {
-    name: "PEER AT2",
-    extensions: &["at2"],
-    contents: "four header lines with unit, count and interval, then accelerations in g",
-    sniff,
-    read,
-};
+pub(super) const FORMAT: Format =
+    Format { name: "PEER AT2", extensions: &["at2"], contents: Text::new("record-at2"), sniff, read };
 
 /// Whether count and interval stand in the fourth line.
 fn sniff(bytes: &[u8]) -> bool {
@@ -22,12 +18,12 @@ fn sniff(bytes: &[u8]) -> bool {
 }
 
 fn read(bytes: &[u8], beside: &Supplement) -> Result<Vec<Channel>, RecordError> {
-    beside.nothing("an AT2 file states its own")?;
+    beside.nothing(Text::new("record-states-at2"))?;
     let mut lines = Lines::of(bytes);
-    lines.header("the header")?;
-    let name = lines.header("the line of station and component")?;
-    let unit = unit(&lines.header("the line of the unit")?, lines.number)?;
-    let (wanted, dt) = size(&lines.header("the line of count and interval")?, lines.number)?;
+    lines.header(Text::new("record-header"))?;
+    let name = lines.header(Text::new("record-station-line"))?;
+    let unit = unit(&lines.header(Text::new("record-unit-line"))?, lines.number)?;
+    let (wanted, dt) = size(&lines.header(Text::new("record-count-line"))?, lines.number)?;
     let mut numbers = Vec::new();
     while let Some(line) = lines.next() {
         for word in line.split_ascii_whitespace() {
@@ -43,10 +39,8 @@ fn unit(text: &str, line: u64) -> Result<Unit, RecordError> {
     const UNITS: &str = "UNITS OF";
     let words = find_word(text, UNITS).and_then(|at| text.get(at + UNITS.len()..)).unwrap_or_default();
     let unit = words.split_whitespace().next().and_then(Unit::of_word);
-    unit.filter(|_| find_word(text, "ACCEL").is_some()).ok_or_else(|| {
-        let remedy = "the third line must read ACCELERATION … IN UNITS OF G: velocities and displacements are not read";
-        RecordError::new(line, quoted(text), remedy)
-    })
+    unit.filter(|_| find_word(text, "ACCEL").is_some())
+        .ok_or_else(|| RecordError::new(line, quoted(text), Text::new("record-at2-unit")))
 }
 
 /// Count and interval \[s\].
@@ -60,9 +54,7 @@ fn size(text: &str, line: u64) -> Result<(usize, f64), RecordError> {
         }
         Some((first_number(after("NPTS")?)?.0, first_number(after("DT")?)?.0))
     };
-    let (points, dt) = stated().ok_or_else(|| {
-        RecordError::new(line, quoted(text), "the fourth line must give both numbers: NPTS=  4000, DT= .01000 SEC")
-    })?;
+    let (points, dt) = stated().ok_or_else(|| RecordError::new(line, quoted(text), Text::new("record-at2-size")))?;
     Ok((count(&points.to_string(), line)?, interval(dt, line)?))
 }
 

@@ -5,15 +5,11 @@ use super::fortran::announced;
 use super::record::{Channel, Format, RecordError, Supplement};
 use super::text::{Lines, find_word, first_number, interval, orientation, quoted};
 use super::unit::Unit;
+use crate::language::{Text, message};
 
 /// This format.
-pub(super) const FORMAT: Format = Format {
-    name: "CSMIP Volume 2",
-    extensions: &["v2"],
-    contents: "corrected accelerations of one channel or several, with count, interval, unit and format as each states them",
-    sniff,
-    read,
-};
+pub(super) const FORMAT: Format =
+    Format { name: "CSMIP Volume 2", extensions: &["v2"], contents: Text::new("record-csmip"), sniff, read };
 
 /// What announces a series of accelerations.
 const ANNOUNCED: &str = "points of accel data equally spaced";
@@ -25,7 +21,7 @@ fn sniff(bytes: &[u8]) -> bool {
 }
 
 fn read(bytes: &[u8], beside: &Supplement) -> Result<Vec<Channel>, RecordError> {
-    beside.nothing("a CSMIP file states its own")?;
+    beside.nothing(Text::new("record-states-csmip"))?;
     let mut lines = Lines::of(bytes);
     let (mut channels, mut name, mut complete) = (Vec::new(), String::new(), true);
     while let Some(line) = lines.next() {
@@ -39,7 +35,7 @@ fn read(bytes: &[u8], beside: &Supplement) -> Result<Vec<Channel>, RecordError> 
         }
     }
     if channels.is_empty() || !complete {
-        return Err(lines.ended("the line `/&` that ends a channel"));
+        return Err(lines.ended(Text::new("record-csmip-end").into()));
     }
     Ok(channels)
 }
@@ -51,13 +47,15 @@ fn series(text: &str, name: &str, lines: &mut Lines<'_>) -> Result<Channel, Reco
     let after = text.get(find_word(text, "spaced").unwrap_or(0)..).unwrap_or_default();
     let dt = first_number(after).map_or(f64::NAN, |(dt, _)| dt);
     let dt = interval(dt, at)?;
-    let unit = text.split([' ', '(', ')', ',']).rev().find_map(Unit::of_word).ok_or_else(|| {
-        RecordError::new(at, quoted(text), "the line must state the unit of the accelerations, such as cm/sec2")
-    })?;
+    let unit = text
+        .split([' ', '(', ')', ','])
+        .rev()
+        .find_map(Unit::of_word)
+        .ok_or_else(|| RecordError::new(at, quoted(text), Text::new("record-csmip-unit")))?;
     let numbers = columns.read(lines, count)?;
     let end = lines.clone().next().unwrap_or_default();
     if !(end.starts_with("/&") || find_word(&end, "points of").is_some()) {
-        let remedy = format!("the header states {count} accelerations: velocities or `/&` must follow them");
+        let remedy = message!("record-csmip-after", "count" => count);
         return Err(RecordError::new(lines.number + 1, quoted(&end), remedy));
     }
     Ok(Channel::converted(name, orientation(name), unit, dt, numbers))

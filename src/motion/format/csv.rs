@@ -9,6 +9,7 @@ use csv::{Reader, ReaderBuilder, StringRecord, Trim};
 use super::record::{Channel, Format, Orientation, RecordError, Supplement};
 use super::text::quoted;
 use super::unit::Unit;
+use crate::language::{Text, message};
 
 /// Times may be off by this part of the interval; a recorder's clock is better.
 const UNEVEN: f64 = 0.01;
@@ -20,13 +21,8 @@ const FINE: f64 = 0.25;
 const SEPARATORS: [u8; 3] = [b',', b';', b'\t'];
 
 /// This format.
-pub(super) const FORMAT: Format = Format {
-    name: "CSV",
-    extensions: &["csv", "txt"],
-    contents: "two columns, time in s and acceleration, in m/s² unless a heading or `unit` says g or gal, one line a sample",
-    sniff,
-    read,
-};
+pub(super) const FORMAT: Format =
+    Format { name: "CSV", extensions: &["csv", "txt"], contents: Text::new("record-csv"), sniff, read };
 
 /// Whether two numbers stand in the first line, or in the second below a heading.
 fn sniff(bytes: &[u8]) -> bool {
@@ -55,7 +51,7 @@ fn reader(bytes: &[u8], separator: u8) -> Reader<&[u8]> {
 /// The first line that is not two numbers, or that breaks the even spacing; points and commas as decimal marks in one file;
 /// fewer than two samples.
 fn read(bytes: &[u8], beside: &Supplement) -> Result<Vec<Channel>, RecordError> {
-    Supplement { unit: None, ..*beside }.nothing("a table of times states its own")?;
+    Supplement { unit: None, ..*beside }.nothing(Text::new("record-states-csv"))?;
     let (mut times, mut samples, mut marks, mut stated) = (Vec::new(), Vec::new(), None, None);
     for (n, record) in reader(bytes, separator(bytes).unwrap_or(b',')).records().enumerate() {
         let record = record.map_err(|error| unreadable(&error))?;
@@ -73,8 +69,8 @@ fn read(bytes: &[u8], beside: &Supplement) -> Result<Vec<Channel>, RecordError> 
     }
     let unit = match (stated, beside.unit) {
         (Some(stated), Some(beside)) if stated != beside => {
-            let value = format!("{} in the heading, {} beside the file", stated.label(), beside.label());
-            return Err(RecordError::new(1, value, "state the unit once"));
+            let value = message!("record-units-differ", "stated" => stated.label(), "beside" => beside.label());
+            return Err(RecordError::new(1, value, Text::new("record-unit-once")));
         }
         (stated, beside) => stated.or(beside).unwrap_or(Unit::MetrePerSecond2),
     };
@@ -88,12 +84,12 @@ fn read(bytes: &[u8], beside: &Supplement) -> Result<Vec<Channel>, RecordError> 
 fn unit_of_heading(record: &StringRecord, line: u64) -> Result<Option<Unit>, RecordError> {
     let (time, acceleration) = (&record[0], &record[1]);
     if let Some(unit) = bracketed(time).or(last_word(time)).filter(|unit| ["ms", "min", "h"].contains(unit)) {
-        return Err(RecordError::new(line, format!("times in {unit}"), "give times in s"));
+        return Err(RecordError::new(line, message!("record-times-in", "unit" => unit), Text::new("record-seconds")));
     }
     if let Some(word) = bracketed(acceleration) {
-        let remedy = "a unit of acceleration is g, gal (cm/s2) or m/s2";
-        let unit =
-            Unit::of_word(word).ok_or_else(|| RecordError::new(line, format!("unit {}", quoted(word)), remedy))?;
+        let remedy = Text::new("record-units");
+        let unit = Unit::of_word(word)
+            .ok_or_else(|| RecordError::new(line, message!("record-unit-of", "unit" => quoted(word)), remedy))?;
         return Ok(Some(unit));
     }
     let lower = acceleration.to_ascii_lowercase();
@@ -116,7 +112,7 @@ fn last_word(field: &str) -> Option<&str> {
 
 fn unreadable(error: &csv::Error) -> RecordError {
     let line = error.position().map_or(0, csv::Position::line);
-    RecordError { line, value: "no text".to_owned(), remedy: "save the record as UTF-8 text".to_owned() }
+    RecordError::new(line, Text::new("record-no-text"), Text::new("record-save-text"))
 }
 
 /// A heading has two columns, and no number in either.
@@ -140,14 +136,13 @@ pub(crate) fn number(field: &str) -> Option<f64> {
 }
 
 fn sample(record: &StringRecord, line: u64) -> Result<(f64, f64), RecordError> {
-    let wrong = |value: &str, remedy: &str| RecordError::new(line, quoted(value), remedy);
+    let wrong = |value: &str, remedy: Text| RecordError::new(line, quoted(value), remedy);
     let fields: Vec<&str> = record.iter().collect();
     let [t, a] = fields[..] else {
-        let remedy = "give two columns: time in s, acceleration in m/s²; columns of numbers with decimal commas are separated by semicolons";
-        return Err(wrong(&fields.join(","), remedy));
+        return Err(wrong(&fields.join(","), Text::new("record-two-columns")));
     };
-    let t = number(t).ok_or_else(|| wrong(t, "the time must be a finite number, in s"))?;
-    let a = number(a).ok_or_else(|| wrong(a, "the acceleration must be a finite number, in m/s²"))?;
+    let t = number(t).ok_or_else(|| wrong(t, Text::new("record-time-finite")))?;
+    let a = number(a).ok_or_else(|| wrong(a, Text::new("record-acceleration-finite")))?;
     Ok((t, a))
 }
 
@@ -156,8 +151,7 @@ fn one_mark(record: &StringRecord, line: u64, mark: &mut Option<char>) -> Result
     for field in record {
         let here = field.chars().find(|c| ['.', ','].contains(c));
         if here.is_some_and(|here| mark.is_some_and(|before| before != here)) {
-            let remedy = "numbers above have another decimal mark: use one, and nothing between thousands".to_owned();
-            return Err(RecordError { line, value: quoted(field), remedy });
+            return Err(RecordError::new(line, quoted(field), Text::new("record-marks")));
         }
         *mark = mark.or(here);
     }
@@ -209,13 +203,12 @@ fn printed_to(times: &[Time]) -> [f64; 2] {
 fn interval(times: &[Time]) -> Result<f64, RecordError> {
     let (Some(Time { t: first, .. }), Some(Time { t: last, line: last_line, .. })) = (times.first(), times.last())
     else {
-        let remedy = "a record needs at least 2 samples".to_owned();
-        return Err(RecordError { line: 1, value: "no samples".to_owned(), remedy });
+        return Err(RecordError::new(1, Text::new("record-no-samples"), Text::new("wrong-too-few-samples")));
     };
     let dt = (last - first) / (times.len() - 1) as f64;
     if times.len() < 2 || dt <= 0.0 {
-        let remedy = "a record needs at least 2 samples, and times that grow".to_owned();
-        return Err(RecordError { line: *last_line, value: format!("time {}", short(*last)), remedy });
+        let value = message!("record-time", "t" => short(*last));
+        return Err(RecordError::new(*last_line, value, Text::new("record-growing")));
     }
     // The steps that most of the times take tell which one is at fault: a missing sample changes the mean interval.
     let mut steps: Vec<f64> = times.windows(2).map(|pair| pair[1].t - pair[0].t).collect();
@@ -243,16 +236,11 @@ fn short(time: f64) -> String {
 /// A time that is not where its number in the file has it.
 fn uneven(time: &Time, (dt, expected): (f64, f64), unit: f64) -> RecordError {
     let off = (time.t - expected).abs();
-    let coarse = if unit >= FINE * dt && off <= unit {
-        format!(": print the times with more digits than to {unit} s")
-    } else {
-        String::new()
-    };
-    let remedy = format!(
-        "samples must be evenly spaced: with {dt:.6e} s between them this one belongs at {} s, {off:.1e} s away{coarse}",
-        short(expected)
-    );
-    RecordError { line: time.line, value: format!("time {}", short(time.t)), remedy }
+    let coarse =
+        if unit >= FINE * dt && off <= unit { message!("record-coarse", "unit" => unit) } else { String::new().into() };
+    let [dt, off] = [format!("{dt:.6e}"), format!("{off:.1e}")];
+    let remedy = message!("record-uneven", "dt" => dt, "expected" => short(expected), "off" => off, "coarse" => coarse);
+    RecordError::new(time.line, message!("record-time", "t" => short(time.t)), remedy)
 }
 
 #[cfg(test)]

@@ -4,6 +4,7 @@
 
 use super::record::RecordError;
 use super::text::{Lines, count as checked_count, number, quoted};
+use crate::language::{Text, message};
 
 /// Widest column that is read; Fortran's own numbers have at most 26 characters.
 const WIDEST: usize = 64;
@@ -44,19 +45,20 @@ impl Columns {
     pub(super) fn read(self, lines: &mut Lines<'_>, count: usize) -> Result<Vec<f64>, RecordError> {
         let mut numbers = Vec::new();
         while numbers.len() < count {
-            let line =
-                lines.next_bytes().ok_or_else(|| lines.ended(&format!("sample {} of {count}", numbers.len() + 1)))?;
+            let line = lines.next_bytes().ok_or_else(|| {
+                lines.ended(message!("record-sample-of", "number" => numbers.len() + 1, "count" => count))
+            })?;
             let wanted = self.per_line.min(count - numbers.len());
             let found = line.trim_ascii_end().chunks(self.width);
             if found.len() > wanted || (found.len() < wanted && numbers.len() + found.len() < count) {
                 let found = found.len();
-                let remedy = format!("the header states {count} numbers, {} a line: {wanted} here", self.per_line);
-                return Err(RecordError::new(lines.number, format!("{found} columns"), remedy));
+                let remedy = message!("record-per-line", "count" => count, "each" => self.per_line, "wanted" => wanted);
+                return Err(RecordError::new(lines.number, message!("record-columns", "found" => found), remedy));
             }
             for column in found {
                 let word = String::from_utf8_lossy(column);
                 let value = number(word.trim());
-                numbers.push(value.ok_or_else(|| lines.wrong(&word, "every column must be a finite number"))?);
+                numbers.push(value.ok_or_else(|| lines.wrong(&word, Text::new("record-column")))?);
             }
         }
         Ok(numbers)
@@ -69,9 +71,8 @@ impl Columns {
 /// No count or no format in that line.
 pub(super) fn announced(text: &str, line: u64) -> Result<(usize, Columns), RecordError> {
     let count = checked_count(text.split_whitespace().next().unwrap_or_default(), line)?;
-    let columns = Columns::find(text).ok_or_else(|| {
-        RecordError::new(line, quoted(text), "the line must state the format of its numbers, such as (8f10.6)")
-    })?;
+    let columns =
+        Columns::find(text).ok_or_else(|| RecordError::new(line, quoted(text), Text::new("record-columns-format")))?;
     Ok((count, columns))
 }
 

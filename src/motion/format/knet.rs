@@ -6,6 +6,7 @@
 use super::record::{Channel, Format, Orientation, RecordError, Supplement};
 use super::text::{Lines, expect_count, first_number, interval, number, quoted, sample};
 use super::unit::Unit;
+use crate::language::{Text, message};
 
 /// Lines of the header.
 const HEADER: usize = 17;
@@ -16,7 +17,7 @@ const LABEL: usize = 18;
 pub(super) const FORMAT: Format = Format {
     name: "K-NET ASCII",
     extensions: &["ew", "ns", "ud", "ew1", "ns1", "ud1", "ew2", "ns2", "ud2"],
-    contents: "seventeen header lines, then counts of the digitiser; times the scale factor in gal, less their mean",
+    contents: Text::new("record-knet"),
     sniff,
     read,
 };
@@ -28,15 +29,15 @@ fn sniff(bytes: &[u8]) -> bool {
 }
 
 fn read(bytes: &[u8], beside: &Supplement) -> Result<Vec<Channel>, RecordError> {
-    beside.nothing("a K-NET file states its own")?;
+    beside.nothing(Text::new("record-states-knet"))?;
     let mut lines = Lines::of(bytes);
     let mut header = Vec::new();
     for _ in 0..HEADER {
-        header.push(lines.header("a part of the seventeen header lines")?);
+        header.push(lines.header(Text::new("record-knet-header"))?);
     }
     let value = |line: usize| header[line - 1].get(LABEL..).unwrap_or_default().trim();
-    let frequency = positive(value(11), 11, "the sampling frequency must be a number, as in 100Hz")?;
-    let duration = positive(value(12), 12, "the duration must be a number, in s")?;
+    let frequency = positive(value(11), 11, Text::new("record-knet-frequency"))?;
+    let duration = positive(value(12), 12, Text::new("record-knet-duration"))?;
     let scale = scale(value(14))?;
     let dt = interval(1.0 / frequency, 11)?;
     let mut numbers = Vec::new();
@@ -45,9 +46,8 @@ fn read(bytes: &[u8], beside: &Supplement) -> Result<Vec<Channel>, RecordError> 
             numbers.push(sample(word, lines.number)? * scale);
         }
     }
-    let wanted = whole(duration * frequency).ok_or_else(|| {
-        RecordError::new(12, quoted(value(12)), "duration times sampling frequency must be a number of samples")
-    })?;
+    let wanted = whole(duration * frequency)
+        .ok_or_else(|| RecordError::new(12, quoted(value(12)), Text::new("record-knet-whole")))?;
     expect_count(wanted, numbers.len(), lines.number)?;
     let mean = numbers.iter().sum::<f64>() / numbers.len() as f64;
     for sample in &mut numbers {
@@ -55,12 +55,12 @@ fn read(bytes: &[u8], beside: &Supplement) -> Result<Vec<Channel>, RecordError> 
     }
     let name = format!("{} {}", value(6), value(13));
     let mut channel = Channel::converted(&name, direction(value(13)), Unit::Gal, dt, numbers);
-    channel.done.insert(0, format!("counts scaled by {} gal", value(14).replace("(gal)", "")));
-    channel.done.insert(1, format!("mean of {mean:.4} gal removed"));
+    channel.done.insert(0, message!("record-counts", "scale" => value(14).replace("(gal)", "")));
+    channel.done.insert(1, message!("record-mean", "mean" => format!("{mean:.4}")));
     Ok(vec![channel])
 }
 
-fn positive(text: &str, line: u64, remedy: &str) -> Result<f64, RecordError> {
+fn positive(text: &str, line: u64, remedy: Text) -> Result<f64, RecordError> {
     let value = first_number(text).map(|(value, _)| value).filter(|value| *value > 0.0);
     value.ok_or_else(|| RecordError::new(line, quoted(text), remedy))
 }
@@ -83,7 +83,7 @@ fn scale(text: &str) -> Result<f64, RecordError> {
     };
     parts()
         .filter(|scale: &f64| scale.is_finite() && *scale > 0.0)
-        .ok_or_else(|| RecordError::new(14, quoted(text), "the scale factor must be written as 3920(gal)/6182761"))
+        .ok_or_else(|| RecordError::new(14, quoted(text), Text::new("record-knet-scale")))
 }
 
 /// K-NET names directions; KiK-net numbers them: 1 to 3 in the borehole, 4 to 6 at the surface.
@@ -121,7 +121,11 @@ mod tests {
             assert!((sample - expected).abs() < 1e-12, "{sample} m/s²");
         }
         assert_eq!((channel.dt, channel.orientation), (0.5, Orientation::Azimuth(90.0)), "2 Hz, east");
-        assert!(channel.done.iter().any(|done| done == "mean of 200.0000 gal removed"), "{:?}", channel.done);
+        assert!(
+            channel.done.iter().any(|done| done.to_string() == "mean of 200.0000 gal removed"),
+            "{:?}",
+            channel.done
+        );
     }
 
     #[test]

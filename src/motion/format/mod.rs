@@ -20,6 +20,8 @@ pub(crate) use csv::number as decimal;
 pub use record::{Channel, Format, Orientation, Record, RecordError, Supplement};
 pub use unit::{STANDARD_GRAVITY, Unit};
 
+use crate::language::message;
+
 /// Every format that is read. Where the contents fit several, the first whose extensions fit the name counts.
 pub const FORMATS: &[Format] =
     &[at2::FORMAT, knet::FORMAT, cosmos::FORMAT, csmip::FORMAT, csv::FORMAT, one_column::FORMAT];
@@ -31,7 +33,7 @@ pub fn is_record(path: &Path) -> bool {
 
 /// Every format in words, one a line.
 pub fn formats_in_words() -> String {
-    in_words(FORMATS, "\n")
+    FORMATS.iter().map(|format| format.words().to_string()).collect::<Vec<_>>().join("\n")
 }
 
 /// Reads a record of any of the [`FORMATS`]. `name`, the name or path of the file, counts only where the contents fit no
@@ -55,23 +57,22 @@ fn read_as(formats: &[Format], bytes: &[u8], name: &Path, beside: &Supplement) -
 
 fn unknown(formats: &[Format], bytes: &[u8]) -> RecordError {
     let first = text::Lines::of(bytes).next().unwrap_or_default();
-    let remedy = format!("give a record in a format that is read: {}", in_words(formats, "; "));
+    let both = |one, more| message!("record-formats", "one" => one, "more" => more);
+    let known = formats.iter().map(Format::words).reduce(both).unwrap_or_else(|| String::new().into());
+    let remedy = message!("record-format", "formats" => known);
     RecordError::new(1, text::quoted(&first), remedy)
-}
-
-fn in_words(formats: &[Format], between: &str) -> String {
-    formats.iter().map(Format::words).collect::<Vec<_>>().join(between)
 }
 
 #[cfg(test)]
 mod tests {
     use super::*;
+    use crate::language::Text;
 
     /// A second format: its interval on a line of its own, then samples in gal, several a line.
     const GAL: Format = Format {
         name: "gal table",
         extensions: &["gal", "txt"],
-        contents: "`DT` with the interval in s, then accelerations in gal",
+        contents: Text::new("record-csv"),
         sniff: |bytes| bytes.starts_with(b"DT "),
         read: read_gal,
     };

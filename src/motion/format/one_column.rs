@@ -4,15 +4,11 @@
 use super::record::{Channel, Format, Orientation, RecordError, Supplement};
 use super::text::{Lines, find_word, first_number, interval, number, sample};
 use super::unit::Unit;
+use crate::language::{Text, message};
 
 /// This format.
-pub(super) const FORMAT: Format = Format {
-    name: "one column",
-    extensions: &["dat", "acc"],
-    contents: "one acceleration a line; interval and unit in header lines, as in `# dt = 0.01 s, unit = g`, or beside the file",
-    sniff,
-    read,
-};
+pub(super) const FORMAT: Format =
+    Format { name: "one column", extensions: &["dat", "acc"], contents: Text::new("record-one-column"), sniff, read };
 
 /// Lines that may stand above the first number.
 const HEADER: usize = 50;
@@ -41,11 +37,15 @@ fn read(bytes: &[u8], beside: &Supplement) -> Result<Vec<Channel>, RecordError> 
             numbers.push(sample(trimmed, lines.number)?);
         }
     }
-    let dt = one_of("dt_s", dt, beside.dt, "the interval between samples: a line `# dt = 0.01 s`, or dt_s")?;
-    let unit = one_of("unit", unit, beside.unit, "the unit of the samples: a line `# unit = g`, or unit")?;
+    let dt = one_of("dt_s", dt, beside.dt, Text::new("record-give-interval"))?;
+    let unit = one_of("unit", unit, beside.unit, Text::new("record-give-unit"))?;
     if numbers.len() < 2 {
-        let remedy = "a record needs at least 2 samples, one a line";
-        return Err(RecordError::new(lines.number.max(1), format!("{} samples", numbers.len()), remedy));
+        let remedy = Text::new("record-two-lines");
+        return Err(RecordError::new(
+            lines.number.max(1),
+            message!("record-samples", "count" => numbers.len()),
+            remedy,
+        ));
     }
     let dt = interval(dt.0, dt.1)?;
     Ok(vec![Channel::converted("", Orientation::Unstated, unit.0, dt, numbers)])
@@ -66,19 +66,20 @@ fn unit_stated(line: &str, number: u64) -> Result<Option<(Unit, u64)>, RecordErr
     let Some(text) = stated(line, &["unit", "units"]) else { return Ok(None) };
     let word = text.trim().split([' ', ',', ';']).next().unwrap_or_default();
     let unit = Unit::of_word(word);
-    let remedy = "a unit of acceleration is g, gal (cm/s2) or m/s2";
-    unit.map(|unit| Some((unit, number))).ok_or_else(|| RecordError::new(number, format!("unit `{word}`"), remedy))
+    let remedy = Text::new("record-units");
+    unit.map(|unit| Some((unit, number)))
+        .ok_or_else(|| RecordError::new(number, message!("record-unit-of", "unit" => format!("`{word}`")), remedy))
 }
 
 /// What the file states, or what is stated beside it; not both, and one of them.
-fn one_of<T>(key: &str, own: Option<(T, u64)>, beside: Option<T>, what: &str) -> Result<(T, u64), RecordError> {
+fn one_of<T>(key: &str, own: Option<(T, u64)>, beside: Option<T>, remedy: Text) -> Result<(T, u64), RecordError> {
     match (own, beside) {
         (Some((_, line)), Some(_)) => {
-            Err(RecordError::new(line, format!("{key} in the file and beside it"), "state it once"))
+            Err(RecordError::new(line, message!("record-twice", "key" => key), Text::new("record-once")))
         }
         (Some(own), None) => Ok(own),
         (None, Some(beside)) => Ok((beside, 1)),
-        (None, None) => Err(RecordError::new(1, "no line that states it", format!("give {what} beside the file"))),
+        (None, None) => Err(RecordError::new(1, Text::new("record-not-stated"), remedy)),
     }
 }
 

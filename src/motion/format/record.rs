@@ -3,6 +3,7 @@
 use std::path::Path;
 
 use super::unit::Unit;
+use crate::language::{Message, Text, message};
 
 /// A format of record files.
 #[derive(Clone, Copy, Debug)]
@@ -12,7 +13,7 @@ pub struct Format {
     /// Usual extensions of its files, lower case, without the dot.
     pub extensions: &'static [&'static str],
     /// What such a file holds, with units.
-    pub contents: &'static str,
+    pub contents: Text,
     /// Whether the first lines of a file are in this format.
     pub(super) sniff: fn(&[u8]) -> bool,
     /// Reads a whole file: its channels, one at least.
@@ -63,24 +64,28 @@ pub struct Channel {
     /// Samples from t = 0 on \[m/s²\].
     pub samples: Vec<f64>,
     /// What was done to the file's numbers, in the order done, in words.
-    pub done: Vec<String>,
+    pub done: Vec<Message>,
 }
 
 /// What is wrong with a record.
 #[derive(Clone, Debug, PartialEq, Eq, thiserror::Error)]
-#[error("line {line}: found {value}; {remedy}")]
+#[error("{}", self.message())]
 pub struct RecordError {
     /// Line in the file, from 1.
     pub line: u64,
     /// What stands there.
-    pub value: String,
+    pub value: Message,
     /// What would be right.
-    pub remedy: String,
+    pub remedy: Message,
 }
 
 impl RecordError {
-    pub(super) fn new(line: u64, value: impl Into<String>, remedy: impl Into<String>) -> Self {
+    pub(super) fn new(line: u64, value: impl Into<Message>, remedy: impl Into<Message>) -> Self {
         Self { line, value: value.into(), remedy: remedy.into() }
+    }
+
+    fn message(&self) -> Message {
+        message!("record-error", "line" => self.line, "value" => self.value.clone(), "remedy" => self.remedy.clone())
     }
 }
 
@@ -92,21 +97,22 @@ impl Format {
     }
 
     /// Name, extensions and contents in one line: `CSV (.csv, .txt): two columns, …`.
-    pub fn words(&self) -> String {
+    pub fn words(&self) -> Message {
         let extensions: Vec<String> = self.extensions.iter().map(|extension| format!(".{extension}")).collect();
-        format!("{} ({}): {}", self.name, extensions.join(", "), self.contents)
+        let extensions = extensions.join(", ");
+        message!("record-format-of", "name" => self.name, "extensions" => extensions, "contents" => self.contents)
     }
 }
 
 impl Supplement {
     /// Refuses what a file of such a format states itself.
-    pub(super) fn nothing(&self, states: &str) -> Result<(), RecordError> {
+    pub(super) fn nothing(&self, states: Text) -> Result<(), RecordError> {
         let beside = [("dt_s", self.dt.is_some()), ("unit", self.unit.is_some())];
         match beside.into_iter().find(|(_, given)| *given) {
             None => Ok(()),
             Some((key, _)) => {
-                let remedy = format!("{states} {key}: leave it out beside the file");
-                Err(RecordError::new(1, format!("{key} stated beside the file"), remedy))
+                let remedy = message!("record-beside", "states" => states, "key" => key);
+                Err(RecordError::new(1, message!("record-beside-value", "key" => key), remedy))
             }
         }
     }
@@ -128,7 +134,7 @@ impl Channel {
             for sample in &mut channel.samples {
                 *sample *= factor;
             }
-            channel.done.push(format!("converted from {} by the factor {factor} m/s²", unit.label()));
+            channel.done.push(message!("record-converted", "unit" => unit.label(), "factor" => factor));
         }
         channel
     }
@@ -149,13 +155,13 @@ impl Record {
     ///
     /// # Errors
     /// No such channel, or none stated where there are several: in words, with the list of them.
-    pub fn channel(&self, number: Option<usize>) -> Result<&Channel, String> {
+    pub fn channel(&self, number: Option<usize>) -> Result<&Channel, Message> {
         let found = match number {
             None if self.channels.len() == 1 => self.channels.first(),
             None => None,
             Some(number) => number.checked_sub(1).and_then(|index| self.channels.get(index)),
         };
-        found.ok_or_else(|| format!("give channel, one of: {}", self.list()))
+        found.ok_or_else(|| message!("record-give-channel", "list" => self.list()))
     }
 
     /// `1 (Chan 1: 360 Deg), 2 (…)`.

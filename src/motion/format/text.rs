@@ -3,6 +3,7 @@
 use std::borrow::Cow;
 
 use super::record::{Orientation, RecordError};
+use crate::language::{Message, Text, message};
 
 /// Characters of a file that a complaint repeats.
 const SHOWN: usize = 40;
@@ -34,17 +35,17 @@ impl<'a> Lines<'a> {
     }
 
     /// The next line of a header, which must be there.
-    pub(super) fn header(&mut self, what: &str) -> Result<Cow<'a, str>, RecordError> {
-        self.next().ok_or_else(|| self.ended(what))
+    pub(super) fn header(&mut self, what: Text) -> Result<Cow<'a, str>, RecordError> {
+        self.next().ok_or_else(|| self.ended(what.into()))
     }
 
     /// The file ends where something is missing.
-    pub(super) fn ended(&self, what: &str) -> RecordError {
-        RecordError::new(self.number.max(1), "the end of the file", format!("the file is cut off: {what} is missing"))
+    pub(super) fn ended(&self, what: Message) -> RecordError {
+        RecordError::new(self.number.max(1), Text::new("record-end"), message!("record-cut-off", "what" => what))
     }
 
     /// A complaint about the line given last.
-    pub(super) fn wrong(&self, value: &str, remedy: impl Into<String>) -> RecordError {
+    pub(super) fn wrong(&self, value: &str, remedy: impl Into<Message>) -> RecordError {
         RecordError::new(self.number, quoted(value), remedy)
     }
 }
@@ -58,10 +59,10 @@ impl<'a> Iterator for Lines<'a> {
 }
 
 /// Text in quotes, cut to what a line of a message holds.
-pub(super) fn quoted(text: &str) -> String {
+pub(super) fn quoted(text: &str) -> Message {
     let text = text.trim();
     let shown: String = text.chars().filter(|c| !c.is_control()).take(SHOWN).collect();
-    if text.is_empty() { "nothing".to_owned() } else { format!("`{shown}`") }
+    if text.is_empty() { Text::new("found-nothing").into() } else { format!("`{shown}`").into() }
 }
 
 /// A finite number as Fortran and C write it: `.12E-03`, `-1.5D+00`.
@@ -75,23 +76,21 @@ pub(super) fn number(word: &str) -> Option<f64> {
 
 /// A word of a data line as a finite number.
 pub(super) fn sample(word: &str, line: u64) -> Result<f64, RecordError> {
-    number(word).ok_or_else(|| RecordError::new(line, quoted(word), "every sample must be a finite number"))
+    number(word).ok_or_else(|| RecordError::new(line, quoted(word), Text::new("record-not-finite")))
 }
 
 /// An interval between samples, from what a header states \[s\].
 pub(super) fn interval(dt: f64, line: u64) -> Result<f64, RecordError> {
     let sound = dt.is_finite() && dt > 0.0;
-    sound.then_some(dt).ok_or_else(|| {
-        RecordError::new(line, format!("an interval of {dt} s"), "the interval between samples must be greater than 0")
-    })
+    sound
+        .then_some(dt)
+        .ok_or_else(|| RecordError::new(line, message!("record-interval-of", "dt" => dt), Text::new("record-interval")))
 }
 
 /// A count of samples that a header states.
 pub(super) fn count(word: &str, line: u64) -> Result<usize, RecordError> {
     let whole = word.trim().parse::<usize>().ok().filter(|count| *count >= 2);
-    whole.ok_or_else(|| {
-        RecordError::new(line, quoted(word), "the count of samples must be a whole number of at least 2")
-    })
+    whole.ok_or_else(|| RecordError::new(line, quoted(word), Text::new("record-count")))
 }
 
 /// Refuses another number of samples than the header states.
@@ -99,10 +98,8 @@ pub(super) fn expect_count(stated: usize, found: usize, line: u64) -> Result<(),
     if stated == found {
         return Ok(());
     }
-    let remedy = format!(
-        "the header states {stated} samples: get the whole file again, or put the count right if the file is whole"
-    );
-    Err(RecordError::new(line, format!("{found} samples"), remedy))
+    let remedy = message!("record-stated-samples", "stated" => stated);
+    Err(RecordError::new(line, message!("record-samples", "count" => found), remedy))
 }
 
 /// The first number in a text and what follows it: `= 4000, DT` → 4000, `, DT`. Whatever precedes it is passed over.

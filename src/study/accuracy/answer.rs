@@ -67,7 +67,9 @@ impl Answer {
             bodies,
             peak_force: history.hardest().map_or(0.0, |touch| touch.peak_force),
             steps: 0,
-            note: history.stop().map_or(String::new(), |stop| format!("stopped at {} s: {}", stop.t, stop.reason)),
+            note: history
+                .stop()
+                .map_or(String::new(), |stop| format!("stopped at {} s: {}", stop.t, stop.reason.english())),
         }
     }
 

@@ -72,7 +72,7 @@ impl Observed {
     pub fn without_histories(history: &History) -> Self {
         Self {
             end: history.end(),
-            stopped: history.stop().map(|stop| format!("{}: {}", stop.place, stop.reason)),
+            stopped: history.stop().map(|stop| format!("{}: {}", stop.place, stop.reason.english())),
             hits: hits(history),
             girders: (0..history.model().girders().len()).map(|girder| extremes(history, girder)).collect(),
         }

@@ -70,7 +70,7 @@ fn checked(scene: &Scene, ran: Result<History, NoAnswer>, watch: &Watch<'_>) -> 
         _ => history,
     };
     let stop = history.stop().filter(|stop| stop.cause != Cause::SupportLost);
-    let gave_up = stop.map(|stop| format!("at t = {} s, {}: {}", stop.t, stop.place, stop.reason));
+    let gave_up = stop.map(|stop| format!("at t = {} s, {}: {}", stop.t, stop.place, stop.reason.english()));
     if let Some(reason) = gave_up.as_ref().filter(|_| inside) {
         return failed(scene, Check::Finishes, reason.clone());
     }

@@ -1,5 +1,6 @@
 //! What a sweep keeps of each run: numbers with names and units.
 
+use crate::language::message;
 use crate::scene::shown::shown;
 use crate::scene::{SceneError, SceneErrors, format};
 use crate::sim::{History, readings, seats};
@@ -172,11 +173,10 @@ fn unknown(name: &str) -> SceneError {
         file: "sweep".to_owned(),
         place: "--measure".into(),
         value: format!("\"{}\"", shown(name, 80)).into(),
-        remedy: format!(
-            "no measure has this name{}; measures: {}",
-            format::did_you_mean(name, &names),
-            names.join(", ")
-        )
-        .into(),
+        remedy: message!(
+            "wrong-measure",
+            "meant" => format::did_you_mean(name, &names),
+            "names" => names.join(", ")
+        ),
     }
 }

@@ -58,7 +58,7 @@ impl Row {
             None => (Status::Complete, String::new()),
             Some(Stop { cause, t, place, reason }) => {
                 let status = if *cause == Cause::Computation { Status::GaveUp } else { Status::Ended };
-                (status, format!("at {t:?} s, {place}: {reason}"))
+                (status, format!("at {t:?} s, {place}: {}", reason.english()))
             }
         };
         if status == Status::GaveUp {

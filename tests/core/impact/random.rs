@@ -60,7 +60,7 @@ fn examine(seeds: u64, most: f64) -> [usize; 3] {
         let deep = driven_in(&history);
         assert!(deep <= DEEP, "seed {seed}: {deep:e} of a face deep");
         // Who starts inside another cannot be computed; everybody else comes to the end.
-        let early = history.stop().filter(|stop| !stop.reason.contains("it starts"));
+        let early = history.stop().filter(|stop| !stop.reason.to_string().contains("it starts"));
         assert!(early.is_none(), "seed {seed}: {early:?}");
         for (count, more) in counts.iter_mut().zip([1, record.hits.len(), record.lasting.len()]) {
             *count += more;

@@ -73,7 +73,7 @@ fn our_own_files_hold_the_formula_they_were_made_by() {
     // Half a count.
     expect(knet, [1.5, 0.0], (0.01, 100), 2e-6, mean);
     assert_eq!(knet.orientation, Orientation::Azimuth(90.0), "east");
-    assert!(knet.done.iter().any(|done| done.starts_with("mean of ")), "{:?}", knet.done);
+    assert!(knet.done.iter().any(|done| done.to_string().starts_with("mean of ")), "{:?}", knet.done);
     let cosmos = channels("cosmos.V2c");
     assert_eq!(cosmos.len(), 2, "two channels");
     expect(&cosmos[0], [1.5, 0.0], (0.005, 200), 6e-8, 0.0);
@@ -96,7 +96,7 @@ fn a_channel_of_several_is_chosen_and_never_guessed() {
     assert_eq!(record.channel(Some(2)).map(|channel| channel.orientation), Ok(Orientation::Up), "by its number");
     for wrong in [None, Some(0), Some(4), Some(usize::MAX)] {
         let said = record.channel(wrong).expect_err("none of them");
-        assert!(said.contains("1 (Chan  1: 360 Deg), 2 (Chan  2:  Up), 3 (Chan  3:  90 Deg)"), "{said}");
+        assert!(said.to_string().contains("1 (Chan  1: 360 Deg), 2 (Chan  2:  Up), 3 (Chan  3:  90 Deg)"), "{said}");
     }
 }
 
@@ -113,7 +113,7 @@ fn a_file_that_is_cut_off_anywhere_in_its_numbers_is_refused_with_its_line() {
             let error = read(&whole[..cut], name).expect_err("cut off");
             let lines = u64::try_from(whole[..cut].split(|byte| *byte == b'\n').count()).expect("few");
             assert!(error.line <= lines && error.line > 0, "{name} cut to {part} %: {error}");
-            assert!(!error.remedy.is_empty(), "{name} cut to {part} %: {error}");
+            assert!(!error.remedy.to_string().is_empty(), "{name} cut to {part} %: {error}");
         }
     }
 }

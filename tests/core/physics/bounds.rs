@@ -5,10 +5,10 @@ use girderbench::scene::{Bearings, PerDirection, Scene, presets};
 use girderbench::sim::{History, Session};
 
 /// Why a run ends early, and when \[s\].
-fn ended(history: &History) -> (f64, &str) {
+fn ended(history: &History) -> (f64, String) {
     let stop = history.stop().expect("it ends early");
     assert_eq!(history.end(), stop.t, "what is computed stays");
-    (stop.t, &stop.reason)
+    (stop.t, stop.reason.to_string())
 }
 
 fn deck(change: impl Fn(&mut girderbench::scene::SharedBearings)) -> Scene {

@@ -299,7 +299,7 @@ fn the_impact_model_refuses_a_device_in_words() {
     session.advance(scene.duration, &mut |_| true);
     let history = session.finish();
     let stop = history.stop().expect("a refusal");
-    assert!(stop.t == 0.0 && stop.reason.contains("device"), "{stop:?}");
+    assert!(stop.t == 0.0 && stop.reason.to_string().contains("device"), "{stop:?}");
 }
 
 #[test]

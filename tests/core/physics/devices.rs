@@ -383,6 +383,6 @@ fn half_a_yield_of_a_bearing_is_refused_and_the_impact_model_says_that_it_knows_
     let mut session = Session::new(&whole).expect("a scene");
     session.advance(whole.duration, &mut |_| true);
     let history = session.finish();
-    let reason = &history.stop().expect("refused").reason;
+    let reason = history.stop().expect("refused").reason.to_string();
     assert!(reason.contains("bearings that yield"), "{reason}");
 }

@@ -271,5 +271,5 @@ fn the_impact_model_refuses_piers_in_words() {
     scene.model.kind = girderbench::scene::ModelKind::Impact;
     let history = History::of(&scene).expect("a scene");
     let stop = history.stop().expect("refused");
-    assert!(stop.reason.contains("no piers"), "{stop:?}");
+    assert!(stop.reason.to_string().contains("no piers"), "{stop:?}");
 }

@@ -304,6 +304,6 @@ fn the_impact_model_refuses_it() {
     scene.model.kind = ModelKind::Impact;
     let mut session = Session::of_model(&scene, model(&scene, SHAKEN));
     session.advance(scene.duration, &mut |_| true);
-    let stop = session.finish().stop().map(|stop| stop.reason.clone()).unwrap_or_default();
+    let stop = session.finish().stop().map(|stop| stop.reason.to_string()).unwrap_or_default();
     assert!(stop.contains("rigid girders"), "{stop}");
 }

@@ -249,6 +249,6 @@ fn the_impact_model_refuses_devices_in_words() {
     let mut session = Session::new(&scene).expect("a scene");
     session.advance(scene.duration, &mut |_| true);
     let history = session.finish();
-    let reason = &history.stop().expect("refused").reason;
+    let reason = history.stop().expect("refused").reason.to_string();
     assert!(reason.contains("knows no devices"), "{reason}");
 }

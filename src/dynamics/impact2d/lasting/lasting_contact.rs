@@ -26,6 +26,7 @@ use crate::dynamics::model::coordinates::planar::{self, PlanarState, RATES, WIDT
 use crate::dynamics::model::motion_bounds::MotionBounds;
 use crate::dynamics::trajectory::segment::SegmentMotion;
 use crate::dynamics::trajectory::step_polynomial::StepPolynomial;
+use crate::language::Text;
 use crate::motion::{Ground, LinearPiece};
 
 /// Event that ends an interval of lasting contact.
@@ -163,7 +164,7 @@ impl LastingContact {
         model: &Model,
         allowed: [f64; 2],
         [least, cap]: [f64; 2],
-    ) -> Result<(), String> {
+    ) -> Result<(), Text> {
         let t = self.until;
         self.from = t;
         let piece = model.ground.piece(model.ground.piece_number(t));
@@ -200,7 +201,7 @@ impl LastingContact {
         piece: LinearPiece,
         allowed: [f64; 2],
         cap: f64,
-    ) -> Result<DenseOutput, String> {
+    ) -> Result<DenseOutput, Text> {
         let mut system = ConstrainedOde { model, bodies: &self.bodies, modes: &self.modes, piece, allowed };
         let (t, mut y) = (self.from, self.y.clone());
         let mut method = Dop853::default();
@@ -217,7 +218,7 @@ impl LastingContact {
             }
             h *= if error.is_finite() { next_factor(error).min(REJECTED_FACTOR) } else { NOT_FINITE_FACTOR };
         }
-        Err("no step is short enough to follow the contact: its reactions have no motion here".to_owned())
+        Err(Text::new("stop-no-motion"))
     }
 
     /// State of a body, by its place here, in the planned step.

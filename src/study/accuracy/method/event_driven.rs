@@ -27,7 +27,7 @@ impl Method for EventDriven {
         scene.solver.tolerance = job.setting;
         let history = History::of(&scene).map_err(|errors| errors.to_string())?;
         match history.stop() {
-            Some(stop) => Err(format!("stopped at {} s: {}", stop.t, stop.reason)),
+            Some(stop) => Err(format!("stopped at {} s: {}", stop.t, stop.reason.english())),
             None => Ok(Work::History(Box::new(history))),
         }
     }

@@ -127,7 +127,7 @@ impl Run {
             // The model's motion ends there: the state of its end is compared.
             Err(Stop { cause: Cause::SupportLost, t, .. }) => self.session.motions_at(*t),
             Err(stop) => {
-                let what = format!("t = {} s, {}: {}", stop.t, stop.place, stop.reason);
+                let what = format!("t = {} s, {}: {}", stop.t, stop.place, stop.reason.english());
                 return Err(failed(&self.scene, Check::Finishes, &what));
             }
         };
