@@ -161,6 +161,7 @@ moved-support = { $name }:{ $ground } { $delay } s later, × { $factor }; up to 
 check-moving = ground under { $moved }
 run-ground-under = ground under
 check-on-piers = { $count } of them on { $piers }; frequencies are those on piers that stand still
+check-on-abutments = { $count } of them on { $abutments }
 check-pier = pier { $name }: at { $x }, { $y } m, { $mass } kg, height { $height } m; { $standing }
 check-pier-b = k along, across = { $stiffness } N/m, c = { $damping } N·s/m; alone f = { $frequency } Hz, T = { $period } s{ $turning }{ $yielding }
 check-pier-alone = no end of a girder stands on it alone

@@ -170,6 +170,7 @@ wrong-path-ends = the path ends there: it has no keys
 wrong-value = give a value as in the file: 45, true, paper, "two words", [0.07, 0.025]
 wrong-key = no such key here{ $meant }; keys known here: { $known }
 wrong-missing-key = this key must be given: add `{ $key } = …`
+wrong-missing-word = this key must be given: add `{ $key } = …`, one of { $words }
 wrong-type = expected { $expected }
 wrong-word = expected one of { $words }{ $meant }
 type-number = a number

@@ -170,6 +170,7 @@ wrong-path-ends = パスはそこで終わる。キーをもたない
 wrong-value = ファイルと同じ書き方で与える：45, true, paper, "two words", [0.07, 0.025]
 wrong-key = ここにそのキーはない{ $meant }。ここで使えるキー：{ $known }
 wrong-missing-key = 必須のキー：`{ $key } = …` を加える
+wrong-missing-word = 必須のキー：`{ $key } = …` を加える。値は { $words } のどれか
 wrong-type = ここには{ $expected }
 wrong-word = { $words } のどれかを与える{ $meant }
 type-number = 数

@@ -1,5 +1,6 @@
 //! What `check` says of a girder: its shape, where and how it starts, what it stands on.
 
+use std::collections::BTreeSet;
 use std::f64::consts::TAU;
 
 use super::supports;
@@ -8,7 +9,7 @@ use crate::dynamics::Body;
 use crate::dynamics::model::bearing::{Bearing, BearingQuantities};
 use crate::language::{Text, said};
 use crate::scene::shown::escaped;
-use crate::scene::{Direction, Girder, Initial, Kind, Push, Scene, Seat};
+use crate::scene::{Direction, Girder, Initial, Kind, Push, Scene, Seat, StandsOn};
 use crate::sim::on_bearings::bearings_as_given;
 
 /// All of it, a fact a line.
@@ -25,7 +26,7 @@ pub(super) fn text(scene: &Scene, girder: &Girder, body: &Body) -> String {
         .into_iter()
         .chain([
             bearings(&BearingQuantities::of(&own, body.mass, body.gyration2), own.len()),
-            on_piers(scene, girder),
+            on_supports(scene, girder),
             supports::text(girder, setting),
             vertical(body, &own, kind),
             rotation,
@@ -147,17 +148,28 @@ fn bearings(q: &BearingQuantities, count: usize) -> String {
     )
 }
 
-/// How many of its bearings stand on piers, and on which.
-fn on_piers(scene: &Scene, girder: &Girder) -> String {
-    let mut piers: Vec<usize> = scene.supports(girder).into_iter().flatten().collect();
-    if piers.is_empty() {
-        return String::new();
+/// How many of its bearings stand on piers and on abutments, and on which.
+fn on_supports(scene: &Scene, girder: &Girder) -> String {
+    let standing = scene.standing(girder);
+    let (mut piers, mut abutments) = (Vec::new(), Vec::new());
+    for on in standing {
+        match on {
+            StandsOn::Ground => {}
+            StandsOn::Pier(number) => piers.push(scene.piers[number].name.as_str()),
+            StandsOn::Abutment(number) => abutments.push(scene.abutments[number].name.as_str()),
+        }
     }
-    let count = piers.len();
-    piers.sort_unstable();
-    piers.dedup();
-    let names: Vec<String> = piers.iter().map(|&number| escaped(&scene.piers[number].name).into_owned()).collect();
-    format!("  {}\n", said!("check-on-piers", "count" => count, "piers" => names.join(", ")))
+    let listed = |mut names: Vec<&str>| {
+        let mut seen = BTreeSet::new();
+        names.retain(|name| seen.insert(*name));
+        names.into_iter().map(|name| escaped(name).into_owned()).collect::<Vec<_>>().join(", ")
+    };
+    let [on_piers, on_abutments] = [piers.len(), abutments.len()];
+    let piers = (on_piers > 0).then(|| said!("check-on-piers", "count" => on_piers, "piers" => listed(piers)));
+    let abutments = (on_abutments > 0)
+        .then(|| said!("check-on-abutments", "count" => on_abutments, "abutments" => listed(abutments)));
+    let lines: Vec<String> = piers.into_iter().chain(abutments).map(|said| format!("  {said}\n")).collect();
+    lines.concat()
 }
 
 /// What the bearings make of a spatial girder that moves straight up and down.

@@ -4,6 +4,7 @@ use toml::Value;
 
 use crate::language::{Message, Text, message};
 use crate::scene::SceneError;
+use crate::scene::keys::{self, Range};
 use crate::scene::shown::shown;
 
 /// One step on the way from the top of the file to a value.
@@ -97,12 +98,16 @@ impl Fault {
             What::UnknownKey(key, known) => {
                 message!("wrong-key", "meant" => did_you_mean(key, known), "known" => known.join(", "))
             }
-            What::MissingKey(key) => message!("wrong-missing-key", "key" => *key),
+            What::MissingKey(key) => match keys::of_place(&self.place()).map(|(_, known)| known.range) {
+                Some(Range::Words(words)) => {
+                    message!("wrong-missing-word", "key" => *key, "words" => quoted(words))
+                }
+                _ => message!("wrong-missing-key", "key" => *key),
+            },
             What::Type(expected) => message!("wrong-type", "expected" => in_words(expected)),
             What::Word(words) => {
                 let found = self.value.as_deref().unwrap_or_default().trim_matches('"');
-                let quoted: Vec<String> = words.iter().map(|w| format!("\"{w}\"")).collect();
-                message!("wrong-word", "words" => quoted.join(", "), "meant" => did_you_mean(found, words))
+                message!("wrong-word", "words" => quoted(words), "meant" => did_you_mean(found, words))
             }
             What::Wrong(message) => message.as_str().into(),
         }
@@ -117,6 +122,11 @@ impl Fault {
             remedy: self.remedy(),
         }
     }
+}
+
+/// Words that may stand under a key, as they stand there.
+fn quoted(words: &[&str]) -> String {
+    words.iter().map(|word| format!("\"{word}\"")).collect::<Vec<_>>().join(", ")
 }
 
 fn joined(place: &str, key: &str) -> String {

@@ -371,6 +371,7 @@ fn a_support_names_a_ground_that_there_is() {
     complains("kind = \"record\"\nsamples_m_s2 = [0, 1]", "ground.bank.dt_s", "nothing", "interval");
     complains("kind = \"none\"\nfrequency_hz = 1", "ground.bank.frequency_hz", "1", "known");
     complains("", "ground.bank.kind", "nothing", "must be given");
+    complains("", "ground.bank.kind", "nothing", "one of \"none\", \"sine\", \"record\"");
     let nameless = "[[ground]]\nkind = \"none\"\n[contact]";
     assert_complaint("[contact]", nameless, "ground[0].name", "nothing", "must be given");
     let twice = "[[ground]]\nname = \"a\"\nkind = \"none\"\n[[ground]]\nname = \"a\"\nkind = \"none\"\n[contact]";
