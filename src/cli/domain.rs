@@ -1,4 +1,4 @@
-//! Warnings where a scene lies outside the domain in which the program is checked, and where an answer does not balance.
+//! Warnings where a scene lies outside the domain in which the program is checked, where an answer does not balance, and where supports drift apart.
 
 use super::console::Console;
 use super::digits::six;
@@ -8,6 +8,7 @@ use crate::scene::domain::outside;
 use crate::scene::shown::escaped;
 use crate::scene::{Motion, Scene};
 use crate::sim::History;
+use crate::sim::moving_ground::MovedSupport;
 
 /// So many warnings are written out; a row of a thousand girders in the wrong unit would fill a screen with one fault.
 const MOST: usize = 10;
@@ -49,5 +50,17 @@ pub(super) fn warn_of_balance(history: &History, console: &mut Console) {
             "balance" => balance.to_string(),
             "remedy" => remedy
         ));
+    }
+}
+
+/// Warns of supports that the ends of records leave moving against the ground of reference, a line each.
+pub(super) fn warn_of_drift(supports: &[MovedSupport], console: &mut Console) {
+    let drifting = || supports.iter().filter_map(|moved| Some((moved, moved.drift?)));
+    for (MovedSupport { name, last, .. }, speed) in drifting().take(MOST) {
+        let [speed, last] = [speed, *last].map(six);
+        console.note(&said!("warning-drift", "name" => escaped(name), "speed" => speed, "last" => last));
+    }
+    if let Some(more) = drifting().count().checked_sub(MOST).filter(|more| *more > 0) {
+        console.note(&said!("warning-more-drift", "more" => more));
     }
 }

@@ -7,9 +7,12 @@ use super::console::Console;
 use super::failure::Failure;
 use super::output::write_answer;
 use super::{domain, summary};
+#[cfg(not(feature = "render"))]
+use crate::language::Text;
 use crate::language::said;
 use crate::scene::Scene;
 use crate::sim::History;
+use crate::sim::moving_ground::moved_supports;
 use crate::tables::{self, Report, TableOptions};
 
 /// Runs a scene and writes everything about it into a folder.
@@ -23,6 +26,7 @@ pub(super) fn run(scene: &Scene, folder: &Path, console: &mut Console) -> Result
     for (history, options) in histories.iter().zip(&options) {
         console.print(&summary::text(&Report::of(history, options)));
         domain::warn_of_balance(history, console);
+        domain::warn_of_drift(&moved_supports(history.scene(), history.model()), console);
     }
     let Some(history) = histories.into_iter().reduce(History::with_beside) else { return Ok(()) };
     let beside = history.beside().into_iter().zip(options.iter().skip(1));
@@ -66,6 +70,6 @@ fn pictures(history: &History) -> Result<Vec<(String, Vec<u8>)>, crate::render::
 
 /// The hardest hit from every side, as (file name, bytes of a PNG), or why there is none.
 #[cfg(not(feature = "render"))]
-fn pictures(_: &History) -> Result<Vec<(String, Vec<u8>)>, &'static str> {
-    Err("this build has none (feature render)")
+fn pictures(_: &History) -> Result<Vec<(String, Vec<u8>)>, Text> {
+    Err(Text::new("headless-no-render"))
 }

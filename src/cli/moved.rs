@@ -7,7 +7,7 @@ use crate::sim::moving_ground::MovedSupport;
 
 /// Which support, and how it moves.
 pub(super) fn words(moved: &MovedSupport) -> String {
-    let MovedSupport { name, motion, ground, largest, last } = moved;
+    let MovedSupport { name, motion, ground, largest, last, .. } = moved;
     let [delay, factor, largest, last] = [motion.delay, motion.factor, *largest, *last].map(six);
     let own = |ground: &String| said!("moved-own-ground", "ground" => escaped(ground));
     said!(

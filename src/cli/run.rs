@@ -10,6 +10,7 @@ use super::failure::Failure;
 use super::output::write_answer;
 use super::{limits, summary};
 use crate::files;
+use crate::sim::moving_ground::moved_supports;
 use crate::tables::{DEFAULT_SAMPLE_HZ, Report, TableOptions};
 
 /// Run a scene: a summary here, the tables into a folder
@@ -70,6 +71,7 @@ fn report(args: &RunArgs, timed: &[Timed], console: &mut Console) -> Result<(), 
             run_time: Some(timed.run_time),
         };
         domain::warn_of_balance(&timed.history, console);
+        domain::warn_of_drift(&moved_supports(timed.history.scene(), timed.history.model()), console);
         if !args.digest {
             console.print(&summary::text(&Report::of(&timed.history, &options)));
         }

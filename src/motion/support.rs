@@ -56,6 +56,22 @@ impl GroundPath {
     }
 }
 
+impl GroundPath {
+    /// The acceleration that it is the path of.
+    pub const fn ground(&self) -> &Ground {
+        &self.ground
+    }
+
+    /// Velocity at which it goes on once its record has ended \[m/s\]; none of a sine, which has no end.
+    pub fn last_velocity(&self) -> Option<DVec3> {
+        match self.ground {
+            Ground::Still => Some(DVec3::ZERO),
+            Ground::Sine { .. } => None,
+            Ground::Record { .. } => self.at_samples.last().map(|[velocity, _]| *velocity),
+        }
+    }
+}
+
 /// How the ground of a support moves: `factor · a(t − delay)` of the ground motion of this number, at rest before.
 #[derive(Clone, Copy, Debug, PartialEq, serde::Serialize)]
 pub struct SupportMotion {
@@ -92,6 +108,11 @@ impl RelativeMotion {
     pub fn at(&self, t: f64) -> [DVec3; 2] {
         let (own, reference) = (self.path.at(t - self.own.delay), self.reference.at(t));
         [0, 1].map(|i| own[i] * self.own.factor - reference[i])
+    }
+
+    /// Velocity at which it goes on once both grounds' records have ended \[m/s\]; none where one has no end.
+    pub fn last_velocity(&self) -> Option<DVec3> {
+        Some(self.path.last_velocity()? * self.own.factor - self.reference.last_velocity()?)
     }
 
     /// Acceleration at `t` of a stretch without a kink that begins at `since` \[m/s²\].

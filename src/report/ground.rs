@@ -1,8 +1,10 @@
 //! The ground motion with its spectrum, and the motion of the girders, as charts.
 
+use std::collections::BTreeSet;
 use std::fmt::Write as _;
 
 use crate::language::{Text, said};
+use crate::motion::Ground;
 use crate::motion::spectrum::{periods, spectrum};
 use crate::scene::STANDARD_GRAVITY;
 use crate::sim::History;
@@ -41,12 +43,47 @@ fn supports(history: &History) -> String {
     if sentences.is_empty() { String::new() } else { format!("<p>{}</p>\n", sentences.join("<br>\n")) }
 }
 
+/// A ground motion that is drawn.
+struct Drawn {
+    name: String,
+    /// Acceleration at the times of the picture \[m/s²\].
+    samples: Vec<[f64; 3]>,
+}
+
+impl Drawn {
+    fn moves(&self, axis: usize) -> bool {
+        self.samples.iter().any(|a| a[axis] != 0.0)
+    }
+}
+
+/// The ground of `[motion]`, and those with names that supports stand on.
+fn grounds(history: &History) -> Vec<Drawn> {
+    let (model, scene) = (history.model(), history.scene());
+    let drawn = |name: &str, ground: &Ground| Drawn {
+        name: name.to_owned(),
+        samples: times(history).map(|t| ground.acceleration(t).to_array()).collect(),
+    };
+    let used: BTreeSet<usize> =
+        moved_supports(scene, model).iter().map(|moved| moved.motion.ground).filter(|number| *number > 0).collect();
+    let named = model.moving.iter().flat_map(|moving| {
+        used.iter().map(|&number| drawn(&scene.grounds[number - 1].name, moving.ground(number))).collect::<Vec<_>>()
+    });
+    std::iter::once(drawn("[motion]", &model.ground)).chain(named).collect()
+}
+
+/// A line of the table of peaks.
+fn peak_row(name: &str, series: &[f64], history: &History) -> String {
+    let peak = series.iter().zip(times(history)).max_by(|a, b| a.0.abs().total_cmp(&b.0.abs()));
+    let (value, t) = peak.map_or((0.0, 0.0), |(value, t)| (*value, t));
+    let value = value.abs() / STANDARD_GRAVITY;
+    let name = escape(name);
+    format!("<tr><td>{name}</td><td class=\"number\">{value:.4}</td><td class=\"number\">{t:.3}</td></tr>\n")
+}
+
 /// Histories of the ground's acceleration and their spectra; in words where it is still.
 pub(super) fn section(history: &History) -> String {
-    let ground = &history.model().ground;
-    let supports = supports(history);
-    let samples: Vec<[f64; 3]> = times(history).map(|t| ground.acceleration(t).to_array()).collect();
-    let axes: Vec<usize> = (0..3).filter(|&axis| samples.iter().any(|a| a[axis] != 0.0)).collect();
+    let grounds = grounds(history);
+    let axes: Vec<usize> = (0..3).filter(|&axis| grounds.iter().any(|ground| ground.moves(axis))).collect();
     if axes.is_empty() {
         return format!("<p>{}</p>\n", Text::new("report-still"));
     }
@@ -55,31 +92,30 @@ pub(super) fn section(history: &History) -> String {
     let mut html = format!("<table><tr><th>{component}</th><th>{peak}</th><th>{at}</th></tr>\n");
     let (mut panels, mut spectra) = (Vec::new(), Vec::new());
     for &axis in &axes {
-        let series: Vec<f64> = samples.iter().map(|a| a[axis]).collect();
-        let peak = series.iter().zip(times(history)).max_by(|a, b| a.0.abs().total_cmp(&b.0.abs()));
-        let (value, t) = peak.map_or((0.0, 0.0), |(value, t)| (*value, t));
-        let _ = writeln!(
-            html,
-            "<tr><td>{}</td><td class=\"number\">{:.4}</td><td class=\"number\">{t:.3}</td></tr>",
-            names[axis],
-            value.abs() / STANDARD_GRAVITY
-        );
-        let points = times(history).zip(&series).map(|(t, a)| [t, a / STANDARD_GRAVITY]).collect();
-        panels.push(Panel {
-            name: said!("report-ground-axis", "axis" => names[axis]),
-            curves: vec![curve(names[axis], axis, points)],
-        });
-        let dt = history.end() / f64::from(SAMPLES);
-        let responses = spectrum(&series, dt, &periods(PERIODS.0, PERIODS.1), DAMPING);
-        let points = responses.iter().map(|r| [r.period, r.pseudo_acceleration() / STANDARD_GRAVITY]).collect();
-        spectra.push(curve(names[axis], axis, points));
+        let mut curves = Vec::new();
+        for (number, ground) in grounds.iter().enumerate().filter(|(_, ground)| ground.moves(axis)) {
+            // Alone it is called by its axis and has the axis' colour; of several each has its own.
+            let alone = grounds.len() == 1;
+            let name = if alone { names[axis].to_owned() } else { format!("{} {}", ground.name, names[axis]) };
+            let color = if alone { axis } else { number * 3 + axis };
+            let series: Vec<f64> = ground.samples.iter().map(|a| a[axis]).collect();
+            html += &peak_row(&name, &series, history);
+            let points = times(history).zip(&series).map(|(t, a)| [t, a / STANDARD_GRAVITY]).collect();
+            curves.push(curve(&name, color, points));
+            let dt = history.end() / f64::from(SAMPLES);
+            let responses = spectrum(&series, dt, &periods(PERIODS.0, PERIODS.1), DAMPING);
+            let points = responses.iter().map(|r| [r.period, r.pseudo_acceleration() / STANDARD_GRAVITY]).collect();
+            spectra.push(curve(&name, color, points));
+        }
+        panels.push(Panel { name: said!("report-ground-axis", "axis" => names[axis]), curves });
     }
     let motion = Chart { title: String::new(), x: Text::new("report-time").into(), panels };
     let spectrum = Panel { name: Text::new("report-pseudo").into(), curves: spectra };
     let spectrum = Chart { title: String::new(), x: Text::new("report-period").into(), panels: vec![spectrum] };
     let _ = writeln!(
         html,
-        "</table>\n{supports}<div class=\"picture\">{}</div>\n<div class=\"picture\">{}</div>\n<p>{}</p>",
+        "</table>\n{}<div class=\"picture\">{}</div>\n<div class=\"picture\">{}</div>\n<p>{}</p>",
+        supports(history),
         motion.to_svg(),
         spectrum.to_svg(),
         said!(

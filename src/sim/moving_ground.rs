@@ -11,6 +11,9 @@ use crate::scene::{Girder, ResolvedBearing, Scene, placed};
 /// Times at which the motion of a support is looked at for its largest displacement: every sample of 20 s at 0.01 s.
 const LOOKS: u32 = 2000;
 
+/// Speed that records may leave, of the largest within the run: what is left of a corrected baseline.
+const LEFT: f64 = 0.02;
+
 /// A support whose ground moves otherwise than the ground of reference.
 #[derive(Clone, Debug, PartialEq, serde::Serialize)]
 pub struct MovedSupport {
@@ -25,6 +28,9 @@ pub struct MovedSupport {
     pub largest: f64,
     /// That at the end of the run \[m\].
     pub last: f64,
+    /// Speed at which it goes on against the ground of reference when the records of both have ended \[m/s\]; none where that is
+    /// rounding beside the motion, or one has no end.
+    pub drift: Option<f64>,
 }
 
 /// The supports of a scene whose ground moves otherwise than the ground of reference: abutments, piers, other places.
@@ -41,15 +47,19 @@ pub fn moved_supports(scene: &Scene, model: &Model) -> Vec<MovedSupport> {
     let other = other.map(|foundation| (above(foundation.body), Some(foundation.motion)));
     let moved = |(name, motion): (String, Option<SupportMotion>)| {
         let motion = motion?;
-        let apart = |t: f64| moving.displacement(motion, t).length();
-        let looks = (0..=LOOKS).map(|look| model.duration * f64::from(look) / f64::from(LOOKS));
+        let relative = moving.relative(motion);
+        let apart = |t: f64| relative.at(t)[1].length();
+        let looks = || (0..=LOOKS).map(|look| model.duration * f64::from(look) / f64::from(LOOKS));
+        let fastest = looks().map(|t| relative.at(t)[0].length()).fold(0.0, f64::max);
+        let left = relative.last_velocity().map(DVec3::length);
         let ground = motion.ground.checked_sub(1).map(|number| scene.grounds[number].name.clone());
         Some(MovedSupport {
             name,
             motion,
             ground,
-            largest: looks.map(apart).fold(0.0, f64::max),
+            largest: looks().map(apart).fold(0.0, f64::max),
             last: apart(model.duration),
+            drift: left.filter(|speed| *speed > LEFT * fastest),
         })
     };
     abutments.chain(piers).chain(other).filter_map(moved).collect()

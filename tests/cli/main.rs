@@ -4,6 +4,7 @@ mod bad_input;
 mod domain;
 mod earlier;
 mod files;
+mod grounds;
 mod headless;
 mod identify;
 mod interrupted;

@@ -23,6 +23,7 @@ use crate::scene::{
     STANDARD_GRAVITY, Scene, Sharing, SolverMethod, SweepRate, Tension, ViewPreset, seating,
 };
 use crate::sim;
+use crate::sim::moving_ground::{MovedSupport, moved_supports};
 
 /// Difference of two coefficients of restitution that is round-off \[–\].
 const RETURNED_ROUNDING: f64 = 1e-9;
@@ -43,8 +44,10 @@ pub(super) struct CheckArgs {
 pub(super) fn run(args: &CheckArgs, console: &mut Console) -> Result<(), Failure> {
     let scene = args.scene.load()?;
     let model = Model::compile(&scene)?;
-    console.print(&text(&scene, &model));
+    let moved = moved_supports(&scene, &model);
+    console.print(&text(&scene, &model, &moved));
     domain::warn(&scene, console);
+    domain::warn_of_drift(&moved, console);
     off_their_seats(&scene, console);
     // Elsewhere bodies are joined where they meet.
     if scene.contact.between == Between::Ends || scene.model.kind == ModelKind::Impact {
@@ -85,7 +88,7 @@ fn unjoined(scene: &Scene, model: &Model, console: &mut Console) {
     }
 }
 
-fn text(scene: &Scene, model: &Model) -> String {
+fn text(scene: &Scene, model: &Model, moved: &[MovedSupport]) -> String {
     let girders = scene.girders.iter().zip(&model.bodies).map(|(g, body)| girder::text(scene, g, body));
     let pairs = model.pairs.iter().enumerate().map(|(number, pair)| pair_text(pair, &nodes(model, number)));
     let elsewhere = match scene.contact.between {
@@ -97,7 +100,7 @@ fn text(scene: &Scene, model: &Model) -> String {
     std::iter::once(head(scene))
         .chain(girders)
         .chain(flexible::texts(model))
-        .chain(moving::texts(scene, model))
+        .chain(moving::texts(moved))
         .chain(soil)
         .chain(pier::texts(scene))
         .chain(pairs)

@@ -45,12 +45,22 @@ impl MovingGround {
 
     /// Displacement of the ground of a support that moves in this way against the ground of reference \[m\].
     pub fn displacement(&self, own: SupportMotion, t: f64) -> DVec3 {
-        RelativeMotion::of(&self.paths, own).at(t)[1]
+        self.relative(own).at(t)[1]
+    }
+
+    /// The motion of a support that moves in this way against the ground of reference.
+    pub fn relative(&self, own: SupportMotion) -> RelativeMotion {
+        RelativeMotion::of(&self.paths, own)
+    }
+
+    /// A ground by its number: 0 that of reference, from 1 on those with names.
+    pub fn ground(&self, number: usize) -> &Ground {
+        self.paths[number].ground()
     }
 
     /// The motion of a support against the ground of reference, as degrees of freedom.
     pub(super) fn given(&self, own: SupportMotion) -> GivenMotion {
-        let motion = RelativeMotion::of(&self.paths, own);
+        let motion = self.relative(own);
         GivenMotion { motion, axes: if self.kind == Kind::Planar { 2 } else { 3 } }
     }
 

@@ -1,9 +1,11 @@
 //! Supports whose ground moves later or more than the ground of reference: shifts in time, superposition, limits, books
 //! (`docs/physics.md#supports-that-move`).
 
+use girderbench::dynamics::Model;
 use girderbench::motion::support::GroundPath;
 use girderbench::scene::{Abutment, NamedGround, Scene, overrides, presets, validate};
 use girderbench::sim::History;
+use girderbench::sim::moving_ground::moved_supports;
 use girderbench::tables::{Report, TableOptions, trajectory};
 use glam::DVec3;
 
@@ -343,4 +345,20 @@ fn frequencies_are_those_on_supports_that_stand_still() {
     let history = run(&Scene { duration: 0.5, ..on_a_pier("delay_s = 0.2", SINE) });
     let [x, y, _] = history.bearing_quantities(0).omega.map(|omega| omega / std::f64::consts::TAU);
     within("f of the scene", (x - 1.1).abs().max((y - 1.1).abs()), 1e-14);
+}
+
+#[test]
+fn a_support_drifts_where_its_record_does_not_end_as_that_of_the_ground_of_reference() {
+    let record = |samples: &str| format!("kind = \"record\"\ndt_s = 0.2\nsamples_m_s2 = {samples}");
+    let [rest, moving] = ["[0.0, 1.0, -1.0, 0.0]", "[0.0, 1.0, 0.0]"].map(record);
+    let drifts = |motion: &str, grounds: [&str; 2]| {
+        let scene = on_grounds([5e6, 9e6], motion, grounds);
+        let model = Model::compile(&scene).expect("a model");
+        moved_supports(&scene, &model).into_iter().map(|moved| moved.drift).collect::<Vec<_>>()
+    };
+    assert_eq!(drifts(&rest, [&rest, &rest]), [None, None], "all come to rest");
+    let [west, east] = drifts(&rest, [&moving, &rest])[..] else { panic!("two supports") };
+    assert!(west.is_some_and(|speed| (speed - 0.2).abs() < 1e-12) && east.is_none(), "one goes on: {west:?}, {east:?}");
+    assert_eq!(drifts(&moving, [&moving, &moving]), [None, None], "all go on alike");
+    assert_eq!(drifts(STILL, [&rest, SINE]), [None, None], "a sine has no end");
 }
