@@ -394,7 +394,8 @@ table-needed = the columns t, pair and kind are there
 table-number = a finite number stands there
 table-fields = every line of the table has the same number of fields, as UTF-8 text
 table-error = { $place }: { $value }: { $remedy }
-warning-drift = warning: ground under { $name }: when its record and that of the ground of reference have ended it goes on moving at { $speed } m/s against that ground, and is { $last } m from it at the end of the run: correct the baseline of both (processing, baseline = "linear" or "berg-housner"), or give both one record with delay_s and motion_factor
+warning-drift = warning: { $words }
+support-drifts = ground under { $name }: when its record and that of the ground of reference have ended it goes on moving at { $speed } m/s against that ground, and is { $last } m from it at the end of the run: correct the baseline of both (processing, baseline = "linear" or "berg-housner"), or give both one record with delay_s and motion_factor
 warning-more-drift = warning: { $more } more such supports
 interrupted-nothing = nothing was written
 progress-again = , again with contact between bodies that met

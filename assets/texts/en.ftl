@@ -241,6 +241,7 @@ first-view = Opens in
 force-scale = Force scale
 auto-scale = Scale from peak
 outside = outside the domain
+drifting = ground of a support drifts away
 beyond-law = a contact beyond its law
 unbalanced = energy does not balance
 saved = Saved

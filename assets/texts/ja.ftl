@@ -241,6 +241,7 @@ first-view = 開くとき
 force-scale = 力の縮尺
 auto-scale = 最大値に合わせる
 outside = 適用範囲外
+drifting = 支点の地盤が離れ続けます
 beyond-law = 接触則の範囲外の接触
 unbalanced = エネルギー収支が合いません
 saved = 保存しました

@@ -3,7 +3,7 @@
 //! | key | value |
 //! |---|---|
 //! | `scene` | name of a preset |
-//! | `lesson` | name of a lesson |
+//! | `lesson` | name of a lesson; with `toml`, the one whose words stand beside that scene |
 //! | `toml` | a scene's text: deflated in base64url, or as it is with `%` before hexadecimal bytes |
 //! | `t` | the time shown \[s\] |
 //! | `lang` | the language, `en` or `ja` |
@@ -32,8 +32,8 @@ pub enum Target {
     Preset(String),
     /// The lesson of this name.
     Lesson(String),
-    /// The scene of this text.
-    Text(String),
+    /// The scene of this text, beside the words of the lesson of this name.
+    Text(String, Option<String>),
 }
 
 /// A link.
@@ -53,20 +53,25 @@ impl Link {
     /// # Errors
     /// In words: the first key or value that has no sense.
     pub fn parse(fragment: &str) -> Result<Self, String> {
-        let mut link = Self::default();
+        let (mut link, mut lesson) = (Self::default(), None);
         let fragment = fragment.strip_prefix('#').unwrap_or(fragment);
         for pair in fragment.split('&').filter(|pair| !pair.is_empty()) {
             let (key, value) = pair.split_once('=').unwrap_or((pair, ""));
             let refused = || text::link_refused(pair);
             match key {
                 "scene" => link.target = Some(Target::Preset(unescaped(value).ok_or_else(refused)?)),
-                "lesson" => link.target = Some(Target::Lesson(unescaped(value).ok_or_else(refused)?)),
-                "toml" => link.target = Some(Target::Text(scene_text(value).ok_or_else(refused)?)),
+                "lesson" => lesson = Some(unescaped(value).ok_or_else(refused)?),
+                "toml" => link.target = Some(Target::Text(scene_text(value).ok_or_else(refused)?, None)),
                 "t" => link.t = Some(value.parse().ok().filter(|t: &f64| t.is_finite()).ok_or_else(refused)?),
                 "lang" => link.language = Some(Language::of_locale(value).ok_or_else(refused)?),
                 _ => return Err(refused()),
             }
         }
+        link.target = match (link.target, lesson) {
+            (Some(Target::Text(text, _)), beside) => Some(Target::Text(text, beside)),
+            (_, Some(name)) => Some(Target::Lesson(name)),
+            (other, None) => other,
+        };
         Ok(link)
     }
 
@@ -78,9 +83,13 @@ impl Link {
         let target = self.target.as_ref().map(|target| match target {
             Target::Preset(name) => format!("scene={}", escaped(name)),
             Target::Lesson(name) => format!("lesson={}", escaped(name)),
-            Target::Text(text) => format!("toml={}", BASE64_URL_SAFE_NO_PAD.encode(deflated(text))),
+            Target::Text(text, lesson) => {
+                let beside = lesson.as_ref().map_or(String::new(), |name| format!("lesson={}&", escaped(name)));
+                format!("{beside}toml={}", BASE64_URL_SAFE_NO_PAD.encode(deflated(text)))
+            }
         });
-        let t = self.t.map(|t| format!("t={t}"));
+        // To the microsecond, which no eye tells from the moment.
+        let t = self.t.map(|t| format!("t={}", (t * 1e6).round() / 1e6));
         let language = self.language.map(|language| format!("lang={}", language.code()));
         let link = [target, t, language].into_iter().flatten().collect::<Vec<_>>().join("&");
         if link.len() > LONGEST_LINK { Err(text::LINK_TOO_LONG.as_str().to_owned()) } else { Ok(link) }
@@ -146,7 +155,7 @@ mod tests {
     #[test]
     fn every_preset_goes_into_a_link_and_comes_back() {
         for preset in presets::all() {
-            let link = Link { target: Some(Target::Text(preset.text.to_owned())), ..Link::default() };
+            let link = Link { target: Some(Target::Text(preset.text.to_owned(), None)), ..Link::default() };
             let written = link.write().unwrap_or_else(|words| panic!("{}: {words}", preset.name));
             assert_eq!(Link::parse(&written), Ok(link), "{}: {} signs", preset.name, written.len());
         }
@@ -156,7 +165,7 @@ mod tests {
     fn a_scene_may_be_written_into_a_link_by_hand() {
         let text = "format = 1\nname = \"橋\"\n";
         let link = Link::parse(&format!("toml={}", escaped(text))).expect("a link");
-        assert_eq!(link.target, Some(Target::Text(text.into())));
+        assert_eq!(link.target, Some(Target::Text(text.into(), None)));
         let long = "x = 1\n".repeat(400_000);
         let link = format!("toml={}", BASE64_URL_SAFE_NO_PAD.encode(deflated(&long)));
         assert!(link.len() < LONGEST_LINK && Link::parse(&link).is_err(), "more text than any scene");
@@ -166,7 +175,7 @@ mod tests {
             format!("{:x}", state >> 32)
         };
         let noise: String = (0..2000).map(|_| noise()).collect();
-        let long = Link { target: Some(Target::Text(noise)), ..Link::default() };
+        let long = Link { target: Some(Target::Text(noise, None)), ..Link::default() };
         assert!(long.write().is_err(), "no link for everything");
     }
 

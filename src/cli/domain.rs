@@ -1,9 +1,8 @@
 //! Warnings where a scene lies outside the domain in which the program is checked, where an answer does not balance, and where supports drift apart.
 
 use super::console::Console;
-use super::digits::six;
 use super::summary::name;
-use crate::language::{Text, said};
+use crate::language::{Text, said, six};
 use crate::scene::domain::outside;
 use crate::scene::shown::escaped;
 use crate::scene::{Motion, Scene};
@@ -55,10 +54,9 @@ pub(super) fn warn_of_balance(history: &History, console: &mut Console) {
 
 /// Warns of supports that the ends of records leave moving against the ground of reference, a line each.
 pub(super) fn warn_of_drift(supports: &[MovedSupport], console: &mut Console) {
-    let drifting = || supports.iter().filter_map(|moved| Some((moved, moved.drift?)));
-    for (MovedSupport { name, last, .. }, speed) in drifting().take(MOST) {
-        let [speed, last] = [speed, *last].map(six);
-        console.note(&said!("warning-drift", "name" => escaped(name), "speed" => speed, "last" => last));
+    let drifting = || supports.iter().filter_map(MovedSupport::drifting);
+    for words in drifting().take(MOST) {
+        console.note(&said!("warning-drift", "words" => words));
     }
     if let Some(more) = drifting().count().checked_sub(MOST).filter(|more| *more > 0) {
         console.note(&said!("warning-more-drift", "more" => more));

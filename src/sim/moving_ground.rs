@@ -5,7 +5,9 @@ use glam::DVec3;
 use super::History;
 use crate::dynamics::Model;
 use crate::dynamics::model::foundation::GROUND;
+use crate::language::{said, six};
 use crate::motion::support::SupportMotion;
+use crate::scene::shown::escaped;
 use crate::scene::{Girder, ResolvedBearing, Scene, placed};
 
 /// Times at which the motion of a support is looked at for its largest displacement: every sample of 20 s at 0.01 s.
@@ -31,6 +33,14 @@ pub struct MovedSupport {
     /// Speed at which it goes on against the ground of reference when the records of both have ended \[m/s\]; none where that is
     /// rounding beside the motion, or one has no end.
     pub drift: Option<f64>,
+}
+
+impl MovedSupport {
+    /// In words, that the ends of records leave it moving against the ground of reference, and the remedy.
+    pub fn drifting(&self) -> Option<String> {
+        let [speed, last] = [self.drift?, self.last].map(six);
+        Some(said!("support-drifts", "name" => escaped(&self.name), "speed" => speed, "last" => last))
+    }
 }
 
 /// The supports of a scene whose ground moves otherwise than the ground of reference: abutments, piers, other places.

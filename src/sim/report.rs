@@ -119,10 +119,14 @@ impl ContactNow {
         self.normal * self.normal_force + self.tangential_force
     }
 
-    /// How much of the friction cone is used: `|F_t| / (μ |F_n|)`, with `μ_s` in stick and `μ_k` in slip; 1 at its rim.
+    /// Friction coefficient in force: `μ_s` in stick and `μ_k` in slip.
+    pub fn mu(&self) -> f64 {
+        if self.state == ContactState::Stick { self.mu_static } else { self.mu_kinetic }
+    }
+
+    /// How much of the friction cone is used: `|F_t| / (μ |F_n|)`; 1 at its rim.
     pub fn cone_use(&self) -> f64 {
-        let mu = if self.state == ContactState::Stick { self.mu_static } else { self.mu_kinetic };
-        let limit = mu * self.normal_force;
+        let limit = self.mu() * self.normal_force;
         if limit > 0.0 { self.tangential_force.length() / limit } else { 0.0 }
     }
 }

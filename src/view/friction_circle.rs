@@ -37,17 +37,22 @@ fn radius(input: &ViewInput<'_>) -> f32 {
 /// Most circles in a picture, one below the other.
 const MOST: usize = 2;
 
-/// The circles at the top right: of the hardest contact that is closed, then of those selected.
-pub(super) fn friction_circles(input: &ViewInput<'_>, moment: &Moment, palette: &Palette) -> Vec<(Vec<Mark>, Area)> {
+/// The circles at the top right, clear of these areas: of the hardest contact that is closed, then of those selected.
+pub(super) fn friction_circles(
+    input: &ViewInput<'_>,
+    moment: &Moment,
+    taken: &[Area],
+    palette: &Palette,
+) -> Vec<(Vec<Mark>, Area)> {
     let mut all: Vec<(Vec<Mark>, Area)> = Vec::new();
     for contact in told(input, moment).into_iter().take(MOST) {
-        let taken: Vec<Area> = all.iter().map(|(_, area)| *area).collect();
+        let taken: Vec<Area> = taken.iter().chain(all.iter().map(|(_, area)| area)).copied().collect();
         all.extend(friction_circle(input, contact, free_place(input, moment, &taken), palette));
     }
     all
 }
 
-/// The first of some places at the edge of the picture that covers no contact, no tip of a force and no other circle; the top right
+/// The first of some places at the edge of the picture that covers no contact, no tip of a force and none of these areas; the top right
 /// where all do.
 fn free_place(input: &ViewInput<'_>, moment: &Moment, taken: &[Area]) -> Area {
     let ppp = input.pixels_per_point;
@@ -56,7 +61,14 @@ fn free_place(input: &ViewInput<'_>, moment: &Moment, taken: &[Area]) -> Area {
     let (right, left, top, bottom) = (room.x - margin.x, margin.x, margin.y, room.y - margin.y);
     let below = top + 2.0 * half.y + 8.0 * ppp;
     let corner = Vec2::new(right, if input.overlays.legend { below } else { bottom });
-    let middles = [Vec2::new(right, top), corner, Vec2::new(right, below), Vec2::new(left, room.y / 2.0)];
+    let middles = [
+        Vec2::new(right, top),
+        corner,
+        Vec2::new(right, below),
+        Vec2::new(left, room.y / 2.0),
+        Vec2::new(room.x / 2.0, bottom),
+        Vec2::new(room.x / 2.0, below),
+    ];
     let scale = moment.force_scale.unwrap_or(f64::INFINITY);
     let ends = moment.contacts.iter().flat_map(|c| [c.point, c.point + c.elastic_force() / scale]);
     let kept: Vec<Area> =
@@ -161,7 +173,7 @@ fn caption(contact: &ContactNow, Round { middle, radius, ppp }: Round, palette: 
         align: Vec2::splat(0.5),
         size: (0.29 * radius).min((TEXT - 1.0) * ppp),
         text: Text::new("view-cone-use")
-            .with(&values!["ratio" => format!("{ratio:.3}"), "most" => format!("{:.2}", contact.mu_static)]),
+            .with(&values!["ratio" => format!("{ratio:.3}"), "most" => format!("{:.2}", contact.mu())]),
         color: palette.ink,
         plate: None,
     }

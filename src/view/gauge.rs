@@ -31,12 +31,16 @@ pub(super) fn told<'a>(input: &ViewInput<'_>, moment: &'a Moment) -> Vec<&'a Con
 
 /// `μ N`, with `μ_s` in stick and `μ_k` in slip \[N\]; 0 where that is no number.
 fn limit(c: &ContactNow) -> f64 {
-    let mu = if c.state == ContactState::Stick { c.mu_static } else { c.mu_kinetic };
-    Some(mu * c.normal_force).filter(|limit| limit.is_finite()).unwrap_or(0.0)
+    Some(c.mu() * c.normal_force).filter(|limit| limit.is_finite()).unwrap_or(0.0)
 }
 
 /// The inside of the gauge of a contact, top left and bottom right \[pixels\]; `None` where the contact is not in the picture.
 pub fn place(input: &ViewInput<'_>, c: &ContactNow) -> Option<[Vec2; 2]> {
+    beside(input, c, &[]).map(|Area { min, max }| [min, max])
+}
+
+/// The inside of the gauge at the first place beside the arrow that covers none of these areas; the nearest where all do.
+fn beside(input: &ViewInput<'_>, c: &ContactNow, taken: &[Area]) -> Option<Area> {
     let ppp = input.pixels_per_point;
     let at = pixel(input, c.point)?;
     let tip = pixel(input, c.point + c.normal * input.point_length(c.point))?;
@@ -46,25 +50,39 @@ pub fn place(input: &ViewInput<'_>, c: &ContactNow) -> Option<[Vec2; 2]> {
     let friction = pixel(input, c.point + c.tangential_force.normalize_or_zero() * input.point_length(c.point))? - at;
     let side = if side.dot(friction) > 0.0 { -side } else { side };
     let half = SIZE * 0.5 * ppp;
-    let middle = at + (side * ASIDE - along * 10.0) * ppp;
     let room = Vec2::from(input.size.map(|s| s as f32));
     let margin = half + 4.0 * ppp;
     if room.cmplt(margin * 2.0).any() || at.cmplt(Vec2::ZERO).any() || at.cmpgt(room).any() {
         return None;
     }
-    let middle = middle.clamp(margin, room - margin);
-    Some([middle - half, middle + half])
+    let places = [1.0, -1.0, 2.0, -2.0].map(|far| {
+        let middle = at + (side * ASIDE * far - along * 10.0) * ppp;
+        Area::about(middle.clamp(margin, room - margin), half)
+    });
+    let bare = |place: &Area| taken.iter().all(|other| other.overlap(&rimmed(place, ppp)) == 0.0);
+    Some(places.into_iter().find(bare).unwrap_or(places[0]))
 }
 
-/// The gauge of a contact, and the area that it covers.
-pub(super) fn gauge(input: &ViewInput<'_>, c: &ContactNow, palette: &Palette) -> Option<(Vec<Mark>, Area)> {
-    let [min, max] = place(input, c)?;
+/// With its rim.
+fn rimmed(inside: &Area, ppp: f32) -> Area {
+    Area { min: inside.min - 3.0 * ppp, max: inside.max + 3.0 * ppp }
+}
+
+/// The gauge of a contact clear of these areas, and the area that it covers.
+pub(super) fn gauge(
+    input: &ViewInput<'_>,
+    c: &ContactNow,
+    taken: &[Area],
+    palette: &Palette,
+) -> Option<(Vec<Mark>, Area)> {
+    let inside = beside(input, c, taken)?;
     let ppp = input.pixels_per_point;
+    let border = rimmed(&inside, ppp);
+    let Area { min, max } = inside;
     let slips = c.state == ContactState::Slip;
     #[expect(clippy::cast_possible_truncation, reason = "a share")]
     let share = if slips { 1.0 } else { c.cone_use().clamp(0.0, 1.0) as f32 };
     let color = of_state(c.state);
-    let border = Area { min: min - 3.0 * ppp, max: max + 3.0 * ppp };
     let mut marks =
         vec![Mark::Panel { min: border.min, max: border.max, color: palette.halo.with_alpha(0xff), rim: palette.ink }];
     let level = max.y - (max.y - min.y) * share;

@@ -145,9 +145,14 @@ fn marks(
     let legend = o.legend.then(|| legend::legend(input, moment, palette, spacing)).flatten();
     let axes = o.axes.then(|| legend::axes(input, palette));
     let bar = o.axes.then(|| scale_bar::scale_bar(input, palette)).flatten();
-    let circles = friction_circle::friction_circles(input, moment, palette);
-    let gauges: Vec<_> =
-        gauge::told(input, moment).into_iter().filter_map(|c| gauge::gauge(input, c, palette)).collect();
+    let mut taken: Vec<_> = legend.iter().chain(&axes).chain(&bar).map(|(_, area)| *area).collect();
+    let mut gauges = Vec::new();
+    for contact in gauge::told(input, moment) {
+        let drawn = gauge::gauge(input, contact, &taken, palette);
+        taken.extend(drawn.iter().map(|(_, area)| *area));
+        gauges.extend(drawn);
+    }
+    let circles = friction_circle::friction_circles(input, moment, &taken, palette);
     let heading = if o.title { texts::heading(input, moment, palette, &mut placer) } else { Vec::new() };
     let panels: Vec<_> = legend.into_iter().chain(axes).chain(bar).chain(circles).chain(gauges).collect();
     for (_, area) in &panels {

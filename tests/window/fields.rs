@@ -49,7 +49,9 @@ fn show(scene: Scene, select: Option<Target>) -> Window {
         if there.is_empty() {
             return harness;
         }
-        there.iter().for_each(|label| harness.get_by_label(label).click_accesskit());
+        for label in there {
+            harness.get_by_label(label).click_accesskit();
+        }
         harness.run_steps(24);
         folded = hidden;
     }

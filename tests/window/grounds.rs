@@ -40,19 +40,23 @@ fn an_abutment_is_put_on_a_ground_of_its_own() {
     undo(&mut harness);
     harness.state_mut().apply(SelectCommand::Only(Some(Target::Abutment(0))));
     settle(&mut harness);
-    choose(&mut harness, "Its ground", "ground");
+    choose(&mut harness, "Its ground", "own-ground");
     let scene = harness.state().files.document.scene().clone();
-    assert_eq!(scene.abutments[0].ground.as_deref(), Some("ground"), "it stands there");
+    assert_eq!(scene.abutments[0].ground.as_deref(), Some("own-ground"), "it stands there");
     assert!(harness.state().replay.runner.problems().is_none() && answer(&harness) != alone, "and moves with it");
-    choose(&mut harness, "Motion of", "ground");
+    choose(&mut harness, "Motion of", "own-ground");
     press(&mut harness, "Take it away");
     settle(&mut harness);
     let scene = harness.state().files.document.scene().clone();
     assert!(scene.grounds.is_empty() && scene.abutments[0].ground.is_none(), "with what names it");
     assert_eq!(answer(&harness), alone, "as before");
     undo(&mut harness);
-    assert_eq!(harness.state().files.document.scene().abutments[0].ground.as_deref(), Some("ground"), "one step back");
-    choose(&mut harness, "Motion of", "ground");
+    assert_eq!(
+        harness.state().files.document.scene().abutments[0].ground.as_deref(),
+        Some("own-ground"),
+        "one step back"
+    );
+    choose(&mut harness, "Motion of", "own-ground");
     reach_as(&mut harness, egui::accesskit::Role::TextInput, "Name of this ground");
     harness.get_by_role_and_label(egui::accesskit::Role::TextInput, "Name of this ground").click();
     settle(&mut harness);

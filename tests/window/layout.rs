@@ -43,7 +43,9 @@ fn panels_keep_their_words_to_themselves() {
         let mut harness = builder(sizes[0].0).build_ui_state(show, beside_the_view(preset.name));
         harness.state_mut().apply(SelectCommand::Only(Some(Target::Girder(0))));
         for (language, (size, scale)) in Language::ALL.into_iter().flat_map(|l| sizes.map(|size| (l, size))) {
-            harness.set_size(in_harness(size)).set_pixels_per_point(scale);
+            // Another scale takes the size with it, in the frame after.
+            harness.set_pixels_per_point(scale).step();
+            harness.set_size(in_harness(size));
             harness.state_mut().apply(WindowCommand::Language(language));
             // A panel that grows with what is in it does so frame by frame.
             harness.run_steps(10);

@@ -4,11 +4,12 @@ use std::path::Path;
 use std::sync::Arc;
 
 use super::workbench::Workbench;
-use crate::app::command::{FileCommand, Learn, TimeCommand, WindowCommand};
+use crate::app::command::{EditCommand, FileCommand, Learn, TimeCommand, WindowCommand};
 use crate::app::learn::lessons::lessons;
 use crate::app::link::{Link, Target};
 use crate::app::text;
 use crate::files::{SceneSource, read_scene, scene_text};
+use crate::scene::edit::Edit;
 use crate::scene::presets;
 
 impl Workbench {
@@ -31,13 +32,19 @@ impl Workbench {
                 return self.window.say(text::link_refused(&format!("scene={name}")));
             }
             Some(Target::Preset(name)) => self.apply(FileCommand::OpenPreset(name)),
-            Some(Target::Lesson(name)) => match lessons().iter().position(|lesson| lesson.name == name) {
-                Some(number) => self.apply(Learn::Open(number)),
-                None => return self.window.say(text::link_refused(&format!("lesson={name}"))),
+            Some(Target::Lesson(name)) => match numbered(&name) {
+                Ok(number) => self.apply(Learn::Open(number)),
+                Err(words) => return self.window.say(words),
             },
-            Some(Target::Text(words)) => match read_scene(&words, "link") {
-                Ok(scene) => self.take_up(scene, SceneSource::Text(Arc::from(words))),
-                Err(errors) => return self.window.say(errors.to_string()),
+            Some(Target::Text(words, lesson)) => match (read_scene(&words, "link"), lesson.as_deref().map(numbered)) {
+                (Err(errors), _) => return self.window.say(errors.to_string()),
+                (_, Some(Err(words))) => return self.window.say(words),
+                (Ok(scene), None) => self.take_up(scene, SceneSource::Text(Arc::from(words))),
+                // What was tried in the lesson: an edit of its scene.
+                (Ok(scene), Some(Ok(number))) => {
+                    self.apply(Learn::Open(number));
+                    self.apply(EditCommand::Change { edit: Edit::Scene(Box::new(scene)), gesture: None });
+                }
             },
         }
         // The moment is one of what the link opens, which may wait until unsaved work is saved.
@@ -57,14 +64,20 @@ impl Workbench {
         let target = match (self.learning.lesson(), presets::all().iter().find(shipped)) {
             (Some(lesson), _) if !changed => Target::Lesson(lesson.name.to_owned()),
             (None, Some(preset)) if !changed => Target::Preset(preset.name.to_owned()),
-            _ => {
+            (lesson, _) => {
                 let as_seen = self.view.display.scene_as_seen(document.scene());
-                Target::Text(scene_text(&as_seen, &source, Path::new("")))
+                Target::Text(scene_text(&as_seen, &source, Path::new("")), lesson.map(|lesson| lesson.name.to_owned()))
             }
         };
         let language = Some(self.window.language);
         Link { target: Some(target), t: Some(self.replay.t()), language }.write()
     }
+}
+
+/// Number of the lesson of this name; in words, that there is none.
+fn numbered(name: &str) -> Result<usize, String> {
+    let number = lessons().iter().position(|lesson| lesson.name == name);
+    number.ok_or_else(|| text::link_refused(&format!("lesson={name}")))
 }
 
 #[cfg(test)]
@@ -99,6 +112,21 @@ mod tests {
         other.follow(&link);
         assert_eq!(other.files.document.scene(), bench.files.document.scene(), "a scene of the user's own: {link}");
         assert!(other.window.notice().is_none() && !other.files.document.is_dirty(), "as it came");
+    }
+
+    #[test]
+    fn a_link_to_what_was_tried_in_a_lesson_keeps_its_words() {
+        let mut bench = opened();
+        bench.follow("#lesson=stick-and-slip");
+        let changed = edits::duration(bench.files.document.scene(), 3.5);
+        bench.apply(EditCommand::Change { edit: changed, gesture: None });
+        let link = bench.link().expect("small");
+        let mut other = opened();
+        other.follow(&link);
+        assert_eq!(other.learning.lesson().map(|lesson| lesson.name), Some("stick-and-slip"), "{link}");
+        assert_eq!(other.files.document.scene(), bench.files.document.scene(), "the scene that was tried");
+        other.apply(EditCommand::Undo);
+        assert!(other.files.document.scene().duration != 3.5, "and back to the lesson's own");
     }
 
     #[test]

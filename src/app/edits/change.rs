@@ -59,7 +59,7 @@ pub(in crate::app) fn motion(scene: &Scene, ground: GroundId, motion: Motion) ->
 
 /// One more motion for supports to have of their own: it begins as that of `[motion]`.
 pub(in crate::app) fn add_ground(scene: &Scene) -> Edit {
-    let name = free_among("ground", |name| scene.ground_named(name).is_some());
+    let name = free_among("own-ground", |name| scene.ground_named(name).is_some());
     let named = NamedGround { name, motion: scene.motion.clone() };
     Edit::Grounds(scene.grounds.iter().cloned().chain([named]).collect())
 }

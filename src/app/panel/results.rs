@@ -150,18 +150,20 @@ fn show_seats(ui: &mut Ui, answer: &Answer, girder: usize, t: f64) {
         ui.add_space(4.0);
         ui.label(RichText::new(text::seat_at(end)).strong());
         seat_orbit::show(ui, &answer.history, (girder, &demands.seat), &seat.orbit, t);
-        table(
-            ui,
-            text::seat_at(end),
-            demands.demands.iter().map(|demand| (demand.rule.as_str(), text::demand(demand))),
-        );
+        // Both are too long to stand side by side.
+        for demand in &demands.demands {
+            ui.add(egui::Label::new(RichText::new(demand.rule.as_str()).weak().small()).wrap());
+            ui.add(egui::Label::new(text::demand(demand)).wrap());
+        }
     }
 }
 
 /// (3), (4) in words.
 fn quantities(q: &BearingQuantities) -> [(&'static str, String); 6] {
     let three = |v: [f64; 3]| v.map(text::short).join("  ");
-    let millimetres = |v: [f64; 2]| format!("{} mm", v.map(|e| text::short(e * 1e3)).join("  "));
+    // What is no eccentricity but the rounding of a sum over bearings is 0.
+    let known = |e: f64| if e.abs() < 1e-12 * q.gyration { 0.0 } else { e };
+    let millimetres = |v: [f64; 2]| format!("{} mm", v.map(|e| text::short(known(e) * 1e3)).join("  "));
     let hertz = q.omega.map(|w| w / std::f64::consts::TAU);
     [
         (text::OMEGAS.as_str(), format!("{} rad/s", three(q.omega))),

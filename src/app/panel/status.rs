@@ -10,6 +10,7 @@ use crate::app::run::spot::Spot;
 use crate::app::style::theme::Palette;
 use crate::app::text;
 use crate::scene::Limits;
+use crate::sim::moving_ground::MovedSupport;
 use crate::sim::readings::Passed;
 use crate::sim::{History, SolidId};
 
@@ -37,7 +38,8 @@ pub(in crate::app) fn show(
             balance(ui, answer);
             outside(ui, answer);
             overlaps(ui, answer, out);
-            law_sense(ui, answer);
+            law_sense(ui, answer, out);
+            drifting(ui, answer);
             flag(ui, runner, runner.passed(limits).unwrap_or_default(), out);
         }
         ui.with_layout(egui::Layout::right_to_left(egui::Align::Center), |ui| {
@@ -78,12 +80,26 @@ fn overlaps(ui: &mut Ui, answer: &Answer, out: &mut Vec<Command>) {
     }
 }
 
+/// That the records of supports leave them moving against one another, and by how much.
+fn drifting(ui: &mut Ui, answer: &Answer) {
+    let words: Vec<String> = answer.moved.iter().filter_map(MovedSupport::drifting).collect();
+    if !words.is_empty() {
+        let label = RichText::new(text::DRIFTING).color(Palette::of(ui).problem);
+        ui.label(label).on_hover_text(words.join("\n"));
+    }
+}
+
 /// That contacts were pressed too deep for their law, or left a face with energy in their springs.
-fn law_sense(ui: &mut Ui, answer: &Answer) {
+fn law_sense(ui: &mut Ui, answer: &Answer, out: &mut Vec<Command>) {
     let words = text::law_sense(&answer.history, &answer.too_deep, answer.dropped.as_ref());
     if !words.is_empty() {
         let label = RichText::new(text::BEYOND_LAW).color(Palette::of(ui).problem);
-        ui.label(label).on_hover_text(words.join("\n"));
+        let deepest = answer.too_deep.first().map(|deep| Spot::contact(deep.contact, deep.depth.t));
+        let spot = deepest.or(answer.dropped.as_ref().map(|dropped| Spot::contact(dropped.contact, dropped.t)));
+        let response = ui.link(label).on_hover_text(format!("{}\n{}", words.join("\n"), text::GO_THERE));
+        if let Some(spot) = spot.filter(|_| response.clicked()) {
+            spot.go(out);
+        }
     }
 }
 

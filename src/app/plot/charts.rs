@@ -59,6 +59,7 @@ impl Chart<'_> {
 pub(super) fn standing<'a>(source: &Source<'_>, traces: &'a Traces, at: f64, palette: &Palette) -> Vec<Chart<'a>> {
     let dashed = LineStyle::Dashed { length: 7.0 };
     let now = values(source, at);
+    let name = |quantity: &str| named(source, quantity);
     let [x, y, turn] = traces.bands.as_ref().map_or([None; 3], |[x, y, turn]| [Some(x), Some(y), Some(turn)]);
     let band = |band: Option<&'a Band>, color: Color32| band.map(|band| (band, color.gamma_multiply(0.3)));
     let mut place = Chart {
@@ -67,8 +68,8 @@ pub(super) fn standing<'a>(source: &Source<'_>, traces: &'a Traces, at: f64, pal
         curves: several(source, traces, (&traces.x, palette.x, LineStyle::Solid)),
         bands: band(x, palette.x).into_iter().chain(band(y, palette.y)).collect(),
         entries: vec![
-            Entry { name: "x".into(), color: palette.x, style: LineStyle::Solid, value: now.map(|v| v[0]) },
-            Entry { name: "y".into(), color: palette.y, style: dashed, value: now.map(|v| v[1]) },
+            Entry { name: name("x"), color: palette.x, style: LineStyle::Solid, value: now.map(|v| v[0]) },
+            Entry { name: name("y"), color: palette.y, style: dashed, value: now.map(|v| v[1]) },
         ],
         filled: false,
         log: false,
@@ -80,7 +81,7 @@ pub(super) fn standing<'a>(source: &Source<'_>, traces: &'a Traces, at: f64, pal
         curves: several(source, traces, (&traces.theta, palette.theta, LineStyle::Solid)),
         bands: band(turn, palette.theta).into_iter().collect(),
         entries: vec![Entry {
-            name: "θ".into(),
+            name: name("θ"),
             color: palette.theta,
             style: LineStyle::Solid,
             value: now.map(|v| v[2]),
@@ -95,6 +96,16 @@ pub(super) fn standing<'a>(source: &Source<'_>, traces: &'a Traces, at: f64, pal
         chart.curves.sort_by_key(|c| c.chosen);
     }
     vec![place, theta, force(source, traces, at, palette)]
+}
+
+/// A quantity of the girder in question, with the girder's name where there are others.
+fn named(source: &Source<'_>, quantity: &str) -> String {
+    match source.answer.map(|answer| answer.history.model().girders()) {
+        Some(girders) if girders.len() > 1 => {
+            girders.get(source.girder).map_or_else(|| quantity.into(), |girder| format!("{}.{quantity}", girder.name))
+        }
+        _ => quantity.into(),
+    }
 }
 
 /// x, y \[mm\] and θ \[°\] of the girder in question.

@@ -5,6 +5,7 @@ use std::time::Duration;
 
 use crate::codes::{self, SeatDemands};
 use crate::scene::domain::{self, Departure};
+use crate::sim::moving_ground::{MovedSupport, moved_supports};
 use crate::sim::readings::{self, Passed, Reading};
 use crate::sim::seats::{self, OrbitPoint};
 use crate::sim::{Balance, ContactState, Dropped, EventKind, History, Hit, Overlap, Quantity, Summary, TooDeep};
@@ -76,6 +77,8 @@ pub struct Answer {
     pub too_deep: Vec<TooDeep>,
     /// Contacts that left a face while their springs held energy.
     pub dropped: Option<Dropped>,
+    /// Supports whose ground moves otherwise.
+    pub moved: Vec<MovedSupport>,
     error: OnceLock<f64>,
     passed: OnceLock<Vec<Passed>>,
     readings: OnceLock<Vec<OnceLock<Reading>>>,
@@ -101,6 +104,7 @@ impl Answer {
         let apart = history.beside().map(|beside| apart(&history, beside));
         let (outside, balance) = (domain::outside(history.scene()), history.balance());
         let (too_deep, dropped) = (history.too_deep(), history.dropped());
+        let moved = moved_supports(history.scene(), history.model());
         Self {
             history,
             number,
@@ -114,6 +118,7 @@ impl Answer {
             balance,
             too_deep,
             dropped,
+            moved,
             outside,
             error: OnceLock::new(),
             passed: OnceLock::new(),

@@ -294,6 +294,7 @@ pub(super) const STATUS: [(Text, Text); 7] = [
     (Text::new("status-run-in"), Text::new("status-run-in-hint")),
 ];
 pub(super) const OUTSIDE: Text = Text::new("outside");
+pub(super) const DRIFTING: Text = Text::new("drifting");
 pub(super) const BEYOND_LAW: Text = Text::new("beyond-law");
 pub(super) const UNBALANCED: Text = Text::new("unbalanced");
 pub(super) const SAVED: Text = Text::new("saved");

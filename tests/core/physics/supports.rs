@@ -186,7 +186,7 @@ fn a_girder_in_space_that_loses_two_legs_tips() {
 /// leaves, `x = Σ aᵢ (e^{λᵢt} − 1)/λᵢ` with `a₁ + a₂ = v₀`, `a₁λ₁ + a₂λ₂ = 0`.
 #[test]
 fn how_far_a_girder_is_beyond_its_lost_supports_is_no_measure_of_its_error() {
-    let (mass, speed, coefficient, brace) = (6e4, 0.5, 6e4, 6e8);
+    let (mass, speed, coefficient, brace) = (6e4, 0.5, 6e4, 6e8f64);
     let scene = scene(&format!(
         r#"
         name = "adrift"

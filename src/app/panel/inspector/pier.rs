@@ -90,6 +90,7 @@ fn number_in_force(key: &str, pier: &ResolvedPier) -> f64 {
         "turn_inertia_kg_m2" => pier.inertia,
         "post_yield_ratio" => 0.05,
         "height_m" => pier.height,
+        "motion_factor" => 1.0,
         _ => 0.0,
     }
 }
