@@ -75,7 +75,9 @@ run-section-forces-space = |M_y| to { $moment } MN·m, |T| to { $torque } MN·m
 run-degrees = degree { $one } against { $other }: force { $force }, impulse { $impulse }, ends { $ends }, N at mid-span { $section }
 warning = warning: { $what }
 warning-more-outside = warning: { $more } more quantities outside the domain
-note-record-cut = note: the record of { $place } lasts { $length } s, and the run ends at { $end } s: duration_s
+note = note: { $words }
+record-cut = the record of { $place } lasts { $length } s, and the run ends at { $end } s: duration_s
+strong-motion-cut = the strong motion of { $place } lasts until { $length } s, and the run ends at { $end } s: duration_s
 warning-untrusted = do not trust this answer: heed the other warnings, or lower solver.tolerance
 warning-balance = warning: { $name }: { $balance }: { $remedy }
 failed-gave-up = the run of { $scene } { $ended } at t = { $t } s, { $place }: { $reason }

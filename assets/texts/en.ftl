@@ -184,6 +184,7 @@ face-by-corners = Give the face by its corners
 computed = Computed
 contact-open = Open at this time.
 all-girders = all girders
+gaps-differ = gaps are { $least } to { $most }; a change here makes all alike
 model-section = Models
 model-spatial = The impact model knows planar scenes only.
 state-hint = State under the impact model: a, b free; c, d on a corner; e, f on the face

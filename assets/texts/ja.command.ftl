@@ -75,7 +75,9 @@ run-section-forces-space = |M_y| 最大 { $moment } MN·m、|T| 最大 { $torque
 run-degrees = 次数 { $one } と { $other }：力 { $force }、力積 { $impulse }、端 { $ends }、中央の N { $section }
 warning = 警告：{ $what }
 warning-more-outside = 警告：ほか { $more } 件が検証範囲外
-note-record-cut = 注記：{ $place } の記録は { $length } s 続くが、計算は { $end } s で終わる：duration_s
+note = 注記：{ $words }
+record-cut = { $place } の記録は { $length } s 続くが、計算は { $end } s で終わる：duration_s
+strong-motion-cut = { $place } の主要動は { $length } s まで続くが、計算は { $end } s で終わる：duration_s
 warning-untrusted = この結果を信用しない：ほかの警告に従うか、solver.tolerance を下げる
 warning-balance = 警告：{ $name }：{ $balance }：{ $remedy }
 failed-gave-up = { $scene } の計算は t = { $t } s で{ $ended }、{ $place }：{ $reason }

@@ -184,6 +184,7 @@ face-by-corners = 面を隅の座標で与える
 computed = 計算値
 contact-open = この時刻には離れています。
 all-girders = すべての桁
+gaps-differ = 遊間は { $least } から { $most } まで。ここで変えるとすべて等しくなります
 model-section = モデル
 model-spatial = 衝撃モデルは平面のシーンだけを扱います。
 state-hint = 衝撃モデルでの状態：a, b 自由、c, d 隅角部で接触、e, f 面で接触

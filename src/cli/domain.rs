@@ -2,10 +2,9 @@
 
 use super::console::Console;
 use super::summary::name;
-use crate::language::{Text, said, six};
+use crate::language::{Text, said};
+use crate::scene::Scene;
 use crate::scene::domain::outside;
-use crate::scene::shown::escaped;
-use crate::scene::{Motion, Scene};
 use crate::sim::History;
 use crate::sim::moving_ground::MovedSupport;
 
@@ -21,20 +20,8 @@ pub(super) fn warn(scene: &Scene, console: &mut Console) {
     if let Some(more) = found.len().checked_sub(MOST).filter(|more| *more > 0) {
         console.note(&said!("warning-more-outside", "more" => more));
     }
-    warn_of_cut(scene, console);
-}
-
-/// Says that a record goes on after the end of the run.
-fn warn_of_cut(scene: &Scene, console: &mut Console) {
-    for (place, motion) in scene.motions() {
-        let Motion::Record(record) = motion else { continue };
-        let Some((_, dt, samples)) = record.extent() else { continue };
-        let length = dt * samples.saturating_sub(1) as f64;
-        if length > scene.duration + dt {
-            let [length, end] = [length, scene.duration].map(six);
-            let place = escaped(&place);
-            console.note(&said!("note-record-cut", "place" => place, "length" => length, "end" => end));
-        }
+    for words in scene.cut_motions() {
+        console.note(&said!("note", "words" => words));
     }
 }
 

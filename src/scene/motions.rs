@@ -1,12 +1,35 @@
 //! The motions of the ground of a scene: that of `[motion]` and those with names.
 
+use super::shown::escaped;
 use super::{GroundId, Motion, Scene};
+use crate::language::{Text, six, values};
 
 impl Scene {
     /// Every motion of the ground with its place in the file: `motion`, then `ground.NAME`.
     pub fn motions(&self) -> impl Iterator<Item = (String, &Motion)> {
         let named = self.grounds.iter().map(|ground| (format!("ground.{}", ground.name), &ground.motion));
         std::iter::once(("motion".to_owned(), &self.motion)).chain(named)
+    }
+
+    /// In words, each motion that the run cuts: a record that goes on after its end, an earthquake in its strong motion.
+    pub fn cut_motions(&self) -> Vec<String> {
+        let cut = |(place, motion): (String, &Motion)| {
+            let (key, length) = match motion {
+                Motion::Record(record) => {
+                    let (_, dt, samples) = record.extent()?;
+                    let length = dt * samples.saturating_sub(1) as f64;
+                    ("record-cut", Some(length).filter(|length| *length > self.duration + dt)?)
+                }
+                Motion::Synthetic(quake) => {
+                    let strong = quake.duration.min(quake.rise + quake.strong);
+                    ("strong-motion-cut", Some(strong).filter(|strong| *strong > self.duration)?)
+                }
+                Motion::None | Motion::Sine(_) | Motion::Sweep(_) => return None,
+            };
+            let [length, end] = [length, self.duration].map(six);
+            Some(Text::new(key).with(&values!["place" => escaped(&place), "length" => length, "end" => end]))
+        };
+        self.motions().filter_map(cut).collect()
     }
 
     /// The same, to be changed.

@@ -103,6 +103,11 @@ pub(in crate::app) fn gap_of(scene: &Scene) -> Option<f64> {
     facing::find(scene).ok()?.first().map(|f| f.gap)
 }
 
+/// The gaps of all facing pairs \[m\].
+pub(in crate::app) fn gaps(scene: &Scene) -> Vec<f64> {
+    facing::find(scene).map_or(Vec::new(), |pairs| pairs.iter().map(|pair| pair.gap).collect())
+}
+
 /// How far an abutment stands before its girder's end, along the girder's axis \[m\].
 pub(in crate::app) fn gap_before(scene: &Scene, abutment: &Abutment) -> Option<f64> {
     let number = scene.abutments.iter().position(|a| a.name == abutment.name)?;

@@ -77,6 +77,10 @@ fn geometry(ui: &mut Ui, form: Form<'_>, one: Option<usize>, out: &mut Vec<Comma
         // Between girders alone the file has no such place: the key is that of a wall all the same.
         let wall = scene.abutments.first().map_or("-", |a| a.name.as_str());
         let table = format!("abutment.{wall}");
+        let gaps = edits::gaps(scene);
+        if gaps.iter().any(|other| (other - gap).abs() > 1e-6) {
+            ui.add(egui::Label::new(RichText::new(text::gaps(&gaps)).weak().small()).wrap());
+        }
         let change = slider_between(ui, &form.look_of(&table, size), "gap_m", &mut gap, 0.0..=girder.length * 0.05);
         push(out, change, || edits::gap(scene, gap));
     }
@@ -93,5 +97,8 @@ fn motion(ui: &mut Ui, form: Form<'_>, out: &mut Vec<Command>) {
     ground_motion::show(ui, form, out);
     let mut duration = form.scene.duration;
     let change = slider_at(ui, &form.look(""), "duration_s", &mut duration);
+    for words in form.scene.cut_motions() {
+        ui.add(egui::Label::new(RichText::new(words).weak().small()).wrap());
+    }
     push(out, change, || edits::duration(form.scene, duration));
 }

@@ -290,6 +290,13 @@ pub(in crate::app) fn speed(speed: f64) -> String {
     if speed < 1.0 { format!("1/{}", short(1.0 / speed)) } else { format!("×{}", short(speed)) }
 }
 
+/// That gaps differ, from the least to the largest \[m\], where one number is for all.
+pub(in crate::app) fn gaps(gaps: &[f64]) -> String {
+    let [least, most] = [gaps.iter().copied().reduce(f64::min), gaps.iter().copied().reduce(f64::max)];
+    let [least, most] = [least, most].map(|gap| length(gap.unwrap_or(0.0)));
+    Text::new("gaps-differ").with(&values!["least" => least, "most" => most])
+}
+
 #[cfg(test)]
 mod tests {
     use super::*;
