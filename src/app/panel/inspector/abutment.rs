@@ -10,7 +10,6 @@ use crate::app::panel::{grounds, name_field};
 use crate::app::unit::{Size, length_unit};
 use crate::app::{edits, text};
 use crate::geometry::End;
-use crate::motion::support::SupportMotion;
 use crate::scene::keys::Key;
 use crate::scene::overrides::replaced_by;
 use crate::scene::{Abutment, Girder, Scene, placed};
@@ -23,11 +22,10 @@ pub(super) fn show(ui: &mut Ui, form: Form<'_>, i: usize, abutment: &Abutment, o
     let (scene, place) = (form.scene, form.place(&table));
     let girder = scene.girders.iter().find(|g| g.name == abutment.faces);
     let size = girder.map_or(Size::of_scene(scene), Size::of);
-    let ground =
-        scene.moving_supports().and_then(|supports| supports.of_abutment(i)).unwrap_or(SupportMotion::REFERENCE);
+    let ground = scene.moving_supports().and_then(|supports| supports.of_abutment(i));
     let reckoned = |key: &Key| match key.name {
-        "delay_s" => ground.delay,
-        "motion_factor" => ground.factor,
+        "delay_s" => ground.map_or(0.0, |ground| ground.delay),
+        "motion_factor" => ground.map_or(1.0, |ground| ground.factor),
         face => face_number(girder, face),
     };
     let look = Look { without: Without::Reckoned(&reckoned), ..form.look_of(&table, size) };
