@@ -23,9 +23,9 @@ pub(super) fn show(ui: &mut Ui, form: Form<'_>, out: &mut Vec<Command>) -> Groun
         return shown;
     }
     let before = shown;
-    ui.horizontal(|ui| choose(ui, scene, &mut shown));
+    ui.horizontal_wrapped(|ui| choose(ui, scene, &mut shown));
     if let GroundId::Named(number) = shown {
-        ui.horizontal(|ui| {
+        ui.horizontal_wrapped(|ui| {
             name(ui, form, number, out);
             if ui.small_button(text::GROUND_REMOVE).clicked() {
                 change(edits::rename_ground(scene, number, None), out);
