@@ -237,7 +237,7 @@ fn push(
 ) -> Result<(), RecordError> {
     let number = |column: usize| {
         let field = record.get(column).unwrap_or_default();
-        let cut: String = field.chars().take(40).collect();
+        let cut: String = shown(field).chars().take(40).collect();
         let nothing = || Text::new("found-nothing").into();
         let value: Message = if field.is_empty() { nothing() } else { format!("`{cut}`").into() };
         decimal(field).ok_or_else(|| wrong(line, value, message!("columns-finite", "number" => column + 1)))

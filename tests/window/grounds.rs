@@ -85,7 +85,7 @@ fn ground_that_drifts_and_motion_that_is_cut_are_said() {
         harness
     };
     let bank = "ground=[{ name = \"bank\", kind = \"record\", dt_s = 0.1, samples_m_s2 = [0, 1, 0] }]";
-    let still = ["motion.kind=still", bank, "duration_s=1"];
+    let still = ["motion.kind=none", bank, "duration_s=1"];
     let drifts = |harness: &Window| harness.query_by_label("ground of a support drifts away").is_some();
     assert!(!drifts(&window(&still)), "nothing stands on it");
     assert!(drifts(&window(&[&still[..], &["abutment.wall.ground=bank"]].concat())), "0.1 m/s are left");

@@ -192,11 +192,12 @@ fn how_far_a_girder_is_beyond_its_lost_supports_is_no_measure_of_its_error() {
         name = "adrift"
         kind = "planar"
         duration_s = 2.0
-        motion = {{ kind = "still" }}
+        motion = {{ kind = "none" }}
         [[girder]]
         name = "deck"
         length_m = 10.0
         width_m = 4.0
+        thickness_m = 1.0
         mass_kg = {mass}
         initial = {{ velocity_m_s = [{speed}, 0.0] }}
         after_unseating = "continue"
