@@ -7,8 +7,8 @@ use girderbench::app::{EditCommand, WindowCommand, Workbench};
 use girderbench::files::SceneSource;
 use girderbench::scene::presets;
 
-/// Inputs of one monkey; four of them make ten thousand.
-const INPUTS: usize = 2500;
+/// Inputs of one monkey in every run of the tests, and of one that has time.
+const INPUTS: [usize; 2] = [1000, 10_000];
 
 /// Inputs that arrive between two frames at the most.
 const A_FRAME: u64 = 4;
@@ -108,7 +108,7 @@ fn act(harness: &Harness<'_, Workbench>, dice: &mut Dice, at: &mut Pos2) {
     }
 }
 
-fn monkey(seed: u64, preset: &str) {
+fn monkey(seed: u64, preset: &str, inputs: usize) {
     let mut first = presets::load(preset).expect("ships");
     // Every input may run the scene anew.
     first.duration = 2.0;
@@ -120,7 +120,7 @@ fn monkey(seed: u64, preset: &str) {
     let mut dice = Dice(seed);
     let mut at = egui::pos2(640.0, 360.0);
     let mut done = 0;
-    while done < INPUTS {
+    while done < inputs {
         let together = usize::try_from(1 + dice.below(A_FRAME)).expect("small");
         for _ in 0..together {
             act(&harness, &mut dice, &mut at);
@@ -145,20 +145,29 @@ fn monkey(seed: u64, preset: &str) {
 
 #[test]
 fn a_monkey_breaks_nothing_1() {
-    monkey(1, presets::OPENING);
+    monkey(1, presets::OPENING, INPUTS[0]);
 }
 
 #[test]
 fn a_monkey_breaks_nothing_2() {
-    monkey(2, "straight-straight");
+    monkey(2, "straight-straight", INPUTS[0]);
 }
 
 #[test]
 fn a_monkey_breaks_nothing_3() {
-    monkey(3, "deck-30m");
+    monkey(3, "deck-30m", INPUTS[0]);
 }
 
 #[test]
 fn a_monkey_breaks_nothing_4() {
-    monkey(4, "flush-free-hit");
+    monkey(4, "flush-free-hit", INPUTS[0]);
+}
+
+#[test]
+#[ignore = "an hour"]
+fn monkeys_with_time_break_nothing() {
+    let presets = [presets::OPENING, "straight-straight", "deck-30m", "flush-free-hit"];
+    for (seed, preset) in (5..).zip(presets) {
+        monkey(seed, preset, INPUTS[1]);
+    }
 }
