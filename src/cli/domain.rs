@@ -21,7 +21,7 @@ pub(super) fn warn(scene: &Scene, console: &mut Console) {
         console.note(&said!("warning-more-outside", "more" => more));
     }
     for words in scene.cut_motions() {
-        console.note(&said!("note", "words" => words));
+        console.note(&said!("note", "words" => words.to_string()));
     }
 }
 

@@ -2,7 +2,7 @@
 
 use super::shown::escaped;
 use super::{GroundId, Motion, Scene};
-use crate::language::{Text, six, values};
+use crate::language::{Message, message};
 
 impl Scene {
     /// Every motion of the ground with its place in the file: `motion`, then `ground.NAME`.
@@ -12,22 +12,23 @@ impl Scene {
     }
 
     /// In words, each motion that the run cuts: a record that goes on after its end, an earthquake in its strong motion.
-    pub fn cut_motions(&self) -> Vec<String> {
+    pub fn cut_motions(&self) -> Vec<Message> {
         let cut = |(place, motion): (String, &Motion)| {
-            let (key, length) = match motion {
+            let (place, end) = (escaped(&place).into_owned(), self.duration);
+            match motion {
                 Motion::Record(record) => {
                     let (_, dt, samples) = record.extent()?;
                     let length = dt * samples.saturating_sub(1) as f64;
-                    ("record-cut", Some(length).filter(|length| *length > self.duration + dt)?)
+                    let words = || message!("record-cut", "place" => place, "length" => length, "end" => end);
+                    (length > end + dt).then(words)
                 }
                 Motion::Synthetic(quake) => {
-                    let strong = quake.duration.min(quake.rise + quake.strong);
-                    ("strong-motion-cut", Some(strong).filter(|strong| *strong > self.duration)?)
+                    let length = quake.duration.min(quake.rise + quake.strong);
+                    let words = || message!("strong-motion-cut", "place" => place, "length" => length, "end" => end);
+                    (length > end).then(words)
                 }
-                Motion::None | Motion::Sine(_) | Motion::Sweep(_) => return None,
-            };
-            let [length, end] = [length, self.duration].map(six);
-            Some(Text::new(key).with(&values!["place" => escaped(&place), "length" => length, "end" => end]))
+                Motion::None | Motion::Sine(_) | Motion::Sweep(_) => None,
+            }
         };
         self.motions().filter_map(cut).collect()
     }

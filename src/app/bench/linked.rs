@@ -40,9 +40,10 @@ impl Workbench {
                 (Err(errors), _) => return self.window.say(errors.to_string()),
                 (_, Some(Err(words))) => return self.window.say(words),
                 (Ok(scene), None) => self.take_up(scene, SceneSource::Text(Arc::from(words))),
-                // What was tried in the lesson: an edit of its scene.
+                // What was tried in the lesson: an edit of its scene. As where a link has a scene alone, undo brings back what
+                // was there.
                 (Ok(scene), Some(Ok(number))) => {
-                    self.apply(Learn::Open(number));
+                    self.open_lesson(number);
                     self.apply(EditCommand::Change { edit: Edit::Scene(Box::new(scene)), gesture: None });
                 }
             },
@@ -127,6 +128,15 @@ mod tests {
         assert_eq!(other.files.document.scene(), bench.files.document.scene(), "the scene that was tried");
         other.apply(EditCommand::Undo);
         assert!(other.files.document.scene().duration != 3.5, "and back to the lesson's own");
+        let mut at_work = opened();
+        let work = edits::duration(at_work.files.document.scene(), 7.0);
+        at_work.apply(EditCommand::Change { edit: work, gesture: None });
+        let before = at_work.files.document.scene().clone();
+        at_work.follow(&link);
+        assert_eq!(at_work.files.document.scene(), bench.files.document.scene(), "over work that is not saved");
+        at_work.apply(EditCommand::Undo);
+        at_work.apply(EditCommand::Undo);
+        assert_eq!(*at_work.files.document.scene(), before, "which undo brings back");
     }
 
     #[test]

@@ -130,7 +130,7 @@ impl Workbench {
         self.after(done);
     }
 
-    fn open_lesson(&mut self, number: usize) {
+    pub(super) fn open_lesson(&mut self, number: usize) {
         let mut learning = self.learning;
         let Some(lesson) = learning.open(number) else { return };
         match lesson.scene() {

@@ -100,7 +100,7 @@ pub(in crate::app) fn duration(scene: &Scene, duration: f64) -> Edit {
 
 /// The gap of the first facing pair, which the slider shows \[m\].
 pub(in crate::app) fn gap_of(scene: &Scene) -> Option<f64> {
-    facing::find(scene).ok()?.first().map(|f| f.gap)
+    gaps(scene).first().copied()
 }
 
 /// The gaps of all facing pairs \[m\].

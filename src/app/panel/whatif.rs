@@ -12,6 +12,7 @@ use crate::app::time::replay::Replay;
 use crate::app::unit::Size;
 use crate::app::viewport::display::Display;
 use crate::app::{edits, text};
+use crate::language::Message;
 use crate::scene::edit::Edit;
 use crate::view::Target;
 
@@ -34,7 +35,9 @@ pub(in crate::app) fn show(ui: &mut Ui, shown: Shown<'_>, out: &mut Vec<Command>
     let form = Form { scene: document.scene(), problems: replay.runner.problems() };
     fold::head(ui, Pane::WhatIf, out, |_, _| ());
     geometry(ui, form, chosen(document), out);
-    section(ui, text::MOTION_SECTION.as_str(), |ui| motion(ui, form, out));
+    section(ui, text::MOTION_SECTION.as_str(), |ui| {
+        motion(ui, form, replay.runner.answer().map_or(&[], |answer| &answer.cut), out);
+    });
     section(ui, text::CONTACT_SECTION.as_str(), |ui| contact(ui, form, out));
     section(ui, text::MODEL_SECTION.as_str(), |ui| models::show(ui, form, replay, out));
     section(ui, text::LIMITS_SECTION.as_str(), |ui| limits::show(ui, form, &replay.runner, out));
@@ -73,11 +76,11 @@ fn geometry(ui: &mut Ui, form: Form<'_>, one: Option<usize>, out: &mut Vec<Comma
     ui.label(RichText::new(format!("{whose}: {}", text::us_skew(skew))).weak());
     let change = slider_at(ui, &form.look_of(&table, size), "skew_deg", &mut skew);
     push(out, change, || edits::skew(scene, one, skew));
-    if let Some(mut gap) = edits::gap_of(scene) {
+    let gaps = edits::gaps(scene);
+    if let Some(&(mut gap)) = gaps.first() {
         // Between girders alone the file has no such place: the key is that of a wall all the same.
         let wall = scene.abutments.first().map_or("-", |a| a.name.as_str());
         let table = format!("abutment.{wall}");
-        let gaps = edits::gaps(scene);
         if gaps.iter().any(|other| (other - gap).abs() > 1e-6) {
             ui.add(egui::Label::new(RichText::new(text::gaps(&gaps)).weak().small()).wrap());
         }
@@ -93,12 +96,12 @@ fn contact(ui: &mut Ui, form: Form<'_>, out: &mut Vec<Command>) {
     push(out, change, || edits::contact(new));
 }
 
-fn motion(ui: &mut Ui, form: Form<'_>, out: &mut Vec<Command>) {
+fn motion(ui: &mut Ui, form: Form<'_>, cut: &[Message], out: &mut Vec<Command>) {
     ground_motion::show(ui, form, out);
     let mut duration = form.scene.duration;
     let change = slider_at(ui, &form.look(""), "duration_s", &mut duration);
-    for words in form.scene.cut_motions() {
-        ui.add(egui::Label::new(RichText::new(words).weak().small()).wrap());
+    for words in cut {
+        ui.add(egui::Label::new(RichText::new(words.to_string()).weak().small()).wrap());
     }
     push(out, change, || edits::duration(form.scene, duration));
 }

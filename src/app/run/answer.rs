@@ -4,6 +4,7 @@ use std::sync::OnceLock;
 use std::time::Duration;
 
 use crate::codes::{self, SeatDemands};
+use crate::language::Message;
 use crate::scene::domain::{self, Departure};
 use crate::sim::moving_ground::{MovedSupport, moved_supports};
 use crate::sim::readings::{self, Passed, Reading};
@@ -79,6 +80,8 @@ pub struct Answer {
     pub dropped: Option<Dropped>,
     /// Supports whose ground moves otherwise.
     pub moved: Vec<MovedSupport>,
+    /// Motions that the run cuts.
+    pub cut: Vec<Message>,
     error: OnceLock<f64>,
     passed: OnceLock<Vec<Passed>>,
     readings: OnceLock<Vec<OnceLock<Reading>>>,
@@ -105,6 +108,7 @@ impl Answer {
         let (outside, balance) = (domain::outside(history.scene()), history.balance());
         let (too_deep, dropped) = (history.too_deep(), history.dropped());
         let moved = moved_supports(history.scene(), history.model());
+        let cut = history.scene().cut_motions();
         Self {
             history,
             number,
@@ -119,6 +123,7 @@ impl Answer {
             too_deep,
             dropped,
             moved,
+            cut,
             outside,
             error: OnceLock::new(),
             passed: OnceLock::new(),

@@ -300,7 +300,6 @@ fn report(file: &Path, measured: &Measured, found: &Identified, ground: &Message
     let estimate = |e: &Estimate| json!({ "value": e.value, "half_width_95": e.half_width, "unit": e.unit });
     let others: serde_json::Map<String, serde_json::Value> =
         found.others.iter().map(|e| (in_english(e.name).replace(' ', "_"), estimate(e))).collect();
-
     json!({
         "file": file.to_string_lossy(),
         "rows": measured.x.len(),

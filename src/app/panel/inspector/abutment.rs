@@ -50,7 +50,8 @@ fn face_number(girder: Option<&Girder>, key: &str) -> f64 {
     match key {
         "width_m" => 3.0 * girder.prism().end_length(),
         "height_m" => 3.0 * girder.thickness,
-        _ => girder.length,
+        "depth_m" => girder.length,
+        _ => 0.0,
     }
 }
 

@@ -54,7 +54,11 @@ pub(super) fn show(
     let table = format!("pier.{}", pier.name);
     let place = form.place(&table);
     let size = scene.girders.first().map_or(Size::of_scene(scene), Size::of);
-    let reckoned = |key: &Key| number_in_force(key.name, &resolved);
+    let ground = scene.moving_supports().and_then(|supports| supports.of_pier(i));
+    let reckoned = |key: &Key| match key.name {
+        "delay_s" => ground.map_or(0.0, |ground| ground.delay),
+        other => number_in_force(other, &resolved),
+    };
     let look = Look { without: Without::Off(&reckoned), ..form.look_of(&table, size) };
     let first = grid(ui, "pier", |ui| {
         name_field::show(ui, place, Target::Pier(i), &pier.name, out);
