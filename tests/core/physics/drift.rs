@@ -70,11 +70,12 @@ fn a_shaken_flight_is_the_textbooks_after_a_million_periods() {
 }
 
 #[test]
-fn elastic_hits_keep_the_energy_for_ten_thousand_touches() {
-    for kind in ["planar", "spatial"] {
+fn elastic_hits_keep_the_energy_for_thousands_of_touches() {
+    // Fewer in space, where a touch takes longer to compute.
+    for (kind, duration) in [("planar", 100.0), ("spatial", 20.0)] {
         let held = if kind == "spatial" { "held = [\"z\", \"roll\", \"pitch\"]\n" } else { "" };
         let text = format!(
-            "name = \"bounce\"\nkind = \"{kind}\"\nduration_s = 100.0\n[[girder]]\nname = \"deck\"\nlength_m = 0.19\nwidth_m = 0.07\n\
+            "name = \"bounce\"\nkind = \"{kind}\"\nduration_s = {duration:?}\n[[girder]]\nname = \"deck\"\nlength_m = 0.19\nwidth_m = 0.07\n\
              thickness_m = 0.02\nmass_kg = 2.0\n{held}initial = {{ velocity_m_s = [0.5, 0.0] }}\n\
              [[abutment]]\nname = \"east\"\nfaces = \"deck\"\ngap_m = 0.005\n\
              [[abutment]]\nname = \"west\"\nfaces = \"deck\"\nend = \"-x\"\ngap_m = 0.005\n\
@@ -83,11 +84,11 @@ fn elastic_hits_keep_the_energy_for_ten_thousand_touches() {
         );
         let history = run(&scene(&text));
         let hits = history.touches().len() as f64;
-        assert!(hits > 8000.0, "{kind}: it bounces: {hits}");
-        let speed = history.motion(0, 100.0).velocity.length();
+        assert!(hits > 80.0 * duration, "{kind}: it bounces: {hits}");
+        let speed = history.motion(0, duration).velocity.length();
         // A tolerance a step, some ten steps a touch, and all of them one way at the worst.
         within(&format!("{kind}: speed after {hits} touches"), speed / 0.5 - 1.0, 10.0 * 1e-12 * hits);
-        let sideways = (0..=1000).map(|i| history.motion(0, 0.1 * f64::from(i)));
+        let sideways = (0..=1000).map(|i| history.motion(0, 1e-3 * duration * f64::from(i)));
         let sideways = sideways.map(|m| m.displacement.y.abs().max(m.theta.abs())).fold(0.0, f64::max);
         // Both corners of a flush face change together; rounding of their levers, grown with the time.
         within(&format!("{kind}: neither sideways nor turned"), sideways, 1e-9);
