@@ -36,12 +36,12 @@ const ONCE: &[u64] = &[
     7696, 8039, 8076, 8169, 8785, 8954, 9139, 9327, 9374, 9610, 9806,
 ];
 
-/// No end of patience; as many events as the command asks for by itself.
+/// No limit of processor time; as many events as the command asks for by itself.
 const ENOUGH: Limits = Limits { events: 20_000, ..Limits::NONE };
 /// The beginning of a scene, so long that most end before it (measured), and the longest take a second each. A count of steps
 /// ends at the same instant on every machine.
 const QUICK: Limits = Limits { steps: 3000, ..ENOUGH };
-/// Two ticks of a clock.
+/// A limit of two units of the clock that the test brings.
 const PATIENT: Limits = Limits { patience: 2.0, ..ENOUGH };
 
 fn asked_by(variable: &str, otherwise: u64) -> u64 {

@@ -23,6 +23,17 @@ pub(super) fn looks(history: &History) -> Vec<f64> {
     times
 }
 
+/// Events closer than this part of the contact's radian are one (`docs/physics.md#simultaneous-events`).
+const TOGETHER: f64 = 1e-9;
+
+/// How far a node of a pair may come early or late by events that are one, at this velocity along the normal \[m\].
+pub(super) fn early_or_late(history: &History, pair: usize, velocity: f64) -> f64 {
+    let model = history.model();
+    let pair = &model.pairs[pair];
+    let lightest = pair.bodies.iter().flatten().map(|&b| model.bodies[b].mass).fold(f64::INFINITY, f64::min);
+    velocity.abs() * TOGETHER * (lightest / pair.contact.stiffness).sqrt()
+}
+
 /// Length of the largest girder \[m\].
 pub(super) fn size(history: &History) -> f64 {
     history.model().bodies.iter().map(|body| body.radius).fold(0.0, f64::max)

@@ -1,14 +1,15 @@
 //! No touch is missed: a node inside a face has a closed contact.
 
 use super::finding::{Check, Complaint, Figures};
+use super::looks::early_or_late;
 use crate::contact::{Frame, Local, locate};
 use crate::scene::Between;
 use crate::sim::{EventKind, History};
 
 pub(super) const CLAIM: &str = "no node is deeper than 1e-9 of the face's size behind a face and inside its polygon \
-                                without a closed contact, unless it went in beside the polygon, left it over its \
-                                edge, or touches another face; of bodies with contact between all faces, no overlap is \
-                                without a contact as deep";
+                                without a closed contact, beyond what it moves while events count as one, unless it \
+                                went in beside the polygon, left it over its edge, or touches another face; of bodies \
+                                with contact between all faces, no overlap is without a contact as deep";
 
 /// Depth without a contact, in parts of the face's size.
 const DEPTH: f64 = 1e-9;
@@ -66,16 +67,12 @@ fn deepest(history: &History, contact: usize, times: &[f64], frames: &[Vec<Frame
         while passed.get(next).is_some_and(|at| *at <= t) {
             (ignored, next) = (here.gap <= front, next + 1);
         }
-        let inside =
-            here.gap < 0.0 && here.penetration() < site.face.depth && site.face.inset_at(here.at) > DEPTH * size;
+        // Contacts that open together do so when the first of them does.
+        let depth = here.penetration() - early_or_late(history, site.pair, here.gap_rate);
+        let inside = depth > 0.0 && here.penetration() < site.face.depth && site.face.inset_at(here.at) > DEPTH * size;
         let open = history.contact_at(contact, t).is_none();
-        if open
-            && inside
-            && !ignored
-            && !elsewhere(history, contact, t)
-            && worst.is_none_or(|(_, d)| here.penetration() > d)
-        {
-            worst = Some((t, here.penetration()));
+        if open && inside && !ignored && !elsewhere(history, contact, t) && worst.is_none_or(|(_, d)| depth > d) {
+            worst = Some((t, depth));
         }
     }
     worst
