@@ -6,6 +6,9 @@ use crate::language::{Text, said};
 use crate::scene::shown::escaped;
 use crate::tables::{CornerReport, DemandReport, SeatReport};
 
+/// Last digit of a distance in millimetres, as it is said \[m\].
+const LAST_DIGIT: f64 = 1e-6;
+
 /// What remained of a seat, square to its edge, and a line for each corner that came off.
 pub(super) fn lines(seat: &SeatReport) -> Vec<(String, String)> {
     let name = said!("run-seat", "girder" => escaped(&seat.girder), "end" => seat.end);
@@ -27,9 +30,22 @@ fn remaining(seat: &SeatReport) -> String {
         "placed" => format!("{placed:.3}"),
         "along" => along,
         "least" => format!("{least:.3}"),
+        "corner" => worse(seat).map_or_else(String::new, |corner| said!("run-seat-at", "which" => name(corner))),
         "used" => format!("{used:.3}"),
         "t" => format!("{:.4}", seat.t)
     )
+}
+
+/// The corner at which less remained; nothing where both differ by less than the last digit said.
+fn worse(seat: &SeatReport) -> Option<&CornerReport> {
+    let [one, other] = &seat.corners;
+    let less = if one.least_remaining < other.least_remaining { one } else { other };
+    ((one.least_remaining - other.least_remaining).abs() >= LAST_DIGIT).then_some(less)
+}
+
+/// A corner by its number and angle.
+fn name(corner: &CornerReport) -> String {
+    said!("run-corner", "corner" => corner.corner, "angle" => angle(corner))
 }
 
 /// Whether a corner is acute, obtuse or right.
@@ -44,7 +60,7 @@ fn angle(corner: &CornerReport) -> &'static str {
 
 /// When a corner came off, over the front edge and over a side.
 fn departures(seat: &SeatReport, corner: &CornerReport) -> Vec<String> {
-    let which = said!("run-corner", "corner" => corner.corner, "angle" => angle(corner));
+    let which = name(corner);
     let front = corner.left_at.map(|t| {
         let share = 100.0 * seat.least_share;
         let at = corner.left_along.unwrap_or(0.0);

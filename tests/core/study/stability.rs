@@ -28,12 +28,12 @@ const INSIDE: usize = 4703;
 /// across a face (2668, 3328), chance that was trusted (7696), a stop in 1e-13 s (1015), a slip that turns where its touch ends
 /// (4994) or that stops (3191), a million steps of a girder that tumbles, a blow in steps of less than a billion roundings of
 /// its time (5735), flights over half a period of the ground in a step (9327), girders that touch as placed and are shaken
-/// alike (111).
+/// alike (111), contacts by what a distance has rounded by far from there (15859), corners that open together (20253).
 const ONCE: &[u64] = &[
     111, 647, 776, 1002, 1015, 1040, 1150, 1151, 1167, 1192, 1223, 1274, 1420, 1502, 1570, 1610, 1656, 1737, 1794,
     1807, 1849, 2080, 2238, 2357, 2473, 2513, 2538, 2668, 3121, 3191, 3263, 3292, 3300, 3328, 3329, 3552, 3729, 3810,
     4360, 4461, 4974, 4994, 5076, 5084, 5447, 5472, 5735, 6903, 6924, 7249, 7285, 7360, 7375, 7434, 7617, 7625, 7636,
-    7696, 8039, 8076, 8169, 8785, 8954, 9139, 9327, 9374, 9610, 9806,
+    7696, 8039, 8076, 8169, 8785, 8954, 9139, 9327, 9374, 9610, 9806, 15859, 20253,
 ];
 
 /// No limit of processor time; as many events as the command asks for by itself.
