@@ -260,6 +260,10 @@ fn a_girder_that_leaves_its_seat_is_said_to() {
     assert!(short.contains("(acute) comes off at "), "says so: {short}");
     assert!(short.contains("of a single corner at "), "whose force it is: {short}");
     let seat = &summary_of(folder.path())["seats"][0];
+    let [one, other] = [0, 1].map(|i| &seat["corners"][i]);
+    let least = |corner: &serde_json::Value| corner["least_remaining"].as_f64().expect("a length");
+    let worse = if least(one) < least(other) { one } else { other };
+    assert!(short.contains(&format!(" at corner {} (", worse["corner"])), "and which corner is worse: {short}");
     let [left, farthest] = ["left_at", "t"].map(|key| seat[key].as_f64().expect("a time"));
     assert!(0.0 < left && left < farthest, "it leaves before it is farthest off: {seat}");
     let long = run_into(folder.path(), &[&args[..], &["girder.deck.seat_m={ \"+x\" = 0.2 }"]].concat());

@@ -8,7 +8,7 @@ use girderbench::files::SceneSource;
 use girderbench::scene::presets;
 
 /// Inputs of one monkey in every run of the tests, and of one that has time.
-const INPUTS: [usize; 2] = [500, 10_000];
+const INPUTS: [usize; 2] = [800, 10_000];
 
 /// Inputs that arrive between two frames at the most.
 const A_FRAME: u64 = 4;
@@ -138,7 +138,7 @@ fn monkey(seed: u64, preset: &str, inputs: usize) {
         assert!(steps < 100_000, "seed {seed}: undo comes to an end");
     }
     assert_eq!(*harness.state().files.document.scene(), first, "seed {seed}: {steps} steps back is the first scene");
-    assert!(steps > 0, "seed {seed}: the monkey did something, {steps} steps");
+    assert!(steps > 5, "seed {seed}: the monkey did something, {steps} steps");
     harness.state_mut().apply(WindowCommand::CancelRun);
     harness.step();
 }
