@@ -73,8 +73,11 @@ impl LinearMotion {
             [start[0] + start[1] * tau + place, start[1] + speed]
         };
         let free = free.as_chunks::<2>().0.iter().zip(exponents);
+        let at_rest = Complex::from(0.0);
+        let free = free.map(|([re, im], exponent)| (Complex::new(*re, *im), exponent));
+        // A mode that nothing has moved costs nothing.
         let free: Vec<Complex> =
-            free.map(|([re, im], exponent)| Complex::new(*re, *im) * (exponent * tau).exp()).collect();
+            free.map(|(c, exponent)| if c == at_rest { c } else { c * (exponent * tau).exp() }).collect();
         let mut all = vec![Complex::from(0.0); exponents.len()];
         self.driven.coefficients(&self.spectrum, t, &mut all);
         all.iter_mut().zip(&free).for_each(|(all, free)| *all += free);
@@ -91,7 +94,8 @@ impl LinearMotion {
                 (places[i - first], speeds[i - first]) = (*place, *speed);
             }
         }
-        for (k, (c, exponent)) in parts.all.iter().zip(&spectrum.exponents).enumerate() {
+        let moves = |(_, (c, _)): &(usize, (&Complex, &Complex))| **c != Complex::from(0.0);
+        for (k, (c, exponent)) in parts.all.iter().zip(&spectrum.exponents).enumerate().filter(moves) {
             let (c, shape) = (*c * spectrum.share(k), spectrum.shapes.column(k));
             let (shape, rate) = (shape.rows(first, places.len()), c * exponent);
             for ((v, place), speed) in shape.iter().zip(places.iter_mut()).zip(speeds.iter_mut()) {

@@ -10,6 +10,7 @@ use std::sync::Arc;
 use glam::{DMat3, DQuat, DVec2, DVec3};
 
 use crate::contact::Frame;
+use crate::dynamics::model::axial_motion::AxialMotion;
 use crate::dynamics::model::bearing::{Bearing, BearingQuantities, PlanarBearings, Standing};
 use crate::dynamics::model::closed_form::ClosedForm;
 use crate::dynamics::model::ground_now::GroundNow;
@@ -181,9 +182,8 @@ pub trait Coordinates: Debug + Send + Sync {
     /// velocities.
     fn port(&self, body: &Body, point: Point<'_>, force: DVec3, columns: [&mut [f64]; 2]);
 
-    /// Displacement along a world axis, 0 or 1, and its rate in the state of a rigid body that bearings, pushes and ground never
-    /// drive off that axis, nor turn.
-    fn along(&self, _body: &Body, _axis: usize) -> Option<[usize; 2]> {
+    /// The motion along a world axis, 0 or 1, of a body that bearings, pushes and ground never drive off that axis, nor turn.
+    fn along(&self, _body: &Body, _axis: usize) -> Option<AxialMotion> {
         None
     }
 

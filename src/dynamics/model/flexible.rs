@@ -94,7 +94,8 @@ fn one(scene: &Scene, elastic: &Elastic, (number, facings): (usize, &[Facing]), 
     });
     if let Some(made) = &made {
         body.rate_bounds.mobility = made.mobility();
-        body.straight = [false; 2];
+        // No closed form of motion along an axis in space.
+        body.straight = body.straight.map(|straight| straight && matches!(made, ElasticBody::Plan(_)));
         body.coordinates = made.coordinates();
     }
     Flexible { beam, space, section, softness, tolerance: elastic.tolerance, girder: made }

@@ -1,6 +1,7 @@
 //! A scene compiled to constant data: bodies, bearings, facing pairs, contact sites and groups.
 
 pub mod assembly;
+pub mod axial_motion;
 mod backwall;
 pub mod bearing;
 pub mod body;

@@ -20,6 +20,8 @@ pub(in crate::dynamics) struct CoupledSystem {
     pub active: Vec<ActiveContact>,
     /// Devices whose force acts.
     pub links: Vec<ActiveLink>,
+    /// Of each section of the bodies: whether it moves with G or a connection acts on it.
+    pub acted_on: Vec<bool>,
     /// Largest distance of a corner from G, per body \[m\].
     pub radii: Vec<f64>,
     /// Upper bound of the circular frequency of a connection or a bearing \[rad/s\].
@@ -75,7 +77,12 @@ impl CoupledSystem {
         links: Vec<ActiveLink>,
         radii: Vec<f64>,
     ) -> Self {
-        Self { bodies, layout, bases, active, links, radii, omega: 0.0, quickest: 0.0, decay: None }
+        let mut acted_on = vec![false; layout.section_count()];
+        let first = (0..bodies.len()).map(|i| layout.sections(i).start);
+        let of_contacts = active.iter().flat_map(|a| ends([a.node, a.face], a.sections));
+        let of_links = links.iter().flat_map(|link| ends(link.ends, link.sections));
+        first.chain(of_contacts).chain(of_links).for_each(|section| acted_on[section] = true);
+        Self { bodies, layout, bases, active, links, acted_on, radii, omega: 0.0, quickest: 0.0, decay: None }
     }
 
     /// Whether no force acts between its bodies, or on them from the ground, but those of their bearings, standing or lost.
@@ -103,6 +110,11 @@ impl CoupledSystem {
     pub(in crate::dynamics) fn decay_bound(&mut self, model: &Model) -> f64 {
         *self.decay.get_or_insert_with(|| decay(model, &self.bodies, &self.active, &self.links))
     }
+}
+
+/// Sections of a connection's ends that are bodies.
+fn ends(bodies: [Option<usize>; 2], sections: [usize; 2]) -> impl Iterator<Item = usize> {
+    bodies.into_iter().zip(sections).filter_map(|(body, section)| body.map(|_| section))
 }
 
 #[cfg(test)]

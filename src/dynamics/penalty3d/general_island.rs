@@ -21,7 +21,8 @@ pub(in crate::dynamics) fn rates(
     out: &mut [f64],
 ) {
     for (i, &body) in system.bodies.iter().enumerate() {
-        model.bodies[body].push_frames(&y[system.layout.range(i)], &mut workspace.frames);
+        let acted_on = &system.acted_on[system.layout.sections(i)];
+        model.bodies[body].push_frames_of(acted_on, &y[system.layout.range(i)], &mut workspace.frames);
     }
     workspace.wrenches.resize(workspace.frames.len(), Wrench::default());
     add_contacts(model, system, y, workspace, out);

@@ -14,7 +14,8 @@ pub(in crate::dynamics) enum IslandKind {
     /// Bodies with all their coordinates; each contact has a motion of its own and may slide.
     #[default]
     General,
-    /// Bodies restricted to one coordinate each; the contacts between two faces have one motion and cannot slide.
+    /// Bodies restricted to one coordinate each, girders that bend to it and their modes along its axis; the contacts between two faces
+    /// have one motion and cannot slide.
     Collinear(CollinearIsland),
 }
 
@@ -70,10 +71,10 @@ impl IslandKind {
     }
 
     /// Components of position and velocity of a body along `axis` (0 is x, 1 is y) in the island's vector, where that is
-    /// its only motion; `None` otherwise.
+    /// the only motion of all its sections; `None` otherwise.
     pub(in crate::dynamics) fn components(&self, body: usize, axis: usize) -> Option<[usize; 2]> {
         match self {
-            Self::Collinear(island) if island.axis() == axis => Some(island.components(body)),
+            Self::Collinear(island) if island.axis() == axis => island.components(body),
             _ => None,
         }
     }

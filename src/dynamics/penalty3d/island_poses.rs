@@ -48,13 +48,14 @@ impl Island {
         }
     }
 
-    /// Poses of all sections of the bodies at `times` within the planned step, relative to their reference poses,
-    /// time by time.
+    /// Poses of the sections of the bodies that connections act on at `times` within the planned step, relative to their reference poses,
+    /// time by time; in place of the other sections those as placed.
     pub(in crate::dynamics) fn frames_since(&self, model: &Model, times: &[f64]) -> Vec<Frame> {
         let mut frames = Vec::with_capacity(times.len() * self.system.layout.section_count());
         for &t in times {
             for index in 0..self.system.bodies.len() {
-                self.with_state(model, index, t, |body, state| body.push_frames(state, &mut frames));
+                let acted_on = &self.system.acted_on[self.system.layout.sections(index)];
+                self.with_state(model, index, t, |body, state| body.push_frames_of(acted_on, state, &mut frames));
             }
         }
         frames

@@ -21,6 +21,7 @@ use glam::{DQuat, DVec2, DVec3};
 use smallvec::SmallVec;
 
 use crate::contact::Frame;
+use crate::dynamics::model::axial_motion::AxialMotion;
 use crate::dynamics::model::body::{Body, BodyCoordinates, Coordinates, Counted, Point};
 use crate::dynamics::model::ground_now::GroundNow;
 use crate::dynamics::model::linear_block::part::LinearPart;
@@ -117,6 +118,14 @@ impl Body {
     #[inline]
     pub fn push_frames(&self, state: &[f64], frames: &mut Vec<Frame>) {
         of_each!(self, c => (0..c.sections()).for_each(|section| frames.push(c.frame_since(self, section, state))));
+    }
+
+    /// The same of the sections that are `asked` for; of the others the frame as placed, in their stead.
+    #[inline]
+    pub(in crate::dynamics) fn push_frames_of(&self, asked: &[bool], state: &[f64], frames: &mut Vec<Frame>) {
+        of_each!(self, c => frames.extend(asked.iter().enumerate().map(|(section, asked)| {
+            if *asked { c.frame_since(self, section, state) } else { Frame::fixed(self.home) }
+        })));
     }
 
     /// [`Coordinates::attitude`].
@@ -219,7 +228,7 @@ impl Body {
     }
 
     /// [`Coordinates::along`].
-    pub fn along(&self, axis: usize) -> Option<[usize; 2]> {
+    pub fn along(&self, axis: usize) -> Option<AxialMotion> {
         of_each!(self, c => c.along(self, axis))
     }
 

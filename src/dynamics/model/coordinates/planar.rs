@@ -6,6 +6,7 @@ use glam::{DMat3, DQuat, DVec3};
 use nalgebra::DMatrix;
 
 use crate::contact::Frame;
+use crate::dynamics::model::axial_motion::AxialMotion;
 use crate::dynamics::model::body::{Body, Coordinates, Counted, Point};
 use crate::dynamics::model::ground_now::GroundNow;
 use crate::dynamics::model::linear_block::part::{LinearPart, SectionShape};
@@ -245,8 +246,8 @@ impl Coordinates for Planar {
         load[RATES..].copy_from_slice(&[force.x, force.y, point.arm.cross(force).z]);
     }
 
-    fn along(&self, body: &Body, axis: usize) -> Option<[usize; 2]> {
-        body.straight[axis].then_some([axis, RATES + axis])
+    fn along(&self, body: &Body, axis: usize) -> Option<AxialMotion> {
+        body.straight[axis].then_some(AxialMotion { components: [axis, RATES + axis], modes: None })
     }
 
     fn linear_part(&self, body: &Body) -> Option<LinearPart> {

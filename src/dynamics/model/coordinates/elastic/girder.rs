@@ -1,11 +1,14 @@
 //! An elastic girder in plan, compiled: modes, sections, bearings, constant loads (`docs/physics.md#flexible-girders`).
 
+use std::sync::Arc;
+
 use glam::{DVec2, DVec3};
 
 use super::bearings::{BearingAxis, BearingRows, axes_of};
 use super::section::{Section, SectionFrame, station_and_offset};
 use crate::dynamics::connection::Kinematics;
 use crate::dynamics::elastic::Modes;
+use crate::dynamics::model::axial_motion::{AxialModes, AxialParts};
 use crate::dynamics::model::body::Body;
 use crate::dynamics::model::coordinates::modal_springs::{ModalDamping, ModalSprings, widen};
 use crate::dynamics::model::linear_block::part::RIGID;
@@ -37,6 +40,8 @@ pub struct ElasticGirder {
     pub(super) pushed: Vec<f64>,
     /// Amplitudes of each mode, the largest of its sections: |(u, v)| and |φ|.
     pub(super) most: Vec<[f64; 2]>,
+    /// Modes along the world's x and y, where it can move along that axis alone.
+    pub(super) axial: [Option<Arc<AxialModes>>; 2],
     /// The body it is of, with rigid coordinates: shape, place, mass, what holds it.
     pub(super) rigid: Body,
 }
@@ -49,14 +54,17 @@ impl ElasticGirder {
         let section = |station: f64| Section::at(&modes, axes, station, SectionFrame::Rigid);
         let (ends, middle) = (vec![section(-half), section(half)], section(0.0));
         let push = rigid.push.truncate();
-        let pushed = middle.fields.iter().map(|f| f.truncate().dot(push) + f.z * rigid.moment.z).collect();
+        let pushed: Vec<f64> = middle.fields.iter().map(|f| f.truncate().dot(push) + f.z * rigid.moment.z).collect();
         let mut most = vec![[0.0; 2]; modes.count()];
         for section in &ends {
             widen(&mut most, section.amplitudes());
         }
         let bearings = axes_of(&rigid.bearings, &modes, rigid.prism.shear(), axes);
+        let springs = ModalSprings::of(modes.frequencies(), damping);
+        let axial = [0, 1].map(|axis| axial(axis, &ends, (&springs, &pushed), &bearings).map(Arc::new));
         Self {
-            springs: ModalSprings::of(modes.frequencies(), damping),
+            springs,
+            axial,
             rows: BearingRows::of(&bearings, RIGID + modes.count()),
             bearings,
             most,
@@ -160,4 +168,24 @@ impl ElasticGirder {
     pub fn loss(&self, rates: &[f64]) -> f64 {
         self.springs.loss(rates)
     }
+}
+
+/// Modes along a world axis; `None` where a girder leaves it once its ends or bearings are pushed along it.
+fn axial(
+    axis: usize,
+    ends: &[Section],
+    (springs, pushed): (&ModalSprings, &[f64]),
+    bearings: &[BearingAxis],
+) -> Option<AxialModes> {
+    let across = 1 - axis;
+    let of = |end: &Section| end.fields.iter().map(|field| [field[axis], field[across], field.z]).collect();
+    let springs: Vec<[f64; 3]> = springs.iter().zip(pushed).map(|([k, c], load)| [*k, *c, *load]).collect();
+    AxialModes::of(&AxialParts {
+        along: axis,
+        first: RIGID,
+        places: RIGID + springs.len(),
+        ends: [of(&ends[0]), of(&ends[1])],
+        springs,
+        bearings: bearings.iter().map(|b| (b.row.as_slice(), [b.stiffness, b.damping])).collect(),
+    })
 }

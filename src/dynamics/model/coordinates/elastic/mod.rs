@@ -17,6 +17,7 @@ use std::sync::Arc;
 use glam::{DMat3, DQuat, DVec2, DVec3};
 
 use crate::contact::Frame;
+use crate::dynamics::model::axial_motion::AxialMotion;
 use crate::dynamics::model::body::{Body, Coordinates, Counted, Point};
 use crate::dynamics::model::closed_form::ClosedForm;
 use crate::dynamics::model::coordinates::planar;
@@ -298,6 +299,11 @@ impl Coordinates for ElasticGirder {
         for (((response, load), mass), free) in response[places..].iter_mut().zip(&*load).zip(self.masses()).zip(free) {
             *response = if free { load / mass } else { 0.0 };
         }
+    }
+
+    fn along(&self, body: &Body, axis: usize) -> Option<AxialMotion> {
+        let modes = self.axial[axis].clone().filter(|_| body.straight[axis])?;
+        Some(AxialMotion { components: [axis, self.places() + axis], modes: Some(modes) })
     }
 
     fn free_motion(&self, ground: &Ground) -> Option<Arc<dyn ClosedForm>> {
