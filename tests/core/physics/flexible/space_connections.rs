@@ -1,4 +1,4 @@
-//! Decks that bend in space on bearings that yield and with devices at their true points.
+//! Decks that bend in space on bearings that yield, on piers, and with devices at their true points.
 
 use crate::support::{run, scene, within};
 use girderbench::scene::Scene;
@@ -83,4 +83,77 @@ fn the_ledger_of_a_deck_with_devices_that_bends_in_space_closes() {
     within("N at the end", (after.axial + force.x) / force.length(), 1e-3);
     within("Q_z at the end", (after.vertical_shear + force.z) / force.length(), 1e-3);
     within("M_y at the end", (after.vertical_moment + 0.7 * force.x) / force.length(), 5e-3);
+}
+
+/// A deck on the ground at its −x end and on a pier that sways at the other, before an abutment; bearings at the height of G.
+fn on_pier(kind: &str, skew: f64, elastic: &str) -> Scene {
+    let bearings: Vec<String> = [[14.0, 4.0], [14.0, -4.0], [-14.0, 4.0], [-14.0, -4.0]]
+        .into_iter()
+        .map(|[x, y]| {
+            let (third, height) = if kind == "spatial" { (", 1e9", "height_m = 0.0, ") } else { ("", "") };
+            let (dashpot, on) =
+                (if third.is_empty() { "" } else { ", 1e6" }, if x > 0.0 { ", on = \"p\"" } else { "" });
+            format!(
+                "{{ at_m = [{x:?}, {y:?}], {height}stiffness_n_per_m = [4e6, 4e6{third}], \
+                 damping_n_s_per_m = [2e5, 2e5{dashpot}]{on} }}"
+            )
+        })
+        .collect();
+    let weightless = if kind == "spatial" { "gravity_m_s2 = 0.0\n" } else { "" };
+    scene(&format!(
+        "name = \"deck\"\nkind = \"{kind}\"\n{weightless}duration_s = 2.0\n[[girder]]\nname = \"deck\"\nlength_m = 30.0\nwidth_m = 10.0\n\
+         thickness_m = 1.5\nmass_kg = 6e5\nskew_deg = {skew:?}\nbearings = [{}]\n{elastic}\n\
+         [[pier]]\nname = \"p\"\nmass_kg = 1e5\nstiffness_n_per_m = [2e8, 2e8]\ndamping_ratio = 0.05\n\
+         [[abutment]]\nname = \"east\"\nfaces = \"deck\"\nend = \"+x\"\ngap_m = 0.03\nwidth_m = 24.0\nheight_m = 4.5\n\
+         [contact]\nstiffness_n_per_m = 2e9\nrestitution_normal = 0.6\nmu_static = 0.2\nmu_kinetic = 0.15\n\
+         [motion]\nkind = \"sine\"\namplitude_g = 0.4\nfrequency_hz = 1.2\n[solver]\ntolerance = 1e-11\n",
+        bearings.join(", ")
+    ))
+}
+
+const CONCRETE: &str = "elastic = { area_m2 = 8.0, modes = 6 }";
+
+#[test]
+fn a_deck_on_a_pier_moves_in_space_as_in_plan_where_all_is_level() {
+    let [plan, space] = ["planar", "spatial"].map(|kind| run(&on_pier(kind, 90.0, CONCRETE)));
+    assert!(plan.hits() > 0 && plan.hits() == space.hits(), "{} and {} hits", plan.hits(), space.hits());
+    let (mut places, mut bent) = ([0.0f64; 2], 0.0f64);
+    for i in 0..=400 {
+        let t = plan.end() * f64::from(i) / 400.0;
+        for body in 0..2 {
+            let [a, b] = [&plan, &space].map(|history| history.motion(body, t).displacement);
+            places[body] = places[body].max((a - b).truncate().length());
+        }
+        let [a, b] = [&plan, &space].map(|history| history.deformation(0, 15.0, t));
+        bent = bent.max((a.moved.truncate() - b.moved.truncate()).length());
+    }
+    let most = |body: usize| {
+        (0..=400).map(|i| plan.motion(body, 0.005 * f64::from(i)).displacement.length()).fold(0.0, f64::max)
+    };
+    assert!(most(0) > 0.03 && most(1) > 1e-3, "deck and pier move by {} and {} m", most(0), most(1));
+    within("deck [m]", places[0], 1e-9);
+    within("pier [m]", places[1], 1e-9);
+    within("deformation of the end [m]", bent, 1e-9);
+}
+
+#[test]
+fn a_stiff_deck_on_a_pier_in_space_moves_as_the_rigid_one_with_an_error_of_1_over_e() {
+    let rigid = run(&on_pier("spatial", 60.0, ""));
+    assert!(rigid.hits() > 0, "it hits");
+    let off = |young: f64| {
+        let elastic = format!("elastic = {{ area_m2 = 8.0, modes = 2, tol_flex = 0.0, young_modulus_pa = {young:?} }}");
+        apart(&run(&on_pier("spatial", 60.0, &elastic)), &rigid)
+    };
+    let [soft, stiff] = [1e12, 1e13].map(off);
+    assert!(stiff > 0.0 && stiff < 1e-3, "{stiff} m");
+    within("slope", (soft / stiff).log10() - 1.0, 0.1);
+}
+
+#[test]
+fn the_ledger_of_a_deck_that_bends_on_a_pier_in_space_closes() {
+    let history = run(&on_pier("spatial", 60.0, CONCRETE));
+    assert!(history.hits() > 0, "it hits");
+    let ledger = history.ledger(history.end());
+    within("residual in parts of the largest energy", ledger.residual.abs() / ledger.scale, 1e-9);
+    assert!(ledger.loss_girder > 0.0 && ledger.loss_normal > 0.0 && ledger.loss_friction > 0.0, "{ledger:?}");
 }
