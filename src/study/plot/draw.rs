@@ -243,12 +243,22 @@ fn draw_guides(svg: &mut String, guides: &[Guide], x: &Axis, y: &Axis) {
     let rising = guides.iter().any(|guide| guide.slope > 0.0);
     let from = (right - 1.15 * across.min(90.0) - 46.0, top + if rising { 94.0 } else { 14.0 });
     let style = format!(r#"stroke="{GREY}" stroke-width="1" stroke-dasharray="7 4""#);
-    for guide in guides {
+    let end = |guide: &Guide| {
         let steep = -guide.slope * down;
         let decades = (90.0 / across).min(1.0).min(80.0 / steep.abs().max(1e-9));
-        let to = (from.0 + decades * across, from.1 + decades * steep);
+        (from.0 + decades * across, from.1 + decades * steep)
+    };
+    for guide in guides {
+        let to = end(guide);
         line(svg, from, to, &style);
-        text(svg, (to.0 + 4.0, to.1 + 4.0), 12.0, "start", GREY, &escape(&guide.name));
+        // Where another one's end is just to the right, the name stands to the left.
+        let width = 8.0 + 6.6 * guide.name.chars().count() as f64;
+        let met = guides
+            .iter()
+            .map(end)
+            .any(|other| (to.1 - other.1).abs() < LINE && (0.1..width).contains(&(other.0 - to.0)));
+        let (at, anchor) = if met { (to.0 - 4.0, "end") } else { (to.0 + 4.0, "start") };
+        text(svg, (at, to.1 + 4.0), 12.0, anchor, GREY, &escape(&guide.name));
     }
 }
 

@@ -30,10 +30,24 @@ pub struct Reference {
     pub what: &'static str,
     /// Instant number up to which a comparison means anything.
     pub last: usize,
-    /// Its largest difference from the event-driven solver at its tightest: no error below this is quoted.
-    pub floor: super::Errors,
+    /// Whether it is a closed form, or computed in more digits than any answer: its own error is rounding.
+    pub exact: bool,
+    /// Its largest difference from the event-driven solver at its tightest.
+    pub agreement: super::Errors,
     /// By how much a change of the initial displacement grows within the comparison, at the most.
     pub growth: f64,
+}
+
+impl Reference {
+    /// How far the reference itself may be from the truth: no error below this is quoted \[m\].
+    pub fn known_to(&self) -> f64 {
+        if self.exact { 0.0 } else { self.agreement.displacement }
+    }
+}
+
+/// Whether a source errs by rounding alone.
+fn is_exact(source: Source) -> bool {
+    !matches!(source, Source::Bar | Source::Second)
 }
 
 /// What the tables and the page say of a source.
@@ -72,8 +86,8 @@ pub fn of(source: Source, scene: &Scene) -> Result<Reference, SceneErrors> {
     let arm = scene.girders.iter().map(|g| g.length / 2.0).fold(0.0, f64::max);
     let last = tight.together_until(&nudged, TRUSTED, arm);
     let growth = tight.errors(&nudged, last).displacement / NUDGE;
-    let floor = tight.errors(&answer, last);
-    Ok(Reference { answer, what: describe(source), last, floor, growth })
+    let agreement = tight.errors(&answer, last);
+    Ok(Reference { answer, what: describe(source), last, exact: is_exact(source), agreement, growth })
 }
 
 fn tightest(scene: &Scene, instants: Instants) -> Result<Answer, SceneErrors> {
