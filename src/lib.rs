@@ -30,8 +30,10 @@
 //!
 //! # Glossary
 //!
-//! - **girder**: a rigid prism of parallelogram plan; **G** its centroid, **i** its radius of gyration about Z.
-//! - **abutment**: a fixed backwall. **Facing pair**: two ends that can touch, such as `deck+x|wall`.
+//! - **girder**: a prism of parallelogram plan, rigid unless the scene makes it elastic; **G** its centroid, **i** its
+//!   radius of gyration about Z.
+//! - **abutment**: a backwall, fixed unless it has backfill or its ground moves otherwise. **Facing pair**: two ends that
+//!   can touch, such as `deck+x|wall`.
 //! - **node**: a corner that may touch a **face**; a **contact** is a declared node and face (Fig. 24).
 //! - **anchor** `X_p`: the point of the face that holds a node.
 //! - **stick**, **slip**: whether the anchor stays on the face or is dragged; **open** is neither.

@@ -41,7 +41,7 @@ help-run-about = シーンを計算する：要約を表示し、表をフォル
 help-run-scene = シーンのファイル、または例題の名前（一覧は `girderbench presets`）
 help-run-sample = 表の毎秒の行数 [Hz]
 help-run-threads = 計算に使うスレッドの数（スイープの各計算、組のない物体ごと）。省くと `RAYON_NUM_THREADS`、なければプロセッサごとに1つ
-help-run-out = trajectory.csv、contacts.csv、events.csv、summary.json をこのフォルダーに書く。衝撃モデルでは hits.csv と transitions.csv も、シーンが両方のモデルを求めるときは接触モデルの表に加えて impact-….csv も書く
+help-run-out = trajectory.csv、contacts.csv、events.csv、summary.json をこのフォルダーに書く。装置、降伏する・滑る・支持を失いうる支承、背面土があれば devices.csv も。衝撃モデルでは hits.csv と transitions.csv も、シーンが両方のモデルを求めるときは接触モデルの表に加えて impact-….csv も書く
 help-run-digest = 結果全体のハッシュだけを表示する
 
 ## report
