@@ -119,24 +119,32 @@ impl Dop853 {
     }
 }
 
+/// Terms of a sum that are added in one pass over the components.
+const TERMS: usize = 4;
+
+/// `out = y + h Σ factor · slope`.
 #[inline]
 fn combine(out: &mut [f64], y: &[f64], h: f64, row: &[(usize, f64)], slopes: &[f64], n: usize) {
-    out.fill(0.0);
-    for &(j, factor) in row {
-        for (o, k) in out.iter_mut().zip(&slopes[j * n..(j + 1) * n]) {
-            *o += factor * k;
-        }
-    }
+    difference(out, row, slopes, n);
     for (o, y) in out.iter_mut().zip(y) {
         *o = y + h * *o;
     }
 }
 
+/// `out = Σ factor · slope`, terms added in their order.
 #[inline]
 fn difference(out: &mut [f64], row: &[(usize, f64)], slopes: &[f64], n: usize) {
+    let (out, slope) = (&mut out[..n], |j: usize| &slopes[j * n..][..n]);
     out.fill(0.0);
-    for &(j, factor) in row {
-        for (o, k) in out.iter_mut().zip(&slopes[j * n..(j + 1) * n]) {
+    let (fours, rest) = row.as_chunks::<TERMS>();
+    for four in fours {
+        let ([a, b, c, d], f) = (four.map(|(j, _)| slope(j)), four.map(|(_, factor)| factor));
+        for i in 0..n {
+            out[i] = (((out[i] + f[0] * a[i]) + f[1] * b[i]) + f[2] * c[i]) + f[3] * d[i];
+        }
+    }
+    for &(j, factor) in rest {
+        for (o, k) in out.iter_mut().zip(slope(j)) {
             *o += factor * k;
         }
     }
