@@ -23,7 +23,7 @@ use unwatched::Turned;
 
 /// Overlap, in parts of the smallest side of either body, that contact points of two tilted faces in space can leave between
 /// them: a hundred times the largest that was measured, 8 µm of 1.5 m (`docs/physics.md#edge-nodes`).
-const SLIVER: f64 = 5e-4;
+const TILTED_FACE_OVERLAP: f64 = 5e-4;
 
 impl History {
     /// Overlaps that no contact carries, one for every two bodies, in order of the time when each was seen first.
@@ -48,7 +48,7 @@ impl History {
     /// that contact between tilted faces in space leaves.
     pub(super) fn have_met(&self, overlap: &Overlap) -> bool {
         let faces = !Joined::of(self.model()).facing(overlap.bodies).is_empty();
-        let sliver = SLIVER * Solids::pair(self, overlap.bodies).least_side([0, 1]);
+        let sliver = TILTED_FACE_OVERLAP * Solids::pair(self, overlap.bodies).least_side([0, 1]);
         !(faces && self.model().kind == Kind::Spatial && overlap.depth.value <= sliver)
     }
 

@@ -29,7 +29,7 @@ const RESOLVED: f64 = 1e-2;
 /// Least samples of a stretch in which bodies stay nearer than their motion resolves.
 const STRETCH_SAMPLES: f64 = 16.0;
 /// Samples of a step with a closed contact.
-const STEP_SAMPLES: f64 = 2.0;
+const CLOSED_STEP_SAMPLES: f64 = 2.0;
 /// Most halvings by which the first instant is found between two samples.
 const HALVINGS: usize = 48;
 
@@ -189,10 +189,11 @@ impl Meeting<'_> {
     fn carried(&self, t: f64) -> Option<f64> {
         let closed = |&contact: &usize| matches!(self.history.logs[contact].at(t), Contact::Closed(_));
         let depth = |contact: usize| {
-            let [node, face] = self.history.sides(contact, t);
             // An edge node carries what overlaps at its crossing.
-            let edge = self.history.model().contacts[contact].edge.as_ref();
-            let crossing = edge.and_then(|edge| edge.distance(&node, &face));
+            let crossing = self.history.model().contacts[contact].edge.as_ref().and_then(|edge| {
+                let [node, face] = self.history.sides(contact, t);
+                edge.distance(&node, &face)
+            });
             crossing.map_or(f64::NEG_INFINITY, |distance| -distance).max(-before_face(self.history, contact, t)[0])
         };
         self.contacts.iter().copied().filter(closed).map(depth).reduce(f64::max)
@@ -216,7 +217,7 @@ impl Meeting<'_> {
         let advance = (now.separation.max(0.0) + self.least) / bounds.speed;
         // In this time the separation changes by `resolved` at the most.
         let resolving = (self.resolved / bounds.speed).min(window / STRETCH_SAMPLES);
-        let step = if now.carried { window / STEP_SAMPLES } else { advance.max(resolving) };
+        let step = if now.carried { window / CLOSED_STEP_SAMPLES } else { advance.max(resolving) };
         // A window may be shorter than the spacing of times.
         (now.t + step).min(until).max(now.t.next_up())
     }

@@ -11,7 +11,7 @@ use crate::geometry::{End, Prism};
 use crate::scene::facing::Side;
 use crate::scene::{Kind, Scene, placed};
 use crate::sim::History;
-use crate::sim::report::SolidId;
+use crate::sim::report::{Motion, SolidId};
 
 /// One body's shape.
 #[derive(Debug)]
@@ -159,7 +159,8 @@ impl Solids {
 
     fn stand(&self, history: &History, number: usize, t: f64) -> Stand {
         self.body(number).map_or(Stand::WORLD, |body| {
-            let motion = history.motion(body, t);
+            // Without the half turns that its angle counts.
+            let motion = Motion::of(history.model(), body, &history.state(body, t));
             Stand { place: motion.place, attitude: motion.attitude }
         })
     }
