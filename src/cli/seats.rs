@@ -4,7 +4,7 @@ use super::columns::{left, right};
 use crate::codes::{RotationCondition, Source};
 use crate::language::{Text, said};
 use crate::scene::shown::escaped;
-use crate::tables::{CornerReport, DemandReport, SeatReport};
+use crate::tables::{CornerReport, DemandReport, SeatReport, corner_angle};
 
 /// Last digit of a distance in millimetres, as it is said \[m\].
 const LAST_DIGIT: f64 = 1e-6;
@@ -45,17 +45,7 @@ fn worse(seat: &SeatReport) -> Option<&CornerReport> {
 
 /// A corner by its number and angle.
 fn name(corner: &CornerReport) -> String {
-    said!("run-corner", "corner" => corner.corner, "angle" => angle(corner))
-}
-
-/// Whether a corner is acute, obtuse or right.
-fn angle(corner: &CornerReport) -> &'static str {
-    let words = match corner.angle {
-        "acute" => Text::new("report-acute"),
-        "obtuse" => Text::new("report-obtuse"),
-        _ => Text::new("report-right"),
-    };
-    words.as_str()
+    said!("run-corner", "corner" => corner.corner, "angle" => corner_angle(corner.angle))
 }
 
 /// When a corner came off, over the front edge and over a side.
@@ -115,9 +105,9 @@ fn turning(seat: &SeatReport) -> Option<String> {
         "    {}\n",
         said!(
             "run-seats-turned",
-            "one" => angle(one),
+            "one" => corner_angle(one.angle),
             "first" => format!("{first:.2}"),
-            "other" => angle(other),
+            "other" => corner_angle(other.angle),
             "second" => format!("{second:.2}"),
             "middle" => format!("{middle:.2}")
         )

@@ -51,10 +51,14 @@ impl Code for En1998Part2 {
         let ground = Ground::of(codes.european_ground.unwrap_or_default());
         let length = case.deck_length("L_eff");
         let acceleration = Input::given_or("a_g", "g", codes.ground_acceleration_g, ACCELERATION_G);
-        let soil = Input::given_or("S", "", codes.soil_factor, ground.soil);
-        let corner = Input::given_or("T_C", "s", codes.corner_period, ground.periods[0]);
-        let displacement = Input::given_or("T_D", "s", codes.displacement_period, ground.periods[1]);
-        let distance = Input::given_or("L_g", "m", codes.european_ground.map(|_| ground.distance), ground.distance);
+        // The ground type gives S, T_C, T_D and L_g where the scene does not give each by itself.
+        let by_type = |value: f64| codes.european_ground.map(|_| value);
+        let soil = Input::given_or("S", "", codes.soil_factor.or(by_type(ground.soil)), ground.soil);
+        let [own_corner, own_displacement] = ground.periods;
+        let corner = Input::given_or("T_C", "s", codes.corner_period.or(by_type(own_corner)), own_corner);
+        let displacement =
+            Input::given_or("T_D", "s", codes.displacement_period.or(by_type(own_displacement)), own_displacement);
+        let distance = Input::given_or("L_g", "m", by_type(ground.distance), ground.distance);
         let support = Input::given_or("l_m", "m", codes.bearing_length, LEAST_SUPPORT);
         let long_term = Input::given_or("d_G", "m", codes.long_term, 0.0);
         let temperature = Input::given_or("d_T", "m", codes.temperature, 0.0);

@@ -2,12 +2,12 @@
 
 use std::fmt::Write as _;
 
-use super::sections::corner_kind;
 use crate::language::{Text, said};
 use crate::sim::History;
 use crate::sim::seats::{self, OrbitPoint, Seat, SeatCorner};
 use crate::study::plot::chart::{number, ticks};
 use crate::study::plot::draw::{line, text};
+use crate::tables::corner_angle;
 
 const PANEL: f64 = 400.0;
 const MARGIN: f64 = 58.0;
@@ -52,7 +52,7 @@ fn svg(seat: &Seat, kinds: [&str; 2], orbit: &[OrbitPoint], end: f64) -> String 
         let panel = Panel::of(seat, which, orbit, (PANEL + 20.0) * which as f64);
         panel.frame(
             &mut svg,
-            &said!("report-corner", "corner" => corner.corner + 1, "kind" => corner_kind(kind).as_str()),
+            &said!("report-corner", "corner" => corner.corner + 1, "kind" => corner_angle(kind).as_str()),
         );
         panel.orbit(&mut svg, orbit, which, end);
         panel.marks(&mut svg, corner, orbit, which);

@@ -19,7 +19,7 @@ const GREY: &str = "#6b6b6b";
 const FORCE: &str = "#D55E00";
 /// Longest arrow of a force \[pixels\].
 const ARROW: f64 = 90.0;
-/// Half the part of the plan around a hit that is drawn large, in parts of the girder's width.
+/// Half height of the plan around a hit that is drawn large, in widths of the girder; half its width is twice that (chosen).
 const CLOSE: f64 = 0.02;
 
 /// A plan to be drawn.
@@ -57,7 +57,7 @@ pub(super) fn hardest(history: &History) -> Option<(String, Vec<(String, String)
     let mut pictures = vec![(said!("report-plan-at", "t" => format!("{t:.4}")), Plan::at(history, t).svg())];
     if let Some(now) = now {
         let width = site.node_body.map_or(1.0, |body| history.model().bodies[body].prism.width);
-        let caption = said!("report-plan-close", "width" => format!("{:.3}", 2.0 * CLOSE * width));
+        let caption = said!("report-plan-close", "width" => format!("{:.3}", 4.0 * CLOSE * width));
         pictures.push((caption, Plan::close(history, t, now.point.truncate(), CLOSE * width).svg()));
     }
     Some((words, pictures))
@@ -72,7 +72,7 @@ impl<'a> Plan<'a> {
         Self { at: Some((t, history.contacts(t))), dimensions: false, ..Self::as_placed(history) }
     }
 
-    /// A square of this half width \[m\] about a point.
+    /// A rectangle about a point: this half height \[m\], twice as wide as high.
     fn close(history: &'a History, t: f64, centre: DVec2, half: f64) -> Self {
         Self {
             window: [centre - DVec2::new(2.0 * half, half), centre + DVec2::new(2.0 * half, half)],

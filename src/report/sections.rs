@@ -8,7 +8,7 @@ use crate::language::{Text, said, six};
 use crate::scene::{Bearings, ContactSettings, Girder, Kind, Limits, Setting};
 use crate::sim::{History, readings};
 use crate::study::plot::draw::escape;
-use crate::tables::{DemandReport, Report, SeatReport};
+use crate::tables::{DemandReport, Report, SeatReport, corner_angle};
 
 /// Rows of a table whose first cell is a heading.
 fn facts(rows: impl IntoIterator<Item = (String, String)>) -> String {
@@ -34,15 +34,6 @@ pub(super) fn head(columns: &[&str]) -> String {
 /// A value and when it is reached \[s\].
 pub(super) fn at(value: String, t: f64) -> String {
     said!("report-value-at", "value" => value, "t" => format!("{t:.3}"))
-}
-
-/// What a corner of the plan is called.
-pub(super) fn corner_kind(kind: &str) -> Text {
-    match kind {
-        "acute" => Text::new("report-acute"),
-        "obtuse" => Text::new("report-obtuse"),
-        _ => Text::new("report-right"),
-    }
 }
 
 fn source(source: Source) -> Text {
@@ -288,7 +279,7 @@ fn seat_table(seat: &SeatReport) -> String {
         let words = said!(
             "report-corner-least",
             "corner" => corner.corner,
-            "kind" => corner_kind(corner.angle).as_str(),
+            "kind" => corner_angle(corner.angle).as_str(),
             "least" => format!("{:.1}", 1e3 * corner.least_remaining),
             "t" => format!("{:.4}", corner.t),
             "off" => off,

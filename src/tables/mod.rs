@@ -23,7 +23,7 @@ pub use events::events;
 pub use flexible::{FlexibleReport, FlexibleRun};
 pub use impact::{hits, transitions};
 pub use quantities::quantities;
-pub use seats::{CornerReport, DemandReport, SeatReport};
+pub use seats::{CornerReport, DemandReport, SeatReport, corner_angle};
 pub use summary::{
     BackfillReport, DroppedReport, LostReport, OutsideReport, OverlapReport, PairReport, PierReport, Report,
     TooDeepReport, Versions,

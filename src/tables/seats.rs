@@ -5,9 +5,19 @@ use serde::Serialize;
 
 use crate::codes::{self, Demand, RotationCondition, SeatDemands, rotation_to_zero};
 use crate::geometry::Prism;
+use crate::language::Text;
 use crate::scene::Girder;
 use crate::sim::History;
 use crate::sim::seats::SeatCorner;
+
+/// The text for the angle of a corner in plan, [`CornerReport::angle`].
+pub fn corner_angle(angle: &str) -> Text {
+    match angle {
+        "acute" => Text::new("report-acute"),
+        "obtuse" => Text::new("report-obtuse"),
+        _ => Text::new("report-right"),
+    }
+}
 
 /// A seat in short.
 #[derive(Clone, Debug, PartialEq, Serialize)]

@@ -2,10 +2,10 @@
 //!
 //! Every arrow is the force on the body that owns the node, in one fixed scale.
 
-use glam::{DVec3, Vec2};
+use glam::Vec2;
 
 use super::friction_cone::friction_cone;
-use super::input::LEAST_FORCE;
+use super::input::{LEAST_FORCE, pixel};
 use super::list::{Arrow, ArrowKind, Cone, Line, Mark};
 use super::moment::{Impulse, Moment};
 use super::palette::{DAMPING, IMPULSE, NORMAL, OPENED, Palette, SELECTED, TANGENTIAL, of_state};
@@ -87,22 +87,17 @@ fn impulse_arrow(input: &ViewInput<'_>, moment: &Moment, i: &Impulse, palette: &
     })
 }
 
-fn pixels(input: &ViewInput<'_>, at: DVec3) -> Option<Vec2> {
-    let [x, y] = input.camera.project(at, input.size.map(f64::from))?;
-    (x.is_finite() && y.is_finite()).then(|| Vec2::new(x as f32, y as f32))
-}
-
 /// State glyphs: a filled disk in stick, a ring in slip, a cross where a contact has just opened.
 fn glyphs(input: &ViewInput<'_>, moment: &Moment, palette: &Palette) -> Vec<Mark> {
     let ppp = input.pixels_per_point;
     let halo = palette.halo;
     let opened = moment.opened.iter().filter_map(|o| {
-        Some(Mark::Cross { at: pixels(input, o.point)?, radius: 4.5 * ppp, width: 2.2 * ppp, color: OPENED, halo })
+        Some(Mark::Cross { at: pixel(input, o.point)?, radius: 4.5 * ppp, width: 2.2 * ppp, color: OPENED, halo })
     });
-    let closed = moment.contacts.iter().filter_map(|c| Some(glyph(pixels(input, c.point)?, c.state, ppp, palette)));
+    let closed = moment.contacts.iter().filter_map(|c| Some(glyph(pixel(input, c.point)?, c.state, ppp, palette)));
     let chosen = moment.contacts.iter().filter(|c| input.selected.contains(&Target::Contact(c.contact)));
     let chosen = chosen.filter_map(|c| {
-        Some(Mark::Ring { at: pixels(input, c.point)?, radius: 10.0 * ppp, width: 2.2 * ppp, color: SELECTED, halo })
+        Some(Mark::Ring { at: pixel(input, c.point)?, radius: 10.0 * ppp, width: 2.2 * ppp, color: SELECTED, halo })
     });
     opened.chain(chosen).chain(closed).collect()
 }

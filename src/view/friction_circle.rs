@@ -1,6 +1,6 @@
-//! The friction circle of the hardest contact that is closed, and of those selected: its tangential force in the plane of the face, over `μ K δ`.
+//! The friction circle of the hardest contact that is closed, and of those selected: its tangential force in the plane of the face, over `μ N(δ)`.
 //!
-//! The outline is `μ_s K δ`, the filled circle `μ_k K δ`; the arrow ends inside the outline in stick, on the rim of
+//! The outline is `μ_s N(δ)`, the filled circle `μ_k N(δ)`; the arrow ends inside the outline in stick, on the rim of
 //! the filled circle in slip.
 
 use glam::{DVec3, Vec2};
@@ -8,10 +8,11 @@ use glam::{DVec3, Vec2};
 use super::ViewInput;
 use super::area::Area;
 use super::gauge::told;
+use super::input::pixel;
 use super::list::Mark;
 use super::moment::Moment;
 use super::palette::{Palette, of_state};
-use super::texts::{TEXT, pixel};
+use super::texts::TEXT;
 use crate::language::{Text, values};
 use crate::sim::{ContactNow, ContactState};
 
@@ -35,7 +36,7 @@ fn radius(input: &ViewInput<'_>) -> f32 {
 }
 
 /// Most circles in a picture, one below the other.
-const MOST: usize = 2;
+const MOST_CIRCLES: usize = 2;
 
 /// The circles at the top right, clear of these areas: of the hardest contact that is closed, then of those selected.
 pub(super) fn friction_circles(
@@ -45,7 +46,7 @@ pub(super) fn friction_circles(
     palette: &Palette,
 ) -> Vec<(Vec<Mark>, Area)> {
     let mut all: Vec<(Vec<Mark>, Area)> = Vec::new();
-    for contact in told(input, moment).into_iter().take(MOST) {
+    for contact in told(input, moment).into_iter().take(MOST_CIRCLES) {
         let taken: Vec<Area> = taken.iter().chain(all.iter().map(|(_, area)| area)).copied().collect();
         all.extend(friction_circle(input, contact, free_place(input, moment, &taken), palette));
     }

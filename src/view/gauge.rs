@@ -7,10 +7,10 @@ use glam::Vec2;
 
 use super::area::Area;
 use super::camera::hardest;
+use super::input::pixel;
 use super::list::{Mark, Rgba};
 use super::moment::Moment;
 use super::palette::{Palette, of_state};
-use super::texts::pixel;
 use super::{Target, ViewInput};
 use crate::sim::{ContactNow, ContactState};
 

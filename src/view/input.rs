@@ -1,6 +1,6 @@
 //! What a picture is made from, and what can be picked in it.
 
-use glam::DVec3;
+use glam::{DVec3, Vec2};
 
 use super::bending::Bent;
 use super::camera::Camera;
@@ -77,4 +77,10 @@ impl ViewInput<'_> {
     pub(super) fn is_exaggerated(&self) -> bool {
         self.exaggeration.is_finite() && self.exaggeration > 0.0 && self.exaggeration != 1.0
     }
+}
+
+/// Where a point of the scene is in the picture \[pixels\]; nothing behind the camera.
+pub(super) fn pixel(input: &ViewInput<'_>, at: DVec3) -> Option<Vec2> {
+    let [x, y] = input.camera.project(at, input.size.map(f64::from))?;
+    (x.is_finite() && y.is_finite()).then(|| Vec2::new(x as f32, y as f32))
 }

@@ -63,10 +63,15 @@ const FADE: [f64; 2] = [1.1, 2.1];
 
 /// Everything that the picture shows.
 pub fn draw_list(input: &ViewInput<'_>) -> DrawList {
+    draw_moment(input, &shown(input))
+}
+
+/// The instant as drawn: displacements and rotations times `input.exaggeration`.
+fn shown(input: &ViewInput<'_>) -> Moment {
     let moment = Moment::of(input);
     match input.history.filter(|_| input.is_exaggerated()) {
-        Some(history) => draw_moment(input, &moment.exaggerated(history, input.exaggeration)),
-        None => draw_moment(input, &moment),
+        Some(history) => moment.exaggerated(history, input.exaggeration),
+        None => moment,
     }
 }
 

@@ -3,12 +3,13 @@
 use glam::DVec3;
 
 use super::ViewInput;
+use super::input::pixel;
 use super::labels::{BESIDE, Label, Placer};
 use super::list::{Line, Mark};
 use super::moment::{Moment, OffSeat};
 use super::palette::{OVERLAP, Palette};
 use super::scale;
-use super::texts::{TEXT, pixel};
+use super::texts::TEXT;
 use crate::geometry::Prism;
 use crate::language::{Text, values};
 use crate::scene::Scene;

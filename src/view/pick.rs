@@ -12,7 +12,7 @@ const REACH: f64 = 9.0;
 
 /// What is seen at a point of the picture (`[-1, 1]`, y up): a contact's glyph, else the nearest body.
 pub fn pick(input: &ViewInput<'_>, ndc: [f64; 2]) -> Option<Target> {
-    let moment = Moment::of(input);
+    let moment = super::shown(input);
     let device = || pick_device(input, &moment, ndc);
     pick_contact(input, &moment, ndc).or_else(device).or_else(|| pick_body(input, &moment, ndc))
 }

@@ -6,6 +6,7 @@ use super::area::Area;
 use super::block::{Block, abutment_block};
 use super::gap::{Dimension, girder_block_at};
 use super::ground_caption::ground_caption;
+use super::input::pixel;
 use super::labels::{BESIDE, Label, ON, Placer, text_size};
 use super::list::{ArrowKind, Mark};
 use super::moment::{Moment, period};
@@ -21,11 +22,6 @@ pub(super) const TEXT: f32 = 13.0;
 const TITLE: f32 = 20.0;
 /// At most this many contacts carry a number: the hardest.
 const MOST_NUMBERS: usize = 4;
-
-pub(super) fn pixel(input: &ViewInput<'_>, at: DVec3) -> Option<Vec2> {
-    let [x, y] = input.camera.project(at, input.size.map(f64::from))?;
-    (x.is_finite() && y.is_finite()).then(|| Vec2::new(x as f32, y as f32))
-}
 
 /// Keeps glyphs and arrows free of labels.
 pub(super) fn keep_clear(input: &ViewInput<'_>, moment: &Moment, forces: &Forces, placer: &mut Placer) {
@@ -125,7 +121,15 @@ pub(super) fn names(input: &ViewInput<'_>, moment: &Moment, palette: &Palette, p
             let at = pixel(input, top_of(&block))?;
             let text = one_line(&name);
             let (color, plate) = (palette.ink, palette.plate.with_alpha(0xa8));
-            Some(placer.place(&Label { at, clear: 8.0, text, size, color, plate, directions: ON.to_vec() }))
+            Some(placer.place(&Label {
+                at,
+                clear: 8.0 * input.pixels_per_point,
+                text,
+                size,
+                color,
+                plate,
+                directions: ON.to_vec(),
+            }))
         })
         .flatten()
         .collect()

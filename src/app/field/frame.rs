@@ -53,7 +53,8 @@ pub(super) fn hint(key: Option<&Key>, unit: Unit, own: &Own) -> String {
 pub(super) fn in_lines(key: Option<&Key>, allowed: &str, default: &str) -> String {
     let Some(key) = key else { return String::new() };
     let meaning = key.meaning_told();
-    let meaning = meaning.split(", see below").next().unwrap_or(meaning);
+    // There is nothing below in the window.
+    let meaning = meaning.replace(", see below", "");
     format!("{}: {meaning}\n{}: {allowed}\n{default}", key.name, text::ALLOWED)
 }
 

@@ -9,6 +9,7 @@ use crate::app::run::spot::Spot;
 use crate::app::style::theme::Palette;
 use crate::app::time::replay::Replay;
 use crate::app::{text, unit};
+use crate::codes::RotationCondition;
 use crate::dynamics::model::bearing::BearingQuantities;
 use crate::language::Text;
 use crate::scene::{DeviceId, Girder};
@@ -41,8 +42,7 @@ pub(in crate::app) fn show_girder(
 ) {
     ui.add_space(4.0);
     ui.label(RichText::new(text::COMPUTED).strong());
-    // A straight girder's is 0 but for the rounding of sin π.
-    let number = Some(girder.prism().rotation_number()).filter(|n| n.abs() > 1e-12).unwrap_or(0.0);
+    let number = RotationCondition::of(&girder.prism()).number;
     let mut rows = vec![(text::US_SKEW.as_str(), format!("{}°", unit::trimmed(90.0 - girder.skew_deg)))];
     let run =
         answer.map(|a| &a.history).filter(|run| run.scene().girders.get(i).is_some_and(|g| g.name == girder.name));

@@ -5,6 +5,7 @@ use std::f64::consts::TAU;
 
 use super::supports;
 use crate::cli::digits::{list, six};
+use crate::codes::RotationCondition;
 use crate::dynamics::Body;
 use crate::dynamics::model::bearing::{Bearing, BearingQuantities};
 use crate::language::{Text, said};
@@ -197,9 +198,9 @@ fn micrometres(length: f64) -> f64 {
     (length * 1e6).round() / 1e3 + 0.0
 }
 
-/// Condition (6), written for β < 90°; the mirrored girder turns as easily, a straight one never.
+/// The rotation condition (6) of the paper.
 fn rotation(girder: &Girder) -> String {
-    let number = girder.prism().rotation_number().abs();
-    let can = if number >= 1.0 { Text::new("check-can-rotate") } else { Text::new("check-cannot-rotate") };
-    format!("  {}\n", said!("check-condition", "number" => format!("{number:.3}"), "can" => can))
+    let condition = RotationCondition::of(&girder.prism());
+    let can = if condition.can_turn() { Text::new("check-can-rotate") } else { Text::new("check-cannot-rotate") };
+    format!("  {}\n", said!("check-condition", "number" => format!("{:.3}", condition.number), "can" => can))
 }

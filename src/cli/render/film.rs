@@ -70,8 +70,9 @@ fn take_files(
             Err(interrupted(finished, wanted.len(), args))
         }
         drawn => {
+            let drawn = drawn?;
             set.finish()?;
-            drawn
+            Ok(drawn)
         }
     }
 }
