@@ -64,7 +64,7 @@ const APP_ROOMS: &[(&str, &[&str])] = &[
     ("plot", &["host", "style", "command", "text", "field", "run", "time"]),
     ("disk", &["host", "command", "text", "edits", "run", "time"]),
     ("map", &["host", "style", "unit", "command", "text", "field"]),
-    ("quake", &["host", "style", "command", "text", "run"]),
+    ("quake", &["host", "style", "command", "text", "run", "time", "plot"]),
     ("viewport", &["style", "unit", "command", "text", "field", "edits", "run", "time"]),
     (
         "bench",

@@ -9,7 +9,7 @@ pub(in crate::app) mod sampled;
 pub(in crate::app) mod source;
 pub(in crate::app) mod traces;
 pub(in crate::app) mod user_plots;
-mod value_axis;
+pub(in crate::app) mod value_axis;
 pub(in crate::app) mod views;
 mod wave_chart;
 mod wave_picture;

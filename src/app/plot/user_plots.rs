@@ -12,7 +12,7 @@ use crate::scene::{PlotSettings, PlotShows, ViewSettings};
 use crate::sim::quantity::{OfBearing, OfContact, OfCorner, OfEnergy, OfLink, Quantity};
 
 /// Most panels of the user's own.
-const MOST: usize = 6;
+const MOST_PANELS: usize = 6;
 
 /// Shows the list of panels and lets it be changed.
 pub(in crate::app) fn show(ui: &mut Ui, source: &Source<'_>, out: &mut Vec<Command>) {
@@ -33,7 +33,7 @@ pub(in crate::app) fn show(ui: &mut Ui, source: &Source<'_>, out: &mut Vec<Comma
         plots.remove(i);
     }
     ui.horizontal(|ui| {
-        ui.add_enabled_ui(plots.len() < MOST, |ui| {
+        ui.add_enabled_ui(plots.len() < MOST_PANELS, |ui| {
             let adding = ui.menu_button(text::ADD_PANEL, |ui| {
                 for (words, plot) in offers(names, source.girder) {
                     if ui.button(words).clicked() {

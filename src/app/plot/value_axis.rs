@@ -1,5 +1,7 @@
 //! The upright axis of a chart: which values it shows, the ticks along it, the unit that fits them.
 
+use egui_plot::GridMark;
+
 use crate::app::text;
 
 /// Least height of a chart: three ticks have room in it \[points\].
@@ -185,6 +187,12 @@ pub(super) fn fitting(unit: &str, most: f64) -> (f64, String) {
             (10f64.powf(-power), format!("1e{power:.0} {unit}"))
         }
     }
+}
+
+/// Marks of a plot's grid, at the ticks of an axis `room` points long: three at least.
+pub(in crate::app) fn grid_marks((low, high): (f64, f64), room: f32, log: bool) -> Vec<GridMark> {
+    let axis = ValueAxis { range: [low, high], edges: [0.0, room], log };
+    axis.ticks().values.into_iter().map(|value| GridMark { value, step_size: high - low }).collect()
 }
 
 #[cfg(test)]

@@ -2,12 +2,12 @@
 //! spectra. The mouse moves and zooms both axes; a double click shows everything.
 
 use egui::{Id, RichText, Stroke, Ui, Window, vec2};
-use egui_plot::{GridMark, HoverPosition, Line, Plot, PlotPoints, PlotUi, Points};
+use egui_plot::{HoverPosition, Line, Plot, PlotPoints, PlotUi, Points};
 
 use crate::app::plot::charts::{color, style};
 use crate::app::plot::sampled::Sampled;
 use crate::app::plot::source::Source;
-use crate::app::plot::value_axis::ValueAxis;
+use crate::app::plot::value_axis::grid_marks;
 use crate::app::style::theme::Palette;
 use crate::app::text;
 
@@ -49,19 +49,13 @@ fn names(ui: &mut Ui, panel: &Sampled) {
 fn draw(ui: &mut Ui, (id, height): (Id, f32), panel: &Sampled, here: &[[f64; 2]], palette: &Palette) {
     let log = panel.log;
     let scaled = move |p: &[f64; 2]| [0, 1].map(|n| if log[n] { p[n].abs().log10() } else { p[n] });
-    let marks = move |(low, high): (f64, f64), room: f32, log: bool| -> Vec<GridMark> {
-        let axis = ValueAxis { range: [low, high], edges: [0.0, room], log };
-        let values = axis.ticks().values;
-        let step_size = high - low;
-        values.into_iter().map(|value| GridMark { value, step_size }).collect()
-    };
     let words = move |n: usize, value: f64| text::short(if log[n] { 10f64.powf(value) } else { value });
     let width = ui.available_width();
     Plot::new(id.with("plot"))
         .height(height)
         .grid_color(palette.line)
-        .x_grid_spacer(move |grid| marks(grid.bounds, width / 5.0, log[0]))
-        .y_grid_spacer(move |grid| marks(grid.bounds, height / 2.0, log[1]))
+        .x_grid_spacer(move |grid| grid_marks(grid.bounds, width / 5.0, log[0]))
+        .y_grid_spacer(move |grid| grid_marks(grid.bounds, height / 2.0, log[1]))
         .grid_spacing(6.0..=14.0)
         .x_axis_formatter(move |mark, _| words(0, mark.value))
         .y_axis_formatter(move |mark, _| words(1, mark.value))

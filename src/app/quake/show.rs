@@ -5,6 +5,7 @@ use egui_plot::{AxisHints, Line, Plot, PlotPoints, PlotUi, Points, Text, VLine};
 
 use super::shaking::{OwnPeriod, Shaking, own_periods};
 use crate::app::command::{Command, QuakeCommand, TimeCommand};
+use crate::app::plot::value_axis::grid_marks;
 use crate::app::run::answer::Answer;
 use crate::app::style::theme::{OWN, Palette};
 use crate::app::text;
@@ -14,7 +15,7 @@ use crate::study::plot::chart::Panel;
 /// Height of the window's plots together \[points\].
 const HEIGHT: f32 = 400.0;
 /// Most own periods that are marked: those of a long row would hide the curve.
-const MOST: usize = 12;
+const MOST_PERIODS: usize = 12;
 
 /// Shows the window while it is open; the time shown is `t` \[s\].
 pub(in crate::app) fn show(ui: &mut Ui, shaking: &Shaking, answer: Option<&Answer>, t: f64, out: &mut Vec<Command>) {
@@ -86,7 +87,7 @@ fn spectra(ui: &mut Ui, component: &Component, own: &[OwnPeriod]) {
             panel.curves.iter().filter_map(|curve| curve.points.last()).fold(0.0, |most: f64, p| most.max(p[0]));
         let highest = panel.curves.iter().flat_map(|c| &c.points).fold(0.0, |most: f64, p| most.max(p[1]));
         plot(ui, ("spectrum", number), (360.0, axis), panel, number, |plot| {
-            for (row, OwnPeriod { name, period }) in distinct(own).iter().take(MOST).enumerate() {
+            for (row, OwnPeriod { name, period }) in distinct(own).iter().take(MOST_PERIODS).enumerate() {
                 if *period > longest {
                     continue;
                 }
@@ -146,6 +147,7 @@ fn plot<R>(
     let plot = Plot::new(Id::unique(("quake", what, number))).height(height).width(width).show_x(false).show_y(false);
     let plot = plot.allow_scroll(false).allow_drag(false).allow_zoom(false).allow_boxed_zoom(false);
     let plot = plot.custom_y_axes(vec![y]).custom_x_axes(vec![x]).grid_color(palette.line);
+    let plot = plot.y_grid_spacer(move |grid| grid_marks(grid.bounds, height, false)).grid_spacing(6.0..=14.0);
     plot.show(ui, |plot| {
         for curve in &panel.curves {
             let points = PlotPoints::new(curve.points.clone());
