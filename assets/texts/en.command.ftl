@@ -262,6 +262,7 @@ motion-file = { $file }: { $format }, { $count } { $count ->
 motion-unstated = direction not stated
 motion-azimuth = azimuth { $azimuth }°
 motion-up = upwards
+motion-spectrum-title = { $record }: response spectrum, 5 % damping
 motion-no-name = no name
 motion-nothing = nothing
 motion-channel = channel { $number }: { $name }, { $direction }

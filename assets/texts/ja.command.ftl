@@ -259,6 +259,7 @@ motion-file = { $file }：{ $format }、{ $count } 成分
 motion-unstated = 方向の記述なし
 motion-azimuth = 方位角 { $azimuth }°
 motion-up = 上向き
+motion-spectrum-title = { $record }：応答スペクトル、減衰 5 %
 motion-no-name = 名前なし
 motion-nothing = なし
 motion-channel = 成分 { $number }：{ $name }、{ $direction }

@@ -9,15 +9,15 @@ use crate::sim::History;
 use crate::sim::moving_ground::MovedSupport;
 
 /// So many warnings are written out; a row of a thousand girders in the wrong unit would fill a screen with one fault.
-const MOST: usize = 10;
+const MOST_WARNINGS: usize = 10;
 
 /// Warns on standard error of every quantity that lies outside, a line each; the exit status does not change.
 pub(super) fn warn(scene: &Scene, console: &mut Console) {
     let found = outside(scene);
-    for departure in found.iter().take(MOST) {
+    for departure in found.iter().take(MOST_WARNINGS) {
         console.note(&said!("warning", "what" => departure.to_string()));
     }
-    if let Some(more) = found.len().checked_sub(MOST).filter(|more| *more > 0) {
+    if let Some(more) = found.len().checked_sub(MOST_WARNINGS).filter(|more| *more > 0) {
         console.note(&said!("warning-more-outside", "more" => more));
     }
     for words in scene.cut_motions() {
@@ -42,10 +42,10 @@ pub(super) fn warn_of_balance(history: &History, console: &mut Console) {
 /// Warns of supports that the ends of records leave moving against the ground of reference, a line each.
 pub(super) fn warn_of_drift(supports: &[MovedSupport], console: &mut Console) {
     let drifting = || supports.iter().filter_map(MovedSupport::drifting);
-    for words in drifting().take(MOST) {
+    for words in drifting().take(MOST_WARNINGS) {
         console.note(&said!("warning-drift", "words" => words));
     }
-    if let Some(more) = drifting().count().checked_sub(MOST).filter(|more| *more > 0) {
+    if let Some(more) = drifting().count().checked_sub(MOST_WARNINGS).filter(|more| *more > 0) {
         console.note(&said!("warning-more-drift", "more" => more));
     }
 }

@@ -143,7 +143,7 @@ fn drawn(ground: &Ground<'_>, stem: &str) -> Result<Vec<(String, Vec<u8>)>, Fail
         (format!("{stem}-spectrum.csv"), spectrum_csv(&spectrum).into_bytes()),
     ];
     files.extend(plot_files(&format!("{stem}-history"), ground.histories(stem))?);
-    let title = format!("{stem}: response spectrum, 5 % damping");
+    let title = said!("motion-spectrum-title", "record" => stem);
     files.extend(plot_files(&format!("{stem}-spectrum"), spectrum_chart(&spectrum, &title))?);
     Ok(files)
 }

@@ -10,7 +10,7 @@ use super::failure::Failure;
 use super::output::write_files;
 use super::plot_files::plot_files;
 use crate::files::check_folder;
-use crate::language::said;
+use crate::language::{Text, said};
 use crate::sim::quantity::Unit;
 use crate::sim::{History, Quantity};
 use crate::study::plot::COLORS;
@@ -110,7 +110,10 @@ fn chart(history: &History, x: Option<&(String, Quantity)>, y: &[(String, Quanti
             None => panels.push(Panel { name, curves: vec![curve(of)] }),
         }
     }
-    let x = x.map_or("time [s]".to_owned(), |(name, quantity)| format!("{name} [{}]", unit(quantity.unit())));
+    let x = x.map_or_else(
+        || Text::new("report-time").as_str().to_owned(),
+        |(name, quantity)| format!("{name} [{}]", unit(quantity.unit())),
+    );
     Chart { title: history.scene().name.clone(), x, panels }
 }
 

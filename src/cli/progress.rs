@@ -8,7 +8,7 @@ use super::digits::six;
 use crate::language::{Text, said};
 
 /// How long something may take before a bar shows.
-const PATIENCE: Duration = Duration::from_millis(500);
+const BAR_DELAY: Duration = Duration::from_millis(500);
 /// Parts that a bar's length is divided into.
 const PARTS: f64 = 1000.0;
 
@@ -51,7 +51,7 @@ impl Progress {
 
     /// The same, with more words.
     pub(super) fn show_of(&mut self, reached: f64, words: &str) {
-        if self.bar.is_none() && self.started.seconds() > PATIENCE.as_secs_f64() {
+        if self.bar.is_none() && self.started.seconds() > BAR_DELAY.as_secs_f64() {
             self.bar = Some(new_bar());
         }
         if let Some(bar) = &self.bar {
@@ -81,7 +81,7 @@ pub(super) struct Waiting(Option<ProgressBar>);
 impl Waiting {
     /// For work that may take about `seconds`; nothing shows if that is short.
     pub(super) fn for_about(seconds: f64, what: Text) -> Self {
-        let long = seconds > PATIENCE.as_secs_f64();
+        let long = seconds > BAR_DELAY.as_secs_f64();
         Self(long.then(|| {
             let spinner = ProgressBar::new_spinner().with_message(what.as_str());
             spinner.enable_steady_tick(Duration::from_millis(200));

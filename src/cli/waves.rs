@@ -13,7 +13,7 @@ use super::failure::Failure;
 use super::limits::after_end;
 use super::output::write_files;
 use super::plot_files::plot_files;
-use crate::files::check_folder;
+use crate::files::{as_file_name, check_folder};
 use crate::language::{Text, said};
 use crate::scene::Kind;
 use crate::sim::{History, OfSection};
@@ -77,7 +77,7 @@ pub(super) fn run(args: &WavesArgs, console: &mut Console) -> Result<(), Failure
     let wanted = Wanted { girder: girder(history, args)?, what: args.force, span: span(history, args)? };
     let waves = Waves::of(history, &wanted).ok_or_else(rigid)?;
     let word = OfSection::ALL.iter().find(|(_, what)| *what == args.force).map_or("", |(word, _)| word);
-    let name = format!("{}-{word}", plain(&waves.girder));
+    let name = format!("{}-{word}", as_file_name(&waves.girder));
     let mut files = vec![(format!("{name}.csv"), waves.csv().into_bytes())];
     files.extend(plot_files(&name, waves.picture().to_svg())?);
     let written = write_files(&args.out, &files)?;
@@ -123,9 +123,4 @@ fn span(history: &History, args: &WavesArgs) -> Result<[Option<f64>; 2], Failure
         (None, Some(_)) => Err(Failure::Input(Text::new("wrong-no-from").into())),
         span => Ok(span.into()),
     }
-}
-
-/// A name that a file can have.
-fn plain(name: &str) -> String {
-    name.chars().map(|c| if c.is_alphanumeric() || "-_.".contains(c) { c } else { '_' }).collect()
 }

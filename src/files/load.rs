@@ -42,8 +42,7 @@ fn complete(text: &str, sets: &[String], (folder, file): (&Path, &str)) -> Resul
     Ok(scene)
 }
 
-/// Reads the unsaved work in a side file, with the record it names; whether it makes sense is for the window to say, as
-/// it was while it was edited.
+/// Reads a side file of unsaved work with the records that it names. The scene is not validated: work may be kept during an edit.
 ///
 /// # Errors
 /// What cannot be read, in words.

@@ -1,4 +1,5 @@
-//! Opening and saving: the one room besides the window and the command line's own arguments that touches the disk.
+//! Scenes, records, tables, settings and unsaved work on the disk. `app` and `cli` also list folders and read their own results
+//! (`MAY_OPEN_FILES` in `tests/architecture.rs`).
 //!
 //! Reading a scene gathers everything it depends on (its text, overrides, the record it names) so that the rooms behind
 //! see plain data and never a path. Writing is atomic: a reader sees the old file or the new one, never half of one.
@@ -27,7 +28,7 @@ pub use page::take_in;
 pub use read::{ReadError, read_input, read_table};
 pub use recent::Recent;
 pub use recovery::{Found, SideFile, find_beside, find_in};
-pub use save::{Draft, FileSet, check_folder, save_scene, scene_text, write_atomic, write_set};
+pub use save::{Draft, FileSet, as_file_name, check_folder, save_scene, scene_text, write_atomic, write_set};
 pub use scene_source::SceneSource;
 pub use settings::Settings;
 pub use stamp::Stamp;

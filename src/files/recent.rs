@@ -11,8 +11,8 @@ use super::read::{LARGEST_INPUT, read_regular};
 use super::save::{folder_of, write_atomic};
 use super::write_error::WriteError;
 
-/// More than this is not looked through any more.
-const MOST: usize = 12;
+/// Most files in the list (chosen: users do not search a longer one).
+const MOST_FILES: usize = 12;
 
 /// The list.
 #[derive(Debug, Default)]
@@ -49,7 +49,7 @@ impl Recent {
         self.change(|files| {
             files.retain(|other| *other != file);
             files.insert(0, file);
-            files.truncate(MOST);
+            files.truncate(MOST_FILES);
         })
     }
 
@@ -84,7 +84,7 @@ impl Recent {
 fn read(list: &Path) -> Vec<PathBuf> {
     let bytes = read_regular(list, LARGEST_INPUT).unwrap_or_default();
     let written: Written = toml::from_slice(&bytes).unwrap_or_default();
-    written.files.into_iter().take(MOST).map(PathBuf::from).collect()
+    written.files.into_iter().take(MOST_FILES).map(PathBuf::from).collect()
 }
 
 #[cfg(test)]
@@ -132,7 +132,7 @@ mod tests {
         let folder = tempfile::tempdir().expect("a folder");
         let mut recent = Recent::open(folder.path().join("recent.toml"));
         (0..40).for_each(|i| recent.add(&PathBuf::from(format!("/{i}.toml"))).expect("written"));
-        assert_eq!(recent.files().len(), MOST, "the oldest are forgotten");
+        assert_eq!(recent.files().len(), MOST_FILES, "the oldest are forgotten");
         recent.clear().expect("written");
         assert!(recent.files().is_empty(), "all forgotten");
     }

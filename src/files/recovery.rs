@@ -1,8 +1,7 @@
 //! Unsaved work in side files: `NAME.toml.unsaved` beside the scene.
 //!
-//! A side file is always one whole scene: it is written beside its name and renamed. The process that writes it holds a
-//! lock on it, which the system lets go of however the process ends; so a side file that nobody holds is work that was
-//! lost with its window, and one that is held is another window's business.
+//! A side file holds one whole scene: a temporary file is written and renamed. The process that writes it keeps it locked, and the
+//! system releases the lock when the process ends. A side file without a lock is work of a process that has ended.
 
 use std::fs::File;
 use std::path::{Path, PathBuf};
@@ -17,8 +16,8 @@ use crate::scene::Scene;
 /// What a side file's name ends in; the second one of a scene ends in `.unsaved2`.
 const ENDING: &str = ".unsaved";
 
-/// More side files of one scene than this are a fault somewhere.
-const MOST: u32 = 99;
+/// Most side files of one scene (chosen); [`SideFile::create`] fails beyond them.
+const MOST_SIDE_FILES: u32 = 99;
 
 /// A side file of this process.
 #[derive(Debug)]
@@ -59,7 +58,7 @@ impl SideFile {
         std::fs::create_dir_all(folder).map_err(fail)?;
         let mut staged = stage_scene(scene, source.text().as_deref(), &numbered(file, 1))?;
         hold(staged.as_file());
-        for number in 1..=MOST {
+        for number in 1..=MOST_SIDE_FILES {
             let path = numbered(file, number);
             match staged.persist_noclobber(&path) {
                 Ok(held) => return Ok(Self { path, held: Some(held) }),
@@ -121,7 +120,7 @@ fn numbered(file: &Path, number: u32) -> PathBuf {
 
 /// Side files beside a scene's file that nobody holds, the newest first.
 pub fn find_beside(file: &Path) -> Vec<Found> {
-    let all = (1..=MOST).map(|number| numbered(file, number));
+    let all = (1..=MOST_SIDE_FILES).map(|number| numbered(file, number));
     newest_first(all.filter_map(|path| found(path, Some(file.to_owned()))).collect())
 }
 

@@ -61,6 +61,11 @@ fn portable(scene: &Scene, path: &Path) -> Scene {
     scene
 }
 
+/// A name as part of a file's name: every character but letters, digits, `-`, `_` and `.` becomes `_`.
+pub fn as_file_name(name: &str) -> String {
+    name.chars().map(|c| if c.is_alphanumeric() || "-_.".contains(c) { c } else { '_' }).collect()
+}
+
 /// Writes one file: readers see what stood there before or all of `bytes`.
 ///
 /// # Errors

@@ -23,7 +23,7 @@ const UNFINISHED: &str = ".tmp";
 const DRAWN: usize = 6;
 /// The file in a folder of unfinished ones that its process holds.
 const LOCK: &str = "lock";
-/// A file is locked at once after it is made; a leftover is older than that by far.
+/// Least age of a file that [`sweep`] removes (chosen); a younger one may be made and not locked yet.
 const LEFT: Duration = Duration::from_mins(1);
 
 /// An unfinished file in a folder, locked while it is open; removed when dropped.

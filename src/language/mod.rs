@@ -105,7 +105,7 @@ impl std::str::FromStr for Language {
     fn from_str(code: &str) -> Result<Self, String> {
         Self::of_locale(code).ok_or_else(|| {
             let known: Vec<String> = Self::ALL.iter().map(|l| format!("{} ({})", l.code(), l.name())).collect();
-            format!("there is no such language; there are {}", known.join(", "))
+            said!("wrong-language", "known" => known.join(", "))
         })
     }
 }

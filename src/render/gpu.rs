@@ -4,6 +4,7 @@
 
 use super::health::{Fault, Health};
 use super::made::{Made, Tally, Thing};
+use crate::language::{Text, said};
 
 /// What draws.
 #[derive(Clone, Debug, PartialEq, Eq)]
@@ -42,16 +43,16 @@ pub enum GpuError {
     #[error("{}", no_adapter(.0))]
     NoAdapter(String),
     /// An adapter would not give a device.
-    #[error("the graphics adapter gives no device: {0}")]
+    #[error("{}", said!("gpu-no-device", "why" => .0.as_str()))]
     NoDevice(String),
     /// An adapter draws, but not on this display.
-    #[error("nothing can be drawn on this display: {0}")]
+    #[error("{}", said!("gpu-no-surface", "why" => .0.as_str()))]
     NoSurface(String),
     /// A picture larger than the device draws.
-    #[error("a picture of {0} x {1} pixels: choose 1 to {2} each way, and no more than 33 million in all")]
+    #[error("{}", said!("gpu-size", "width" => *.0, "height" => *.1, "most" => *.2))]
     Size(u32, u32, u32),
     /// The picture could not be read back.
-    #[error("the picture could not be read back: {0}")]
+    #[error("{}", said!("gpu-readback", "why" => .0.as_str()))]
     Readback(String),
     /// The device is of no more use; another may be.
     #[error(transparent)]
@@ -60,16 +61,19 @@ pub enum GpuError {
 
 /// What was looked for, what to set and what to install.
 fn no_adapter(looked: &str) -> String {
-    let set = |name: &str| std::env::var(name).ok().map(|value| format!("{name}={value} is set: try without it; "));
+    let set = |name: &str| {
+        let value = std::env::var(name).ok()?;
+        Some(said!("gpu-without", "name" => name, "value" => value) + " ")
+    };
     let set: String = ["WGPU_BACKEND", "VK_ICD_FILENAMES", "VK_DRIVER_FILES"].into_iter().filter_map(set).collect();
     let install = if cfg!(target_arch = "wasm32") {
-        "use a browser with WebGPU or WebGL2, and hardware acceleration switched on"
+        "gpu-install-browser"
     } else if cfg!(target_os = "linux") {
-        "install mesa-vulkan-drivers (or libegl1 and libgl1-mesa-dri)"
+        "gpu-install-mesa"
     } else {
-        "install the graphics card's driver"
+        "gpu-install-driver"
     };
-    format!("no graphics adapter, not even in software: {set}{install}; {looked}")
+    said!("gpu-none", "set" => set, "install" => Text::new(install).as_str(), "looked" => looked)
 }
 
 #[cfg(not(target_arch = "wasm32"))]

@@ -2,17 +2,19 @@
 
 use std::sync::{Arc, Mutex, PoisonError};
 
+use crate::language::{Text, said};
+
 /// Why a device is of no more use. What was made on it is lost with it.
 #[derive(Clone, Debug, PartialEq, Eq, thiserror::Error)]
 pub enum Fault {
     /// It has gone: a driver that was restarted or updated, a card that was taken out, a computer that slept.
-    #[error("the graphics device was lost ({0})")]
+    #[error("{}", said!("gpu-lost", "why" => .0.as_str()))]
     Lost(String),
     /// It has no room for what is to be drawn.
-    #[error("the graphics device has no memory left ({0})")]
+    #[error("{}", said!("gpu-no-memory", "why" => .0.as_str()))]
     OutOfMemory(String),
     /// It did not do what it was told.
-    #[error("the graphics device refused its work ({0})")]
+    #[error("{}", said!("gpu-refused", "why" => .0.as_str()))]
     Refused(String),
 }
 
@@ -59,7 +61,7 @@ impl Health {
 fn in_one_line(words: &str) -> String {
     let line = words.split_whitespace().collect::<Vec<_>>().join(" ");
     let line = line.trim_end_matches('.');
-    if line.is_empty() { "it does not say why".to_owned() } else { line.to_owned() }
+    if line.is_empty() { Text::new("gpu-unsaid").into() } else { line.to_owned() }
 }
 
 #[cfg(test)]

@@ -12,9 +12,9 @@ pub struct Quality {
 }
 
 impl Quality {
-    /// Everything on.
+    /// 4 samples and 9 shadow look-ups a pixel.
     pub const FINE: Self = Self { samples: 4, shadow_taps: 9 };
-    /// A third of the work.
+    /// 1 sample and 1 shadow look-up a pixel.
     pub const DRAFT: Self = Self { samples: 1, shadow_taps: 1 };
 
     /// For pictures that move: fine on a graphics card, draft where a processor draws.
@@ -27,7 +27,7 @@ impl Quality {
         if adapter.is_cpu { Self { samples: 4, shadow_taps: 4 } } else { Self::FINE }
     }
 
-    /// Whole numbers that a device can do.
+    /// Samples 1 or 4; shadow look-ups the largest of 1, 4 and 9 that is not above the value given.
     pub(super) fn checked(self) -> Self {
         let samples = if self.samples >= 4 { 4 } else { 1 };
         let shadow_taps = self.shadow_taps.clamp(1, 9).isqrt().pow(2);

@@ -10,7 +10,7 @@ pub struct Region {
 }
 
 /// Most regions that are kept apart: each is drawn by itself, with every draw that reaches it.
-const MOST: usize = 6;
+const MOST_REGIONS: usize = 6;
 /// Pixels that two regions drawn as one may take more than apart, for what beginning a region costs (tuned).
 const WORTH: u64 = 4096;
 /// Share of a picture below which regions of it are drawn, and not the whole. Of a frame by a processor 55 % are fragments and 9 % what
@@ -76,7 +76,7 @@ impl Regions {
             grown = grown.union(self.0.swap_remove(near));
         }
         self.0.push(grown);
-        if self.0.len() > MOST {
+        if self.0.len() > MOST_REGIONS {
             self.join_two();
         }
     }
@@ -146,7 +146,7 @@ mod tests {
         let added: Vec<_> = (0..40).map(|i| region(31 * i % 997, 57 * i % 691, 10 + i, 5 + i % 7)).collect();
         let mut regions = Regions::default();
         regions.extend(added.iter().copied());
-        assert!(regions.iter().count() <= MOST, "{regions:?}");
+        assert!(regions.iter().count() <= MOST_REGIONS, "{regions:?}");
         let over = regions.iter().flat_map(|one| regions.iter().map(move |other| (one, other)));
         assert!(
             over.filter(|(one, other)| one != other).all(|(one, other)| one.common(other).is_none()),

@@ -10,7 +10,7 @@ use std::rc::Rc;
 use std::sync::mpsc::{Receiver, Sender, channel};
 use std::time::Duration;
 
-use crate::app::disk::exit_hook::{self, Will};
+use crate::app::disk::exit_hook::{self, ExitCallback};
 use crate::app::host::{Instant, Thread, Wake, now, spawn};
 use crate::files::{SceneSource, SideFile, WriteError};
 use crate::scene::Scene;
@@ -19,7 +19,7 @@ use crate::scene::Scene;
 pub(in crate::app) const DELAY: Duration = Duration::from_secs(3);
 
 /// How long a process that is ended from outside waits for the disk.
-const PATIENCE: Duration = Duration::from_secs(10);
+const EXIT_WAIT: Duration = Duration::from_secs(10);
 
 /// What the thread is asked for.
 enum Job {
@@ -68,8 +68,8 @@ pub(in crate::app) struct Autosave {
     written: BTreeMap<u64, u64>,
     /// Origin and revision that the thread holds.
     held: Option<(u64, u64)>,
-    /// Done when the process ends and the window does not know.
-    will: Option<Will>,
+    /// Called where the process ends without the window.
+    will: Option<ExitCallback>,
     due: Option<Instant>,
     /// How long after an edit the work is written.
     pub(in crate::app) delay: Duration,
@@ -81,11 +81,11 @@ impl Autosave {
         let (jobs, wanted) = channel();
         let (send, problems) = channel();
         let thread = spawn(move || write_as_asked(&wanted, &send, &wake));
-        let will: Will = Rc::new({
+        let will: ExitCallback = Rc::new({
             let jobs = jobs.clone();
-            move || jobs.send(Job::Write).is_ok() && ask_whether_kept(&jobs, PATIENCE)
+            move || jobs.send(Job::Write).is_ok() && ask_whether_kept(&jobs, EXIT_WAIT)
         });
-        exit_hook::leave(&will);
+        exit_hook::register(&will);
         let (jobs, thread, will) = (Some(jobs), thread, Some(will));
         Self { jobs, thread, problems, written: BTreeMap::new(), held: None, will, due: None, delay: DELAY }
     }
@@ -183,14 +183,14 @@ fn ask_whether_kept(jobs: &Sender<Job>, patience: Duration) -> bool {
     jobs.send(Job::Sync(done)).is_ok() && told.recv_timeout(patience).unwrap_or(false)
 }
 
-/// What the thread has in its hands.
+/// Scene to be written next, and side files by origin.
 #[derive(Default)]
-struct Hands {
+struct Writer {
     held: Option<Held>,
     sides: BTreeMap<u64, SideFile>,
 }
 
-impl Hands {
+impl Writer {
     fn write(&mut self) -> Result<(), WriteError> {
         let Some(Held { origin, beside, source, scene }) = self.held.take() else { return Ok(()) };
         match self.sides.get_mut(&origin) {
@@ -206,16 +206,16 @@ impl Hands {
 }
 
 fn write_as_asked(wanted: &Receiver<Job>, problems: &Sender<String>, wake: &Wake) {
-    let mut hands = Hands::default();
+    let mut writer = Writer::default();
     for job in wanted {
         let mut done = Ok(());
         match job {
-            Job::Hold(held) => hands.held = Some(held),
-            Job::Write => done = hands.write(),
-            Job::Forget(origin) => hands.forget(origin),
-            Job::Adopt(origin, path) => drop(hands.sides.insert(origin, SideFile::adopt(path))),
+            Job::Hold(held) => writer.held = Some(held),
+            Job::Write => done = writer.write(),
+            Job::Forget(origin) => writer.forget(origin),
+            Job::Adopt(origin, path) => drop(writer.sides.insert(origin, SideFile::adopt(path))),
             // Whoever asked may not wait any more.
-            Job::Sync(done) => drop(done.send(!hands.sides.is_empty())),
+            Job::Sync(done) => drop(done.send(!writer.sides.is_empty())),
         }
         if let Err(problem) = done {
             // Nobody listens any more when the window has closed.

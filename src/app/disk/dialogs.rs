@@ -9,10 +9,10 @@ use std::time::Duration;
 use crate::app::command::{Command, FileCommand, Filming, PathCommand, Wish};
 use crate::app::host::{Choice, Filter, Wake, choose, now};
 use crate::app::text;
-use crate::files::RECORD_FORMATS;
+use crate::files::{RECORD_FORMATS, as_file_name};
 
 /// Nobody reads a dialog and cancels it within this: none has come.
-const AT_ONCE: Duration = Duration::from_millis(400);
+const NO_DIALOG: Duration = Duration::from_millis(400);
 
 /// Dialogs that are open, and what was chosen in them.
 pub(in crate::app) struct Dialogs {
@@ -48,7 +48,7 @@ impl Dialogs {
         let choice = match wish.extension() {
             _ if wish.is_for_reading() => Choice::File,
             None => Choice::Folder,
-            Some(extension) => Choice::New(format!("{}.{extension}", file_stem(name))),
+            Some(extension) => Choice::New(format!("{}.{extension}", as_file_name(name))),
         };
         let (send, wake, begun) = (self.send.clone(), self.wake.clone(), now());
         choose(choice, &filters(wish), move |chosen| {
@@ -64,7 +64,7 @@ impl Dialogs {
 /// What files are offered; none for a folder.
 fn filters(wish: Wish) -> Vec<Filter> {
     match (wish, wish.extension()) {
-        (Wish::Open | Wish::Save, _) => vec![("Girderbench scene".to_owned(), vec!["toml"])],
+        (Wish::Open | Wish::Save, _) => vec![(text::SCENES.to_string(), vec!["toml"])],
         (Wish::Record(_) | Wish::Component(..), _) => {
             let each = RECORD_FORMATS.iter().map(|format| (format.name.to_owned(), format.extensions.to_vec()));
             [(text::RECORDS.to_string(), extensions(wish))].into_iter().chain(each).collect()
@@ -77,7 +77,7 @@ fn filters(wish: Wish) -> Vec<Filter> {
 /// What follows from what a dialog has answered, and after how long.
 fn after(wish: Wish, chosen: Option<PathBuf>, time: Duration) -> Option<Command> {
     let here = || FileCommand::Path(PathCommand::Ask(wish)).into();
-    chosen.map(|path| then(wish, path)).or_else(|| (time < AT_ONCE).then(here))
+    chosen.map(|path| then(wish, path)).or_else(|| (time < NO_DIALOG).then(here))
 }
 
 /// What is done with a path that was asked for.
@@ -103,11 +103,6 @@ pub(super) fn extensions(wish: Wish) -> Vec<&'static str> {
         }
         _ => wish.extension().into_iter().collect(),
     }
-}
-
-/// A scene's name as a file's name can be.
-pub(super) fn file_stem(name: &str) -> String {
-    name.chars().map(|c| if c.is_alphanumeric() || "-_.".contains(c) { c } else { '_' }).collect()
 }
 
 #[cfg(test)]

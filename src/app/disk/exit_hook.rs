@@ -1,8 +1,7 @@
-//! What is still done when the process ends in the middle of things.
+//! Callbacks that run when C's `exit` ends the process.
 //!
-//! Xlib ends the process by C's `exit` when its server goes away: nothing unwinds and nothing is dropped, but the
-//! destructors of the calling thread's thread-locals run, and the other threads go on meanwhile. That thread is the
-//! window's. Whoever must do something first leaves a will with it.
+//! Xlib calls `exit` when the X server goes away: no stack unwinds and nothing is dropped, but destructors of the calling thread's
+//! thread-locals run while other threads go on. The calling thread is the window's; callbacks are registered there.
 
 use std::cell::RefCell;
 use std::io::Write as _;
@@ -10,33 +9,33 @@ use std::rc::{Rc, Weak};
 
 use crate::app::text;
 
-/// What is to be done, and says whether there was anything to do. It is taken back by dropping it.
-pub(in crate::app) type Will = Rc<dyn Fn() -> bool>;
+/// A callback at exit; returns whether unsaved work is on the disk. Dropping the last `Rc` unregisters the callback.
+pub(in crate::app) type ExitCallback = Rc<dyn Fn() -> bool>;
 
 thread_local! {
-    static WILLS: RefCell<Wills> = const { RefCell::new(Wills(Vec::new())) };
+    static CALLBACKS: RefCell<Callbacks> = const { RefCell::new(Callbacks(Vec::new())) };
 }
 
-struct Wills(Vec<Weak<dyn Fn() -> bool>>);
+struct Callbacks(Vec<Weak<dyn Fn() -> bool>>);
 
-impl Drop for Wills {
+impl Drop for Callbacks {
     fn drop(&mut self) {
-        let left: Vec<Will> = self.0.drain(..).filter_map(|will| will.upgrade()).collect();
+        let left: Vec<ExitCallback> = self.0.drain(..).filter_map(|callback| callback.upgrade()).collect();
         if left.is_empty() {
             return;
         }
-        // Each is done, whatever the others say.
-        let kept = left.iter().filter(|will| will()).count() > 0;
+        // Each is called, whatever the others return.
+        let kept = left.iter().filter(|callback| callback()).count() > 0;
         let words = if kept { text::CUT_OFF_KEPT } else { text::CUT_OFF };
         // With the display the terminal may be gone too.
         let _ = writeln!(std::io::stderr(), "{words}");
     }
 }
 
-/// Leaves a will with this thread.
-pub(in crate::app) fn leave(will: &Will) {
-    WILLS.with_borrow_mut(|wills| {
-        wills.0.retain(|old| old.strong_count() > 0);
-        wills.0.push(Rc::downgrade(will));
+/// Registers a callback with this thread.
+pub(in crate::app) fn register(callback: &ExitCallback) {
+    CALLBACKS.with_borrow_mut(|callbacks| {
+        callbacks.0.retain(|old| old.strong_count() > 0);
+        callbacks.0.push(Rc::downgrade(callback));
     });
 }

@@ -6,11 +6,10 @@ use std::sync::atomic::{AtomicBool, AtomicUsize, Ordering};
 use std::sync::mpsc::{Receiver, Sender, TryRecvError, channel};
 
 use crate::app::command::{FilmFormat, FilmPlan, Filming};
-use crate::app::disk::dialogs::file_stem;
 use crate::app::host::{THREADS, Thread, Told, Wake, spawn};
 use crate::app::run::answer::Answer;
 use crate::app::text;
-use crate::files::{Draft, FileSet, WriteError};
+use crate::files::{Draft, FileSet, WriteError, as_file_name};
 use crate::render::{GpuError, Packing};
 use crate::snapshot::{Frame, GifError, Instant, Shot, Studio, film, gif, instants};
 
@@ -85,7 +84,7 @@ impl Films {
         self.job = None;
         let Some(count) = plan.frames() else { return };
         let shot = Shot { size: plan.size.unwrap_or(source.shot.size), ..source.shot };
-        let (order, wake) = (Order { answer, plan, shot, name: file_stem(source.name) }, source.wake);
+        let (order, wake) = (Order { answer, plan, shot, name: as_file_name(source.name) }, source.wake);
         let (send, told) = channel();
         let (cancel, done) = (Arc::new(AtomicBool::new(false)), Arc::new(AtomicUsize::new(0)));
         let watch = Watch { cancel: cancel.clone(), done: done.clone() };

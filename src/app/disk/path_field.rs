@@ -3,12 +3,13 @@
 use std::path::{MAIN_SEPARATOR, Path, PathBuf};
 
 use crate::app::command::{Command, PathCommand, Wish};
-use crate::app::disk::dialogs::{extensions, file_stem, then};
+use crate::app::disk::dialogs::{extensions, then};
 use crate::app::host::home_folder;
 use crate::app::text;
+use crate::files::as_file_name;
 
 /// Most ways to go on that are listed.
-const MOST: usize = 200;
+const MOST_OFFERS: usize = 200;
 
 /// The path that is asked for, and where it begins.
 #[derive(Default)]
@@ -76,7 +77,7 @@ impl PathField {
 
     /// Where the next path begins, and what a new file is called.
     pub(super) fn begin_in(&mut self, folder: &Path, name: &str) {
-        self.begin = (folder.to_owned(), file_stem(name));
+        self.begin = (folder.to_owned(), as_file_name(name));
     }
 
     /// The folder that paths begin in.
@@ -229,7 +230,7 @@ fn offers(text: &str, wish: Wish) -> Vec<Offer> {
     };
     let mut all: Vec<Offer> = entries.filter_map(offer).collect();
     all.sort();
-    all.truncate(MOST);
+    all.truncate(MOST_OFFERS);
     all
 }
 

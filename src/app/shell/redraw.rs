@@ -202,7 +202,7 @@ mod tests {
     use crate::app::shell::textures::Textures;
     use crate::language::Language;
     use crate::scene::{Scene, presets};
-    use crate::study::stability::dice::Dice;
+    use crate::study::stability::random::Random;
 
     /// Frames of a series.
     const FRAMES: u64 = 50;
@@ -289,14 +289,14 @@ mod tests {
     }
 
     /// What happens before a frame.
-    fn act(both: &mut Both, painter: &mut Painter, dice: &mut Dice) -> Vec<Event> {
-        let place = |dice: &mut Dice| pos2(dice.below(900) as f32, dice.below(560) as f32);
+    fn act(both: &mut Both, painter: &mut Painter, random: &mut Random) -> Vec<Event> {
+        let place = |random: &mut Random| pos2(random.below(900) as f32, random.below(560) as f32);
         let modifiers = Modifiers::NONE;
         let key = |key, pressed| Event::Key { key, physical_key: None, pressed, repeat: false, modifiers };
-        match dice.below(40) {
-            0 => both.resize(painter, [if dice.below(2) == 0 { 700 } else { 987 }, 500], 1.0),
+        match random.below(40) {
+            0 => both.resize(painter, [if random.below(2) == 0 { 700 } else { 987 }, 500], 1.0),
             1 => both.resize(painter, [900, 560], 1.25),
-            2 => both.bench.apply(WindowCommand::Language(if dice.below(2) == 0 {
+            2 => both.bench.apply(WindowCommand::Language(if random.below(2) == 0 {
                 Language::Japanese
             } else {
                 Language::English
@@ -310,11 +310,11 @@ mod tests {
             }
             6..=9 => return vec![key(Key::Space, true), key(Key::Space, false)],
             10..=14 => {
-                let pos = place(dice);
+                let pos = place(random);
                 let button = |pressed| Event::PointerButton { pos, button: PointerButton::Primary, pressed, modifiers };
                 return vec![Event::PointerMoved(pos), button(true), button(false)];
             }
-            15..=22 => return vec![Event::PointerMoved(place(dice))],
+            15..=22 => return vec![Event::PointerMoved(place(random))],
             _ => {}
         }
         Vec::new()
@@ -322,9 +322,9 @@ mod tests {
 
     fn series(preset: &str, seed: u64) {
         let Some((mut both, mut painter)) = open(preset) else { return };
-        let mut dice = Dice::new(seed);
+        let mut random = Random::new(seed);
         for number in 0..FRAMES {
-            let events = act(&mut both, &mut painter, &mut dice);
+            let events = act(&mut both, &mut painter, &mut random);
             if both.bench.window.asks() {
                 both.bench.apply(WindowCommand::KeepOpen);
             }

@@ -22,7 +22,7 @@ use crate::app::shell::redraw::Frame;
 use crate::app::shell::surface::{Painted, Painting, Surface};
 use crate::app::text;
 use crate::files::SceneSource;
-use crate::language::Language;
+use crate::language::{Language, Text, said};
 use crate::render::GpuError;
 use crate::scene::Scene;
 
@@ -39,19 +39,23 @@ const FRAME: Duration = Duration::from_micros(33_333);
 #[derive(Debug, thiserror::Error)]
 pub enum AppError {
     /// There is no display to open a window on: work without one.
-    #[error("no display to open a window on (neither DISPLAY nor WAYLAND_DISPLAY leads to one)")]
+    #[error("{}", Text::new("window-no-display"))]
     NoDisplay,
     /// There is a display, but nothing that could draw on it.
-    #[error("no window could be opened: {0}")]
+    #[error("{}", said!("window-not-opened", "why" => .0.as_str()))]
     NoWindow(String),
     /// The window was open, and cannot go on.
-    #[error("the window had to end: {why}{work}", work = if *.kept { "; unsaved work is kept: it is offered when the program is opened again" } else { "" })]
+    #[error("{}", ended(.why, *.kept))]
     Ended {
         /// What happened.
         why: String,
         /// Whether there was unsaved work; it is on the disk.
         kept: bool,
     },
+}
+
+fn ended(why: &str, kept: bool) -> String {
+    if kept { said!("window-ended-kept", "why" => why) } else { said!("window-ended", "why" => why) }
 }
 
 /// Opens the workbench on a scene and returns when its window is closed. Its words are in this language; in the one that was

@@ -29,6 +29,7 @@ pub(in crate::app) const RECORD_IN_SCENE: Text = Text::new("record-in-scene");
 pub(in crate::app) const CHOOSE: Text = Text::new("choose");
 /// Files of every format of records.
 pub(in crate::app) const RECORDS: Text = Text::new("records");
+pub(in crate::app) const SCENES: Text = Text::new("scene-files");
 pub(in crate::app) const KEEP_RECORD: Text = Text::new("keep-record");
 pub(in crate::app) const KEEP_RECORD_HINT: Text = Text::new("keep-record-hint");
 pub(in crate::app) const SAMPLES_FOLD: Text = Text::new("samples-fold");

@@ -1,7 +1,7 @@
 //! Words at the handles: what each is called, and what a drag says.
 
 use crate::geometry::End;
-use crate::language::{Text, values};
+use crate::language::{Text, said, values};
 
 pub(in crate::app) const ALONG: Text = Text::new("along");
 pub(in crate::app) const ACROSS: Text = Text::new("across");
@@ -102,4 +102,9 @@ pub(in crate::app) fn pier_stiffness(stiffness: [f64; 2]) -> String {
 pub(in crate::app) fn device_point(name: &str, which: usize) -> String {
     let key = if which == 0 { "first-point" } else { "second-point" };
     Text::new(key).with(&values!["name" => name])
+}
+
+/// Beside the mouse: a new abutment, and the end of the girder that it is placed before.
+pub(in crate::app) fn abutment_before(name: &str, girder: &str, end: &str) -> String {
+    said!("tool-abutment-before", "name" => name, "girder" => girder, "end" => end)
 }

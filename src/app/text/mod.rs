@@ -351,10 +351,9 @@ pub(super) const KEEP_MINE: Text = Text::new("keep-mine");
 pub(super) const FILE_GONE: Text = Text::new("file-gone");
 pub(super) const NOT_KEPT: Text = Text::new("not-kept");
 /// On the terminal: the window's display has gone, and with it the process ends.
-pub(super) const CUT_OFF: &str = "error: the display is gone, and the window with it; nothing was unsaved";
+pub(super) const CUT_OFF: Text = Text::new("window-cut-off");
 /// The same with unsaved work.
-pub(super) const CUT_OFF_KEPT: &str = "error: the display is gone, and the window with it; unsaved work is kept: it is offered when the program is opened \
-                                      again";
+pub(super) const CUT_OFF_KEPT: Text = Text::new("window-cut-off-kept");
 /// The graphics device was lost, and everything is drawn on another.
 pub(super) const DRAWN_ANEW: Text = Text::new("drawn-anew");
 

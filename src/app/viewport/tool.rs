@@ -68,7 +68,7 @@ fn abutment(scene: &Scene, there: DVec3) -> Option<Ghost> {
     let (_, i, end) = free.min_by(|a, b| a.0.distance_squared(there).total_cmp(&b.0.distance_squared(there)))?;
     let new = edits::abutment_before(scene, i, end);
     let block = abutment_block(scene, &new)?;
-    let words = format!("{} before {} {}", new.name, new.faces, end.label());
+    let words = text::abutment_before(&new.name, &new.faces, end.label());
     Some(Ghost { edit: Edit::AddAbutment(scene.abutments.len(), Box::new(new)), block, words })
 }
 

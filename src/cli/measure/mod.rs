@@ -15,7 +15,7 @@ use super::failure::Failure;
 use super::output::write_files;
 use super::plot_files::plot_files;
 use super::progress::Progress;
-use crate::files;
+use crate::files::{self, as_file_name};
 use crate::language::{Text, said};
 use crate::measure::{Calibration, Finder, Grey, LAYOUT, Layout, MOST_MARKS, Poses, Tracker};
 use crate::scene::shown::escaped;
@@ -237,8 +237,7 @@ fn written(film: &Film, all: &[Compared], reference: Option<&Reference>) -> Resu
         vec![("measured.csv".to_owned(), film.csv().into_bytes()), ("measured.json".to_owned(), json.into_bytes())];
     for (number, run, _) in all {
         let body = &film.bodies[*number].body;
-        let name: String =
-            body.chars().map(|c| if c.is_alphanumeric() || "-_.".contains(c) { c } else { '_' }).collect();
+        let name = as_file_name(body);
         let beside = reference.map_or(String::new(), |reference| format!(", computed: {}", reference.name()));
         let title = format!("{body}: {} pictures{beside}", film.times.len());
         files.extend(plot_files(&format!("measured-{name}"), film.chart(*number, run.as_deref(), &title))?);

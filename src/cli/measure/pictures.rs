@@ -10,7 +10,7 @@ use crate::measure::Grey;
 use crate::render::Image;
 
 /// Most pixels of a picture: an eight-kilopixel square.
-const MOST_PIXELS: u64 = 1 << 26;
+const MOST_READ_PIXELS: u64 = 1 << 26;
 
 /// Every picture, in the order of its name where a folder is given; as many as belong to the film.
 ///
@@ -36,7 +36,10 @@ pub(super) fn listed(given: &[PathBuf], count: Option<usize>) -> Result<Vec<Path
 }
 
 fn in_folder(folder: &Path) -> Result<Vec<PathBuf>, Failure> {
-    let unreadable = |error: std::io::Error| Failure::Input(format!("{}: {error}", folder.display()));
+    let unreadable = |error: std::io::Error| {
+        let found = said!("found-unreadable", "error" => error.to_string());
+        Failure::Input(format!("{}: {found}: {}", folder.display(), Text::new("wrong-unreadable")))
+    };
     let mut all = Vec::new();
     for entry in std::fs::read_dir(folder).map_err(unreadable)? {
         let path = entry.map_err(unreadable)?.path();
@@ -105,8 +108,8 @@ pub(super) fn read(path: &Path) -> Result<Grey, Failure> {
     // Width and height stand in the first chunk: before memory is taken for them.
     let side = |at: usize| bytes.get(at..at + 4).and_then(|b| b.try_into().ok()).map_or(0, u32::from_be_bytes);
     let [width, height] = [side(16), side(20)];
-    if u64::from(width) * u64::from(height) > MOST_PIXELS {
-        return Err(wrong(said!("measure-pixels", "width" => width, "height" => height, "most" => MOST_PIXELS)));
+    if u64::from(width) * u64::from(height) > MOST_READ_PIXELS {
+        return Err(wrong(said!("measure-pixels", "width" => width, "height" => height, "most" => MOST_READ_PIXELS)));
     }
     let image =
         Image::from_png(&bytes).map_err(|error| wrong(said!("measure-no-picture", "error" => error.to_string())))?;

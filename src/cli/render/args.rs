@@ -9,7 +9,7 @@ use crate::cli::digits::six;
 use crate::cli::failure::Failure;
 use crate::cli::limits::after_end;
 use crate::cli::waves::{known_in, section_force};
-use crate::files;
+use crate::files::{self, as_file_name};
 use crate::language::{Text, said};
 use crate::scene::{Layer, Scene, ViewPreset};
 use crate::sim::{History, OfSection};
@@ -214,9 +214,7 @@ impl RenderArgs {
         }
         let scene = history.scene();
         let view = if self.marks.given() { "marks" } else { self.view.unwrap_or(scene.view.camera).label() };
-        // A name may hold anything; a file's name may not.
-        let name: String =
-            scene.name.chars().map(|c| if c.is_alphanumeric() || "-_.".contains(c) { c } else { '_' }).collect();
+        let name = as_file_name(&scene.name);
         self.out.join(format!("{name}-{view}-{when}.png"))
     }
 }

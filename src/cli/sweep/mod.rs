@@ -79,8 +79,7 @@ pub(super) fn run(args: &SweepArgs, console: &mut Console) -> Result<(), Failure
 /// Name and bytes of the dataset as Parquet, where this build writes it.
 #[cfg(feature = "parquet")]
 fn parquet(dataset: &Dataset<'_>, about: &Value) -> Result<Option<(String, Vec<u8>)>, Failure> {
-    let bytes =
-        dataset.parquet(about).map_err(|error| Failure::Output(format!("sweep.parquet: {error}: try again")))?;
+    let bytes = dataset.parquet(about).map_err(|error| unwritten("sweep.parquet", &error))?;
     Ok(Some(("sweep.parquet".to_owned(), bytes)))
 }
 
@@ -89,6 +88,12 @@ fn parquet(dataset: &Dataset<'_>, about: &Value) -> Result<Option<(String, Vec<u
 #[expect(clippy::unnecessary_wraps, reason = "the same call as in a build with Parquet")]
 fn parquet(_: &Dataset<'_>, _: &Value) -> Result<Option<(String, Vec<u8>)>, Failure> {
     Ok(None)
+}
+
+/// A table that could not be made.
+fn unwritten(path: &str, error: &dyn std::fmt::Display) -> Failure {
+    let remedy = Text::new("unwritten-try-again").as_str();
+    Failure::Output(said!("unwritten", "path" => path, "reason" => error.to_string(), "remedy" => remedy))
 }
 
 /// The measures, a line each, in the language in use: English as it stands with them.
@@ -125,7 +130,7 @@ fn compute_missing(plan: &Plan, missing: &[usize], folder: &mut Folder) -> Resul
 
 /// Writes the dataset and its pictures, and says how the runs ended.
 fn write(args: &SweepArgs, dataset: &Dataset<'_>, about: &Value, console: &mut Console) -> Result<(), Failure> {
-    let of_csv = |error: csv::Error| Failure::Output(format!("sweep.csv: {error}: try again"));
+    let of_csv = |error: csv::Error| unwritten("sweep.csv", &error);
     let mut files = vec![("sweep.csv".to_owned(), dataset.csv().map_err(of_csv)?)];
     let digest = xxhash_rust::xxh3::xxh3_64(&files[0].1);
     files.extend(parquet(dataset, about)?);

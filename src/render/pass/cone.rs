@@ -10,7 +10,7 @@ use crate::view::list::Cone;
 pub(in crate::render) const SHADER: &str =
     concat!(include_str!("../../../shaders/shared/frame.wgsl"), include_str!("../../../shaders/cone.wgsl"));
 
-/// How much of a cone's colour covers what is behind one of its two walls.
+/// Alpha of each wall of a filled cone, 0 to 255 (chosen).
 const THIN: u8 = 0x34;
 
 #[repr(C)]
