@@ -42,23 +42,20 @@ fn pairs_by_asking_all(bencher: Bencher<'_, '_>, count: usize) {
     });
 }
 
-/// One girder moved: the tree takes it in and says whom it meets.
+/// The neighbours of one girder, from the tree.
 #[divan::bench(args = LENGTHS)]
-fn one_moves_in_the_tree(bencher: Bencher<'_, '_>, count: usize) {
+fn neighbours_from_the_tree(bencher: Bencher<'_, '_>, count: usize) {
     let (boxes, mut found) = (boxes(count), Vec::new());
-    let mut tree = Broad::of(boxes.iter().copied());
-    let middle = u32::try_from(count / 2).unwrap_or(0);
+    let tree = Broad::of(boxes.iter().copied());
     bencher.bench_local(|| {
-        tree.move_to(middle, black_box(boxes[count / 2]));
-        tree.settle();
-        tree.meeting(&boxes[count / 2], &mut found);
+        tree.meeting(black_box(&boxes[count / 2]), &mut found);
         found.len()
     });
 }
 
-/// One girder moved: everyone is asked.
+/// The neighbours of one girder, by asking all.
 #[divan::bench(args = LENGTHS)]
-fn one_moves_and_all_are_asked(bencher: Bencher<'_, '_>, count: usize) {
+fn neighbours_by_asking_all(bencher: Bencher<'_, '_>, count: usize) {
     let boxes = boxes(count);
     let meet = |a: &AlignedBox, b: &AlignedBox| a.min.cmple(b.max).all() && b.min.cmple(a.max).all();
     bencher.bench(|| {

@@ -16,7 +16,7 @@ pub(super) trait Code: Sync {
 pub struct Case<'a> {
     /// The girder's shape.
     pub prism: &'a Prism,
-    /// Its inputs beside the scene.
+    /// Inputs of design codes: the scene's table `[codes]`.
     pub codes: &'a Codes,
     /// What the run left of the seat.
     pub seat: &'a Seat,

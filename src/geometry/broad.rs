@@ -1,19 +1,17 @@
-//! Who is near whom among many: a tree of boxes (parry's Bvh), so that a row of a thousand is not asked a million times.
+//! Broad phase: which of many boxes are near each other, by a tree of boxes (parry's Bvh).
 //!
-//! The tree only says who may matter; whoever asks decides by its own rule. Answers come in rising order of number, so
-//! that nothing depends on how the tree was built. Asked once about all, a row is cheaper gone along ([`pairs`],
-//! [`Along`]): a tree takes longer to build than to walk past everyone's neighbours.
+//! The tree gives candidates only; the caller decides by its own rule. Results are in rising order of number, so that they do not depend
+//! on how the tree was built. For one query of all pairs a sweep along one axis ([`pairs`], [`Along`]) is cheaper than building a tree.
 
 use glam::DVec3;
 use parry3d::bounding_volume::Aabb;
-use parry3d::partitioning::{Bvh, BvhBuildStrategy, BvhNode, BvhWorkspace};
+use parry3d::partitioning::{Bvh, BvhBuildStrategy, BvhNode};
 
 use super::shape::AlignedBox;
 
 /// A tree of numbered boxes.
 pub struct Broad {
     tree: Bvh,
-    workspace: BvhWorkspace,
 }
 
 impl std::fmt::Debug for Broad {
@@ -23,22 +21,12 @@ impl std::fmt::Debug for Broad {
 }
 
 impl Broad {
-    /// The tree of boxes that are numbered from 0; one that is not finite meets nobody.
+    /// Tree of boxes that are numbered from 0; a box that is not finite is in no result.
     pub fn of(boxes: impl IntoIterator<Item = AlignedBox>) -> Self {
         let finite = |(_, b): &(usize, AlignedBox)| b.min.is_finite() && b.max.is_finite();
         let leaves: Vec<(usize, Aabb)> =
             boxes.into_iter().enumerate().filter(finite).map(|(n, b)| (n, Aabb::new(b.min, b.max))).collect();
-        Self { tree: Bvh::from_iter(BvhBuildStrategy::Binned, leaves), workspace: BvhWorkspace::default() }
-    }
-
-    /// Moves a box; [`settle`](Self::settle) must follow before the next question.
-    pub fn move_to(&mut self, number: u32, place: AlignedBox) {
-        let _ = self.tree.insert_or_update_partially(Aabb::new(place.min, place.max), number, 0.0);
-    }
-
-    /// Takes in the moves since the last time: only boxes above those that moved are touched.
-    pub fn settle(&mut self) {
-        self.tree.refit(&mut self.workspace);
+        Self { tree: Bvh::from_iter(BvhBuildStrategy::Binned, leaves) }
     }
 
     /// Boxes that meet this one, borders included, in rising order, written to `found`.
@@ -75,7 +63,7 @@ impl Broad {
     }
 }
 
-/// Boxes met per box, going along, before a tree is built after all.
+/// Comparisons per box of a sweep along one axis, after which the tree is built instead \[–\]. Affects the work alone. Chosen.
 const CROWD: usize = 32;
 
 /// Every two of these boxes that meet, borders included: the lower number first, in rising order.
@@ -126,7 +114,7 @@ impl Along {
         Self { axis, order, place }
     }
 
-    /// Everybody else and how far along the axis, nearest first.
+    /// All other numbers with their distance along the axis, nearest first.
     pub fn outward(&self, number: usize) -> impl Iterator<Item = (usize, f64)> + '_ {
         let at = self.place[number];
         let here = self.order[at].0;
@@ -195,15 +183,11 @@ mod tests {
             plain.extend((a + 1..boxes.len()).filter(|&b| meet(&boxes[a], &boxes[b])).map(|b| (a, b)));
         }
         assert!(plain.len() > 300, "the lattice overlaps: {}", plain.len());
-        let mut tree = Broad::of(boxes.iter().copied());
+        let tree = Broad::of(boxes.iter().copied());
         assert_eq!(tree.pairs(), plain, "as built");
         let mut found = Vec::new();
         tree.meeting(&boxes[5], &mut found);
         assert_eq!(found, (0..300).filter(|&n| meet(&boxes[5], &boxes[n])).collect::<Vec<_>>(), "one against all");
-        tree.move_to(5, unit(1e3, 0.0));
-        tree.settle();
-        tree.meeting(&boxes[5], &mut found);
-        assert!(!found.contains(&5), "it has moved away");
     }
 
     #[test]

@@ -17,7 +17,7 @@ pub struct History<'a> {
     pub x: &'a [f64],
     /// How the ground moved along it.
     pub shaking: &'a Shaking,
-    /// Whether the ground's size is known but for a factor.
+    /// Whether the ground motion is known only up to a factor, which is fitted too.
     pub scaled: bool,
 }
 
@@ -98,14 +98,13 @@ const MOST_DAMPING: f64 = 0.99;
 const DAMPINGS: [f64; 7] = [0.003, 0.01, 0.03, 0.1, 0.2, 0.35, 0.6];
 /// Frequencies to start from, of that of the resonance: the resonance of h = 0.6 lies at 0.53 f.
 const NEAR: [f64; 11] = [0.8, 0.9, 0.95, 0.98, 1.0, 1.02, 1.05, 1.1, 1.25, 1.5, 2.0];
-/// Frequencies to start from over the whole band, on shaking ground: a sine shows no resonance, and noise can hide that of others.
+/// Frequencies to start from over the whole band where the ground shakes: a sine shows no resonance, noise can hide one (chosen).
 const OVER_BAND: u32 = 24;
 /// Damping ratios to start from with these: the neighbours of a frequency are a fifth or more away.
 const DAMPINGS_OVER_BAND: [f64; 2] = [0.05, 0.25];
-/// The best starts that are followed.
+/// Starts that least squares follows: those of the least sum of squares (chosen).
 const FOLLOWED: usize = 4;
-/// Share of a parameter by which it is moved for a derivative: the second difference that is left out is 1e-12, of 1e3 periods
-/// 1e-6, and rounding 1e-10.
+/// Relative step of the central differences by f and h: truncation is of order 1e-12 (1e-6 over 1e3 periods), rounding 1e-10.
 const MOVED: f64 = 1e-6;
 /// Rows beyond the number of parameters at least.
 const ROWS_LEFT: usize = 5;

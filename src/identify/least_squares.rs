@@ -40,6 +40,11 @@ pub fn products(a: &[Vec<f64>], b: &[Vec<f64>]) -> Vec<Vec<f64>> {
     a.iter().map(|a| b.iter().map(|b| dot(a, b)).collect()).collect()
 }
 
+/// Pivot of the scaled matrix below which it counts as singular (chosen above rounding).
+const SINGULAR: f64 = 1e-13;
+/// λ at the start, its least value, and the value at which the search ends (chosen).
+const LAMBDA: [f64; 3] = [1e-3, 1e-12, 1e12];
+
 /// Solves `A x = b` of a positive definite matrix by Cholesky's method, scaled to a diagonal of ones; none where it is not
 /// positive definite to rounding.
 pub fn solve(matrix: &[Vec<f64>], right: &[f64]) -> Option<Vec<f64>> {
@@ -52,7 +57,7 @@ pub fn solve(matrix: &[Vec<f64>], right: &[f64]) -> Option<Vec<f64>> {
     for i in 0..n {
         for j in 0..=i {
             let sum = matrix[i][j] / (scale[i] * scale[j]) - dot(&lower[i][..j], &lower[j][..j]);
-            if i == j && sum <= 1e-13 {
+            if i == j && sum <= SINGULAR {
                 return None;
             }
             lower[i][j] = if i == j { sum.sqrt() } else { sum / lower[j][j] };
@@ -91,23 +96,23 @@ fn residuals(model: &impl Model, measured: &[f64], parameters: &[f64]) -> Option
 pub fn fit(model: &impl Model, measured: &[f64], start: &[f64]) -> Option<Solution> {
     let mut p = start.to_vec();
     let (mut r, mut cost) = residuals(model, measured, &p)?;
-    let mut lambda = 1e-3;
+    let [mut lambda, least, most] = LAMBDA;
     for _ in 0..MOST_STEPS {
         let slopes = model.slopes(&p)?;
         let normal = products(&slopes, &slopes);
         let right: Vec<f64> = slopes.iter().map(|column| dot(column, &r)).collect();
         let mut moved = false;
-        while lambda < 1e12 {
+        while lambda < most {
             let mut damped = normal.clone();
             (0..p.len()).for_each(|i| damped[i][i] *= 1.0 + lambda);
             let step = solve(&damped, &right)?;
             let next: Vec<f64> = p.iter().zip(&step).map(|(p, s)| p + s).collect();
-            // Of two parameters of different units each counts against its own size, or that of what it does to the model.
+            // Ends where no parameter moves by more than SMALL of its own size.
             let small = step.iter().zip(&p).all(|(s, p)| s.abs() <= SMALL * p.abs());
             match residuals(model, measured, &next) {
                 Some((new, lower)) if lower < cost && !small => {
                     (p, r, cost, moved) = (next, new, lower, true);
-                    lambda = (lambda * 0.1_f64).max(1e-12);
+                    lambda = (lambda * 0.1).max(least);
                     break;
                 }
                 _ if small => break,

@@ -10,10 +10,10 @@ use super::least_squares::{Solution, dot, inverse, products};
 
 /// Highest order of the autoregression.
 pub const MOST_ORDER: usize = 10;
-/// Correlations below this are taken as none …
+/// Correlation below which the noise counts as uncorrelated \[–\] (chosen).
 const NO_CORRELATION: f64 = 1e-3;
-/// … and so are those over more samples.
-const LONGEST: usize = 2000;
+/// Most lags of the correlation \[samples\]; beyond them it counts as 0 (chosen: bounds the cost of the covariance).
+const MOST_LAGS: usize = 2000;
 
 /// Noise as the residuals show it.
 #[derive(Clone, Debug, PartialEq)]
@@ -69,7 +69,7 @@ impl Noise {
         let order = scores.min_by(|a, b| a.0.total_cmp(&b.0)).map_or(0, |(_, order)| order);
         let mut rho: Vec<f64> = c[..=order].iter().map(|own| own / c[0]).collect();
         let a = &all[order].0;
-        while order > 0 && rho.len() < LONGEST.min(n) {
+        while order > 0 && rho.len() < MOST_LAGS.min(n) {
             let next: f64 = a.iter().zip(rho.iter().rev()).map(|(a, rho)| a * rho).sum();
             rho.push(next);
             if rho.iter().rev().take(order).all(|rho| rho.abs() < NO_CORRELATION) {

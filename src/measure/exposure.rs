@@ -3,8 +3,8 @@
 /// Instants of an exposure: a tenth of a pixel apart at the speeds of the paper's film, exposed for half of the time between pictures.
 const SHARES: u32 = 33;
 
-/// Instants \[s\] whose mean a picture at `t` is that is exposed for `exposure` about it, from the start of a run to its `end`: the middles
-/// of equal parts; `t` alone without an exposure.
+/// Instants \[s\] whose pictures are averaged into one of exposure `exposure` \[s\] about `t`: the middles of equal parts, held within
+/// 0 to `end`; `t` alone where `exposure` is 0.
 pub fn exposed(t: f64, exposure: f64, end: f64) -> impl Iterator<Item = f64> {
     let count = if exposure > 0.0 { SHARES } else { 1 };
     let share = move |n: u32| (f64::from(n) + 0.5) / f64::from(count) - 0.5;

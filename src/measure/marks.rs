@@ -8,9 +8,9 @@ use super::grey::Grey;
 
 /// How far beyond the threshold's edge a mark's light reaches \[pixels\]: a half-covered pixel and one more of blur.
 const REACH: usize = 2;
-/// Share of the pixels that are brighter than the brightness of the marks is taken from: fewer than those of a mark.
+/// Share of a picture's pixels above the level taken as the brightness of its marks (chosen: less than the marks cover).
 const BRIGHTEST: f64 = 2e-4;
-/// Steps of brightness by which marks stand out at least, for a threshold to be chosen by itself.
+/// Least difference between that level and the median for which a threshold is set automatically, of 255 (chosen).
 const CONTRAST: f32 = 24.0;
 
 /// What counts as a mark.

@@ -8,10 +8,10 @@ use super::layout::Layout;
 use super::marks::{Finder, Mark};
 use crate::language::said;
 
-/// A mark whose pixels are more than this multiple of those at first has run together with something: two equal ones have
-/// twice as many, and blur adds a rim. One with as many times fewer is partly covered.
+/// Ratio of a mark's pixels to those in the first picture above which it has merged with something; below the inverse it is partly
+/// covered. Chosen between 1 and the 2 of two equal marks that merge.
 const MERGED: f64 = 1.7;
-/// How far a lone mark is looked for, as a share of the picture's height.
+/// Search radius of a mark that is alone, as a share of the picture's height (chosen).
 const ALONE: f64 = 0.2;
 
 /// A place in a picture, in a message \[pixels\].

@@ -14,7 +14,7 @@ use crate::tables::{TableOptions, all, in_memory};
 
 /// Begins: gives the page's scripts what they may call, and opens the window where there is a page.
 pub fn main() {
-    // There is nobody to answer to before the page is there: a browser without objects runs no WebAssembly either.
+    // The result is dropped: where globalThis takes no property, no script can call these functions either.
     let _ = offer();
     #[cfg(feature = "gui")]
     if web_sys::window().is_some() {

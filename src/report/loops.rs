@@ -9,12 +9,12 @@ use crate::study::plot::chart::{Chart, Curve, Panel};
 /// Points of a loop.
 const POINTS: u32 = 4000;
 /// Loops of a page at most; the rest has none.
-const MOST: usize = 12;
+const MOST_LOOPS: usize = 12;
 
 /// Pictures with their captions: along and across the girder for a bearing, along its line for a device. What never moved apart or
 /// carried a force has none.
 pub(super) fn pictures(history: &History) -> Vec<(String, String)> {
-    bearings(history).into_iter().chain(links(history)).take(MOST).collect()
+    bearings(history).into_iter().chain(links(history)).take(MOST_LOOPS).collect()
 }
 
 fn bearings(history: &History) -> Vec<(String, String)> {

@@ -77,7 +77,9 @@ pub use record::{Component, Heading, RecordMotion};
 pub use resolved::{ResolvedBearing, Setting};
 pub use resolved_elastic::ResolvedElastic;
 pub use resolved_pier::{BaseYield, ResolvedPier};
-pub use settings::{Layer, Overlays, PlotSettings, PlotShows, SolverMethod, SolverSettings, ViewPreset, ViewSettings};
+pub use settings::{
+    FINEST_TOLERANCE, Layer, Overlays, PlotSettings, PlotShows, SolverMethod, SolverSettings, ViewPreset, ViewSettings,
+};
 pub use soil::ResolvedBackfill;
 pub use supports::StandsOn;
 pub use sweep::{SweepMotion, SweepRate};

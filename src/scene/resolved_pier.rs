@@ -10,7 +10,7 @@ use super::supports::{extent, underside};
 use super::{PerDirection, Scene};
 
 /// Modulus of concrete \[Pa\].
-const CONCRETE: f64 = 3e10;
+const CONCRETE_MODULUS: f64 = 3e10;
 /// Damping of a pier where none is given, of critical: that of design spectra \[–\].
 const USUAL_DAMPING: f64 = 0.05;
 /// Stiffness after yield over that before where none is given \[–\].
@@ -88,7 +88,7 @@ impl Pier {
             ColumnTop::Fixed => [12.0, 12.0],
         };
         let height = self.height.unwrap_or(f64::NAN);
-        let share = self.columns * self.modulus.unwrap_or(CONCRETE) / height.powi(3);
+        let share = self.columns * self.modulus.unwrap_or(CONCRETE_MODULUS) / height.powi(3);
         let moments = Self::second_moments(column);
         [0, 1].map(|axis| factors[axis] * share * moments[axis])
     }

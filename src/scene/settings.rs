@@ -13,11 +13,14 @@ words! {
     }
 }
 
+/// Finest tolerance that a scene can ask for \[–\]: below, errors of steps with contact are round-off.
+pub const FINEST_TOLERANCE: f64 = 1e-13;
+
 table! {
     /// `[solver]`: how exactly a run is computed.
     #[derive(Clone, Copy, Debug, PartialEq, Serialize, Deserialize)]
     default struct SolverSettings, SOLVER {
-        tolerance: f64 = "tolerance" as "field-tolerance", Range::Within([1e-13, 0.01]), Fallback::Number(1e-10),
+        tolerance: f64 = "tolerance" as "field-tolerance", Range::Within([FINEST_TOLERANCE, 0.01]), Fallback::Number(1e-10),
             "local error a step, relative to the motion in hand";
         method: SolverMethod = "method" as "field-method", Range::Words(SolverMethod::WORDS), SolverMethod::FALLBACK,
             "closed-form flight where it exists, an embedded pair of order 8 elsewhere, every event root-found";

@@ -15,7 +15,7 @@ const ULTIMATE: f64 = 326e3;
 /// Angle over which the reduction by the skew falls by a factor e (Rollins and Jessee 2013) \[degrees\].
 const SKEW_ANGLE: f64 = 45.0;
 /// Density of a backwall \[kg/m³\].
-const CONCRETE: f64 = 2500.0;
+const CONCRETE_DENSITY: f64 = 2500.0;
 /// Thickness of a backwall per height, where none is given \[–\].
 const SLENDERNESS: f64 = 0.25;
 /// Push at which a granular soil fails, per height of the wall \[–\].
@@ -89,7 +89,7 @@ impl Backfill {
         let face = placed::abutment_face(scene, abutment).map_or(0.0, |[a, b, ..]| (b - a).length());
         // The part of the face that the girder's end covers, and no more of it than there is.
         let length = girder.prism().end_length().min(face);
-        let mass = self.mass.unwrap_or(CONCRETE * length * height * height * SLENDERNESS);
+        let mass = self.mass.unwrap_or(CONCRETE_DENSITY * length * height * height * SLENDERNESS);
         let friction = self.friction.unwrap_or(BASE_FRICTION) * mass * scene.gravity;
         let base = [friction, self.base_displacement.unwrap_or(BASE_DISPLACEMENT)];
         let resolved = ResolvedBackfill {
@@ -100,7 +100,7 @@ impl Backfill {
             limit: self.limit.unwrap_or(FAILING_PUSH * height),
             unloading: 0.0,
             mass,
-            thickness: mass / (CONCRETE * length * height),
+            thickness: mass / (CONCRETE_DENSITY * length * height),
             base: (friction > 0.0).then_some(base),
             fuse: self.fuse_stiffness.zip(self.fuse_force).map(|(stiffness, force)| [stiffness, force]),
             reduction,

@@ -1,7 +1,7 @@
 //! Closed contacts at any instant: their forces, as exactly as the run has them.
 //!
-//! A stiff contact is pressed by less than the last digit of where its bodies are. So node and face are measured as the run
-//! did: counted from where the bodies were caught.
+//! A stiff contact is pressed by less than the last digit of the positions of its bodies. Node and face are therefore measured as during
+//! the run: from the reference poses of the bodies.
 
 use super::{ContactNow, ContactState, History, impact};
 use crate::contact::{Frame, Home, Mode};
@@ -13,13 +13,13 @@ use crate::dynamics::trajectory::stored_path::StoredMotion;
 
 /// A closed contact at one instant.
 struct Seen {
-    /// Its state, with its anchor counted as its sides are.
+    /// State, with its anchor relative to the reference poses.
     closed: ClosedContact,
-    /// Node and face where they are counted from.
+    /// Contact geometry at the reference poses.
     home: Home,
-    /// Node's body and face's body, counted from there.
+    /// Poses of node's and face's body relative to the reference poses.
     since: [Frame; 2],
-    /// The same since they were placed.
+    /// Poses relative to the placed poses.
     sides: [Frame; 2],
 }
 
@@ -38,7 +38,7 @@ impl History {
         Some((base, own.frame_since(section, &state)))
     }
 
-    /// A closed contact at `t` with its sides, as exactly as the run has it: counted from where its bodies were caught.
+    /// A closed contact at `t` with its sides, measured from the reference poses of its bodies as during the run.
     fn closed(&self, contact: usize, t: f64) -> Option<Seen> {
         let site = &self.model().contacts[contact];
         let log = &self.logs[contact];

@@ -47,8 +47,8 @@ impl History {
         Balance { residual, bound: self.residual_bound(ledger.scale, &deepest) }
     }
 
-    /// What the ledger's residual may be, in parts of the largest energy in play \[J\]: 100 tolerances, 1e-11, and 256 ε of
-    /// places over the deepest penetration at `times` and of weights lifted by a girder's size, which bearings carry.
+    /// Bound on the ledger's residual per largest energy in play, `scale` \[J\], without unit: 100 tolerances, 1e-11, and 256 ε times the
+    /// largest place over the deepest penetration at `times` and times `m g r` of all bodies per `scale`.
     pub fn residual_bound(&self, scale: f64, times: &[f64]) -> f64 {
         let model = self.model();
         let carried =

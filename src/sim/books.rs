@@ -32,14 +32,14 @@ impl<const N: usize> Account<N> {
     }
 }
 
-/// Everything that flows, booked.
+/// Integrals of all powers of a run, from which the energy ledger is read.
 #[derive(Clone, Debug)]
 pub(super) struct Books {
     /// Per body: work of the ground, work of pushes, losses in bearings and in the body itself.
     pub(super) bodies: Vec<Account<4>>,
-    /// Per contact: losses in the normal dashpot, the tangential dashpot, friction.
+    /// Per contact: losses in the normal dashpot, the tangential dashpot and friction; work of ground that moves as given.
     pub(super) contacts: Vec<Account<4>>,
-    /// Per device: the loss in it.
+    /// Per device: the loss; work of ground that moves as given.
     pub(super) devices: Vec<Account<2>>,
     /// Whether each of these is a bearing.
     pub(super) bearings: Vec<bool>,

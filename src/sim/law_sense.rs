@@ -1,4 +1,4 @@
-//! Where contacts leave the sense of their law: pressed too deep, or left at a face's edge with energy in their springs.
+//! Contacts beyond the validity of their law: pressed too deep, or left over a face's edge with energy in their springs.
 
 use super::History;
 use super::readings::largest;
@@ -14,7 +14,7 @@ const PARTS: u32 = 32;
 /// Energy from which a drop counts, in parts of the largest energy in play: the ledger's bound at a tolerance of 1e-8.
 const LEAST_DROP: f64 = 1e-6;
 
-/// A contact that was pressed deeper than its law has a sense.
+/// A contact whose penetration exceeds a tenth of the shortest side of either girder.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct TooDeep {
     /// The contact, the deepest of its pair.
@@ -41,7 +41,7 @@ pub struct Dropped {
 }
 
 impl History {
-    /// Contacts pressed deeper than their law has a sense, at most one a pair, in the order of the pairs.
+    /// Contacts whose penetration exceeds a tenth of the shortest side, at most one a pair, in the order of the pairs.
     pub fn too_deep(&self) -> Vec<TooDeep> {
         (0..self.model().pairs.len()).filter_map(|pair| self.too_deep_of(pair)).collect()
     }

@@ -87,7 +87,7 @@ pub enum OfPair {
 /// What of a contact; 0 while it is open.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum OfContact {
-    /// `K δ`, without the dashpot.
+    /// Elastic normal force `N(δ)`, without the dashpot; the reaction in the impact model.
     Normal,
     /// Tangential force without the dashpot, along the face's horizontal.
     Tangential,
@@ -185,7 +185,7 @@ impl Quantity {
         let pier = |body: usize| model.piers.iter().position(|pier| pier.body == body);
         for (i, body) in model.bodies.iter().enumerate() {
             let name = &body.name;
-            // Ground under bearings is nobody; an abutment that moves with its ground has a place alone.
+            // Given ground under bearings and feet has no quantities; an abutment that moves with its ground has a displacement alone.
             if model.foundations.iter().any(|foundation| foundation.body == i) {
                 continue;
             }
@@ -213,7 +213,7 @@ impl Quantity {
         }
         let listed = history.listed_pairs();
         for (i, pair) in listed.iter().map(|&number| (number, &model.pairs[number])) {
-            // A gap is that of faces that stay before each other.
+            // A gap is a quantity of facing or declared pairs, not of pairs that were added because bodies met.
             let of_pair = OF_PAIR.into_iter().filter(|(_, what)| !(pair.met && *what == OfPair::Gap));
             all.extend(of_pair.map(|(of, what)| (format!("{}.{of}", pair.name), Self::Pair(i, what))));
         }
@@ -237,7 +237,7 @@ impl Quantity {
                 let own = |what: &str| link.name.starts_with(&format!("{}.{what}", model.bodies[body].name));
                 own("bearing") || own("drop")
             };
-            // The parts of a bearing are in that; the watch on a corner has no force.
+            // The links of a bearing are in the bearing's quantities; the drop watch of a corner has no force.
             if !link.bodies[0].is_some_and(of_bearing) {
                 all.extend(OF_LINK.map(|(of, what)| (format!("{}.{of}", link.name), Self::Link(i, what))));
             }

@@ -1,14 +1,14 @@
-//! Steps that were taken again a moment ago: who asks for one instant of a step asks for more.
+//! Cache of the last recomputed steps: readings at several instants of one step follow one another.
 
 use std::sync::{Mutex, PoisonError};
 
 use crate::dynamics::record::recomputed_steps::{Past, Replay};
 use crate::dynamics::trajectory::step_polynomial::StepPolynomial;
 
-/// How many are kept: the two sides of a contact and their neighbours.
-const KEPT: usize = 4;
+/// Steps in the cache \[–\]: those of both sides of a contact and of their neighbours. Chosen.
+const CACHED_STEPS: usize = 4;
 
-/// One group's steps kept by their starts, with the last that were asked for.
+/// Steps of a group that are stored by their initial states, with a cache of the last recomputed ones.
 #[derive(Debug, Default)]
 pub(super) struct Replayed {
     replay: Replay,
@@ -36,7 +36,7 @@ impl Replayed {
         read: impl FnOnce(&StepPolynomial) -> T,
     ) -> T {
         let place = self.replay.bodies(number).position(|b| b == body).unwrap_or(0);
-        // Whoever panicked meanwhile left whole steps.
+        // After a panic elsewhere the cache still holds whole steps.
         let mut recent = self.recent.lock().unwrap_or_else(PoisonError::into_inner);
         let found = recent.iter().position(|(known, _)| *known == number);
         let step = match found {
@@ -44,7 +44,7 @@ impl Replayed {
             None => (number, self.replay.step(number, from, past)),
         };
         let answer = read(&step.1[place]);
-        if recent.len() == KEPT {
+        if recent.len() == CACHED_STEPS {
             recent.remove(0);
         }
         recent.push(step);

@@ -86,8 +86,8 @@ pub struct ContactNow {
     pub state: ContactState,
     /// `X_k`, the node \[m\].
     pub point: DVec3,
-    /// `X_p`, the point of the face that holds it: anchor in stick, projection in slip (paper), dragged anchor in slip
-    /// (return mapping) \[m\].
+    /// Point of action on the face's body \[m\]: the anchor `X_p` in stick, the projection (paper) or the dragged anchor (return mapping)
+    /// in slip; the node `X_k` for laws whose normal and tangential spring differ.
     pub anchor: DVec3,
     /// Outward unit normal of the face, towards the node's body.
     pub normal: DVec3,
@@ -97,7 +97,7 @@ pub struct ContactNow {
     pub normal_velocity: f64,
     /// `V_t`, the sliding velocity \[m/s\].
     pub sliding: DVec3,
-    /// `|F_n| = K δ`, without the dashpot \[N\].
+    /// Elastic normal force `N(δ)` without the dashpot, `K δ` of a linear law; the reaction in the impact model \[N\].
     pub normal_force: f64,
     /// Tangential force without the dashpot: the tangential spring in stick, friction in slip \[N\].
     pub tangential_force: DVec3,
@@ -114,7 +114,7 @@ pub struct ContactNow {
 }
 
 impl ContactNow {
-    /// Force without dashpots, `K δ n` plus the tangential force: the arrow that lies in the friction cone \[N\].
+    /// Force without dashpots, `N(δ) n` plus the tangential force: the arrow that lies in the friction cone \[N\].
     pub fn elastic_force(&self) -> DVec3 {
         self.normal * self.normal_force + self.tangential_force
     }

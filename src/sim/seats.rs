@@ -14,7 +14,7 @@ use crate::geometry::{End, Prism};
 
 /// Part of the range of a quantity within which a low point between looks is closed in on: between looks, 24 a period of the
 /// fastest motion, a peak rises by less than a hundredth of the range.
-const NEAR: f64 = 0.1;
+const MINIMUM_BAND: f64 = 0.1;
 
 /// The seat of an end as placed, fixed to the ground or to the pier under the end: a strip behind the front edge, which is parallel to the end.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -309,7 +309,7 @@ struct Scanned {
 /// Searches a quantity that is known at times in rising order.
 fn scan(times: &[f64], values: &[f64], at: &dyn Fn(f64) -> f64) -> Scanned {
     let [low, high] = values.iter().fold([f64::INFINITY, f64::NEG_INFINITY], |[a, b], v| [a.min(*v), b.max(*v)]);
-    let near = NEAR * (high - low);
+    let near = MINIMUM_BAND * (high - low);
     let first = values.iter().position(|v| *v <= low).unwrap_or(0);
     let mut least = Extreme { value: low, t: times.get(first).copied().unwrap_or(0.0) };
     let mut zero = None;

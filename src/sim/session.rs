@@ -8,7 +8,7 @@ use super::{History, Motion, Stop};
 use crate::dynamics::Model;
 use crate::dynamics::run::{self, Run};
 use crate::scene::facing::{self, SolidId};
-use crate::scene::{Between, ModelKind, Scene, SceneErrors};
+use crate::scene::{Between, FINEST_TOLERANCE, ModelKind, Scene, SceneErrors};
 
 /// Portions in which a run reports how far it is.
 const PORTIONS: u32 = 200;
@@ -130,7 +130,7 @@ impl Session {
         }
     }
 
-    /// Groups that no pair joins advance on as many threads as there are; each is the same whoever computes it.
+    /// Groups that no pair and no link joins advance in parallel; the result of a group does not depend on the thread.
     fn work(&mut self, until: f64) {
         self.asked = self.asked.max(until);
         if let [only] = self.groups.as_mut_slice() {
@@ -231,10 +231,10 @@ impl History {
     pub fn estimate_error(&self) -> f64 {
         let mut finer = self.scene().clone();
         finer.model.kind = if self.impact().is_some() { ModelKind::Impact } else { ModelKind::Contact };
-        finer.solver.tolerance = (self.scene().solver.tolerance / 100.0).max(1e-13);
-        if self.scene().solver.tolerance <= 1e-13 {
-            // Nothing finer is left: from a coarser run, which errs the other way.
-            finer.solver.tolerance = 1e-12;
+        finer.solver.tolerance = (self.scene().solver.tolerance / 100.0).max(FINEST_TOLERANCE);
+        if self.scene().solver.tolerance <= FINEST_TOLERANCE {
+            // There is no finer tolerance: the difference from a run at ten times as much estimates the error of that run.
+            finer.solver.tolerance = 10.0 * FINEST_TOLERANCE;
         }
         match Session::with_met(&finer, self.model().bodies_met()) {
             Ok(session) => self.difference(&session.complete()),

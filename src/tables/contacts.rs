@@ -12,7 +12,7 @@ use crate::sim::{ContactNow, History};
 /// The table. At an event, a row shows the contact just after it; a contact that has just opened has no row.
 ///
 /// `point` is the node, `anchor` the point of the face that holds it, `normal` points out of the face; forces \[N\]:
-/// `normal_force` is `K δ`, `friction` the tangential spring or friction, the dashpots apart, `force` the sum of all,
+/// `normal_force` is `N(δ)`, `friction` the tangential spring or friction, the dashpots apart, `force` the sum of all,
 /// on the node's body.
 ///
 /// # Errors
@@ -25,7 +25,7 @@ pub fn contacts(history: &History, sample_hz: f64, out: &mut dyn Write) -> std::
     to_csv(&header(), rows, out)
 }
 
-/// As many cells as the table has, to a row a touch: one for each sample, event and peak within each touch.
+/// Estimated number of cells: of each touch its duration times `sample_hz`, the run's events and force peaks within it, one row more.
 pub fn contact_cells(history: &History, sample_hz: f64) -> f64 {
     let special = special_instants(history);
     let until = |t: f64| special.partition_point(|(instant, _)| *instant <= t);
@@ -46,7 +46,7 @@ fn special_instants(history: &History) -> Vec<(f64, &'static str)> {
     special
 }
 
-/// The same and samples; their names win over a sample's.
+/// Events, force peaks and samples in order of time, each instant once; an event or peak replaces a sample at its time.
 fn instants(history: &History, sample_hz: f64) -> impl Iterator<Item = (f64, &'static str)> {
     let mut special = special_instants(history).into_iter().peekable();
     let mut samples = sample_times(history.end(), sample_hz).map(|t| (t, "sample")).peekable();

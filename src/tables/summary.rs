@@ -77,9 +77,9 @@ pub struct Report {
     pub estimated_error: Option<f64>,
     /// The energy ledger at the end \[J\].
     pub ledger: Ledger,
-    /// The most that the ledger's |residual| may be \[J\].
+    /// Bound of the ledger's |residual| \[J\].
     pub residual_bound: f64,
-    /// Whether it is no more.
+    /// Whether the residual is within the bound.
     pub balances: bool,
     /// Hash of the whole answer, bit for bit.
     pub digest: String,
@@ -162,7 +162,7 @@ pub struct PierReport {
     pub shear: f64,
     /// When \[s\].
     pub shear_t: f64,
-    /// The same times its height \[N·m\].
+    /// Largest base shear times the pier's height \[N·m\].
     pub moment: f64,
     /// Largest rotation of its cap in plan \[rad\].
     pub rotation: f64,

@@ -89,9 +89,9 @@ impl Camera {
         history.contact_at(contact, t).map(|now| Self::square_to(history, &now, aspect))
     }
 
-    /// Square to a contact: its normal and its friction lie in the plane of the picture, so that the angle between force and normal
-    /// and that of the cone are seen as they are; lines of sight are parallel for the same reason. Both stand as they do in the plan
-    /// where that plane is level. In view are the cone and the arrow, and as much about them.
+    /// Square to a contact, with parallel lines of sight: the contact's normal and friction force lie in the plane of the picture, so
+    /// angles between force, normal and cone are true. Where that plane is horizontal, world x points right and y up. The view holds
+    /// cone and arrow with a margin.
     fn square_to(history: &History, c: &ContactNow, aspect: f64) -> Self {
         let height = c.normal_force / auto_force_scale(history);
         let normal = c.normal;

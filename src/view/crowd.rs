@@ -5,7 +5,7 @@ use super::area::Area;
 /// Side of a cell \[points\]: about the height of two lines of text.
 const CELL: f32 = 32.0;
 /// Cells along a side at the most, whatever size is asked for; the last takes what lies beyond.
-const MOST_CELLS: usize = 512;
+const MOST_CELLS_A_SIDE: usize = 512;
 
 /// Areas that are taken, filed by the cells that they touch.
 #[derive(Debug)]
@@ -21,7 +21,7 @@ impl Crowd {
     /// An empty picture.
     pub(super) fn new(size: [u32; 2], ppp: f32) -> Self {
         let side = CELL * ppp.max(0.1);
-        let [columns, rows] = size.map(|pixels| cell(pixels as f32 / side, MOST_CELLS - 1) + 1);
+        let [columns, rows] = size.map(|pixels| cell(pixels as f32 / side, MOST_CELLS_A_SIDE - 1) + 1);
         Self { areas: Vec::new(), cells: vec![Vec::new(); columns * rows], columns, rows, side }
     }
 

@@ -1,6 +1,6 @@
 //! The friction cone of a contact: which cone is drawn, how large, and its rims and outline.
 //!
-//! The cone stands on the contact with its axis along the face's normal and is `K δ` high in the arrows' scale; the
+//! The cone stands on the contact with its axis along the face's normal and is `N(δ)` high in the arrows' scale; the
 //! resultant is the force without dashpots, so its tip lies inside the outline (`μ_s`) in stick and on the rim of the
 //! filled cone (`μ_k`) in slip. In stick the outline is a full line, in slip a dashed one. Pixels: `render/pass/cone.rs`, `shaders/cone.wgsl`; the same cone cut across its axis:
 //! `friction_circle.rs`.

@@ -1,15 +1,15 @@
-//! Backwalls that stand between the eye and a girder turn to glass, so that no view is blind.
+//! Transparency of backwalls that hide a girder from the camera.
 
 use glam::DVec3;
 
 use super::Camera;
 use super::block::Block;
 
-/// Samples of a girder along each of its three directions.
+/// Samples of a girder along each of its three directions (chosen).
 const SAMPLES: usize = 4;
-/// Hidden shares between which a wall turns from solid to glass.
+/// Hidden shares of a girder at which a wall begins to fade and has faded \[–\] (chosen).
 const TURNS: [f64; 2] = [0.3, 0.7];
-/// What is left of a wall's colour when it is glass.
+/// Alpha of a wall that has faded, as a share of its own (chosen).
 const GLASS: f64 = 0.2;
 
 /// How solid a wall is drawn, from 1 down to a fifth, for what it hides of the girder that it hides most.

@@ -119,7 +119,7 @@ pub struct Line {
     pub color: Rgba,
 }
 
-/// A friction cone: apex at the contact, as high as `K δ` in the arrows' scale.
+/// A friction cone: apex at the contact, as high as `N(δ)` in the arrows' scale.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Cone {
     /// Number of the contact.
@@ -128,7 +128,7 @@ pub struct Cone {
     pub apex: Vec3,
     /// Unit normal of the face, towards the node's body.
     pub axis: Vec3,
-    /// `K δ` in the arrows' scale \[m\].
+    /// `N(δ)` in the arrows' scale \[m\].
     pub height: f32,
     /// `μ_s`: the thin outline's rim over its height.
     pub mu_static: f32,
@@ -141,7 +141,7 @@ pub struct Cone {
 /// What an arrow stands for.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord, Hash)]
 pub enum ArrowKind {
-    /// `K δ n`.
+    /// `N(δ) n`.
     Normal,
     /// Tangential spring, or friction.
     Tangential,

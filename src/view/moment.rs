@@ -279,7 +279,8 @@ pub fn period(scene: &Scene) -> Option<f64> {
     }
 }
 
-/// For how long an opened contact stays marked: a tenth of a period \[s\].
+/// Time for which an opened contact stays marked \[s\]: a tenth of the period of a sine, else a hundredth of the duration, from 0.01 s
+/// to 0.2 s (chosen).
 fn linger(scene: &Scene) -> f64 {
     period(scene).map_or((scene.duration / 100.0).clamp(0.01, 0.2), |p| p / 10.0)
 }

@@ -10,7 +10,7 @@ use super::texts::TEXT;
 use super::{ViewInput, scale};
 
 /// Longest bar \[points\].
-const LONGEST: f64 = 130.0;
+const LONGEST_BAR: f64 = 130.0;
 
 /// The bar; nothing under a perspective, where no length is true everywhere.
 pub(super) fn scale_bar(input: &ViewInput<'_>, palette: &Palette) -> Option<(Vec<Mark>, Area)> {
@@ -19,7 +19,7 @@ pub(super) fn scale_bar(input: &ViewInput<'_>, palette: &Palette) -> Option<(Vec
     }
     let ppp = input.pixels_per_point;
     let per_pixel = input.camera.metres_per_pixel(input.camera.target, f64::from(input.size[1]));
-    let length = scale::round_down(LONGEST * f64::from(ppp) * per_pixel);
+    let length = scale::round_down(LONGEST_BAR * f64::from(ppp) * per_pixel);
     let pixels = (length / per_pixel) as f32;
     if !(pixels.is_finite() && pixels > 1.0) {
         return None;

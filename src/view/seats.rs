@@ -13,9 +13,9 @@ const LEDGE: f64 = 0.6;
 /// A seat under an end of a girder, along its axis before skewing, outwards from the middle.
 struct Reach {
     end: End,
-    /// Its front edge \[m\].
+    /// Front edge, from mid-span \[m\].
     front: f64,
-    /// Its foot at the abutment \[m\].
+    /// Face of the abutment or end of the girder, from mid-span \[m\].
     back: f64,
 }
 
@@ -43,7 +43,7 @@ fn reaches(scene: &Scene, girder: &Girder, all: bool) -> Vec<Reach> {
     End::BOTH.into_iter().filter_map(of).collect()
 }
 
-/// How far out the nearest of the bearings of an end is that stand on the ground \[m\].
+/// Distance from mid-span to the innermost bearing of an end that stands on the ground, along the axis before skewing \[m\].
 fn nearest(scene: &Scene, girder: &Girder, end: End) -> Option<f64> {
     let (supports, resolved) = (scene.supports(girder), girder.supports(scene.setting()));
     let shear = girder.prism().shear();

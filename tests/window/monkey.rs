@@ -14,9 +14,9 @@ const INPUTS: [usize; 2] = [800, 10_000];
 const A_FRAME: u64 = 4;
 
 /// Vigna's `SplitMix64`.
-struct Dice(u64);
+struct Random(u64);
 
-impl Dice {
+impl Random {
     fn roll(&mut self) -> u64 {
         self.0 = self.0.wrapping_add(0x9e37_79b9_7f4a_7c15);
         let mut z = self.0;
@@ -83,19 +83,19 @@ const MODIFIERS: [Modifiers; 6] =
     [Modifiers::NONE, Modifiers::NONE, Modifiers::SHIFT, Modifiers::COMMAND, Modifiers::ALT, Modifiers::NONE];
 
 /// One act of a hand: a key, a text, a move, a press, a release, a turn of the wheel.
-fn act(harness: &Harness<'_, Workbench>, dice: &mut Dice, at: &mut Pos2) {
-    let modifiers = dice.one(&MODIFIERS);
-    let button = dice.one(&[PointerButton::Primary, PointerButton::Primary, PointerButton::Secondary]);
-    match dice.below(12) {
-        0..=2 => harness.key_press_modifiers(modifiers, dice.one(&KEYS)),
-        3 => harness.event(Event::Text(dice.one(&TEXTS).into())),
+fn act(harness: &Harness<'_, Workbench>, random: &mut Random, at: &mut Pos2) {
+    let modifiers = random.one(&MODIFIERS);
+    let button = random.one(&[PointerButton::Primary, PointerButton::Primary, PointerButton::Secondary]);
+    match random.below(12) {
+        0..=2 => harness.key_press_modifiers(modifiers, random.one(&KEYS)),
+        3 => harness.event(Event::Text(random.one(&TEXTS).into())),
         4 => {
-            let delta = Vec2::new(0.0, dice.one(&[-120.0, -20.0, 20.0, 120.0]));
+            let delta = Vec2::new(0.0, random.one(&[-120.0, -20.0, 20.0, 120.0]));
             let (unit, phase, source) = (MouseWheelUnit::Point, TouchPhase::Move, MouseWheelSource::Wheel);
             harness.event(Event::MouseWheel { unit, delta, modifiers, phase, source });
         }
         5..=7 => {
-            *at = dice.place();
+            *at = random.place();
             harness.event(Event::PointerMoved(*at));
         }
         8 => {
@@ -117,13 +117,13 @@ fn monkey(seed: u64, preset: &str, inputs: usize) {
     workbench.tasks.set_silent();
     let mut harness = builder([1280.0, 720.0]).build_ui_state(show, workbench);
     settle(&mut harness);
-    let mut dice = Dice(seed);
+    let mut random = Random(seed);
     let mut at = egui::pos2(640.0, 360.0);
     let mut done = 0;
     while done < inputs {
-        let together = usize::try_from(1 + dice.below(A_FRAME)).expect("small");
+        let together = usize::try_from(1 + random.below(A_FRAME)).expect("small");
         for _ in 0..together {
-            act(&harness, &mut dice, &mut at);
+            act(&harness, &mut random, &mut at);
         }
         done += together;
         harness.step();

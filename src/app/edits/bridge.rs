@@ -10,13 +10,16 @@ use crate::scene::{Scene, SceneErrors, format};
 
 /// Ranges of the numbers that are asked for: span and width \[m\], skew \[degrees\], spans.
 const RANGES: [[f64; 2]; 3] = [[5.0, 200.0], [3.0, 60.0], [20.0, 160.0]];
-const MOST_SPANS: usize = 20;
+/// Most spans of a new bridge (chosen).
+const MOST_BRIDGE_SPANS: usize = 20;
 
 /// Mass of a deck over its area, as that of the preset `deck-30m` \[kg/m²\].
 const MASS_PER_AREA: f64 = 2000.0;
-/// Stiffness of the contact of a section of a square metre over a metre of length: with it a deck as that preset's has its
-/// 1e9 N/m \[N/m\].
+/// `K L/A` of a contact, with K = 1e9 N/m of the preset `deck-30m`, its length L = 30 m and its section A = 15 m² \[N/m²\].
 const STIFFNESS: f64 = 1e9 * 30.0 / 15.0;
+
+/// Frequency of a girder on its bearings where the user gives none \[Hz\] (chosen).
+pub(super) const BEARING_FREQUENCY: f64 = 0.8;
 
 /// What is assumed of a bridge of these numbers.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -46,7 +49,7 @@ pub(in crate::app) fn sound(draft: BridgeDraft) -> BridgeDraft {
         span: within(span, RANGES[0]),
         width: within(width, RANGES[1]),
         skew_deg: within(skew_deg, RANGES[2]),
-        spans: draft.spans.clamp(1, MOST_SPANS),
+        spans: draft.spans.clamp(1, MOST_BRIDGE_SPANS),
     }
 }
 
@@ -61,7 +64,7 @@ pub(in crate::app) fn assumed(draft: BridgeDraft) -> Assumed {
         gap: tidy(to(span / 600.0, 0.005)),
         seat: tidy(0.7 + to(0.005 * span, 0.01)),
         stiffness: to(STIFFNESS * width * thickness / span, 1e7),
-        frequency: 0.8,
+        frequency: BEARING_FREQUENCY,
     }
 }
 

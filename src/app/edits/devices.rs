@@ -3,6 +3,7 @@
 
 use glam::DVec3;
 
+use super::bridge::BEARING_FREQUENCY;
 use super::change::tidy;
 use crate::geometry::End;
 use crate::scene::device::{Device, DeviceKind, point_on};
@@ -24,8 +25,6 @@ const YIELD: f64 = 1.0 / 600.0;
 const STRENGTH: [f64; 2] = [0.25, 0.5];
 /// Damping of the girder on its bearings that a damper adds, of critical.
 const DAMPING: f64 = 0.1;
-/// Frequency on bearings where they do not say it, as of a bridge to begin with \[Hz\].
-const FREQUENCY: f64 = 0.8;
 /// Stiffness of a cable in yield, in parts of that before.
 const HARDENING: f64 = 0.05;
 
@@ -158,7 +157,7 @@ fn damper((name, girder, to): Shared, at: [f64; 3], to_at: [f64; 3], body: &Gird
             PerDirection::Both(f) => f,
             PerDirection::Each(each) => each[0],
         },
-        _ => FREQUENCY,
+        _ => BEARING_FREQUENCY,
     };
     let coefficient = two(2.0 * DAMPING * std::f64::consts::TAU * frequency * body.mass);
     Device::Damper(Damper {

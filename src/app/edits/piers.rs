@@ -6,9 +6,11 @@ use crate::scene::edit::{Edit, free_name};
 use crate::scene::facing::{self, Side};
 use crate::scene::{ColumnTop, Girder, PerDirection, Pier, Scene};
 
-/// Diameter of the columns of a new pier in deck widths, their height in deck depths, and the mass of its cap in that of the deck.
+/// Diameter of a new pier's columns, in widths of the deck (chosen).
 const COLUMN: f64 = 0.15;
+/// Height of a new pier, in depths of the deck (chosen).
 const HEIGHT: f64 = 6.0;
+/// Mass of a new pier, in masses of the deck (chosen).
 const CAP: f64 = 0.4;
 /// Modulus of cracked columns: half that of concrete \[Pa\].
 const CRACKED: f64 = 1.5e10;

@@ -12,7 +12,7 @@ use crate::scene::keys::Key;
 use crate::scene::{Component, GroundId, Heading, RecordMotion};
 
 /// Most components: two in plan and one upwards.
-const MOST: usize = 3;
+const MOST_COMPONENTS: usize = 3;
 
 /// What a component may point to.
 fn ways() -> [(Option<bool>, &'static str); 3] {
@@ -45,7 +45,7 @@ pub(super) fn show(
         record.components.remove(n);
         reread = true;
     }
-    if record.components.len() < MOST && act(ui, look.place, "component", text::ADD_COMPONENT.as_str()) {
+    if record.components.len() < MOST_COMPONENTS && act(ui, look.place, "component", text::ADD_COMPONENT.as_str()) {
         add(record);
         reread = true;
     }

@@ -6,11 +6,11 @@ use crate::app::field::{Place, complain, tag};
 use crate::app::text;
 
 /// Most samples that are written out to be edited by hand.
-const MOST: usize = 2000;
+const MOST_SAMPLES: usize = 2000;
 
 /// Shows samples as text under a label, taken when the field is left; what is no number is said.
 pub(super) fn show(ui: &mut Ui, place: Place<'_>, label: &str, list: &[f64]) -> Option<Vec<f64>> {
-    if list.len() > MOST {
+    if list.len() > MOST_SAMPLES {
         ui.label(RichText::new(text::TOO_MANY_SAMPLES).weak().small());
         return None;
     }

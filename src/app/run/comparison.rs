@@ -9,7 +9,7 @@ use crate::app::style::theme::PINS;
 use crate::app::text;
 
 /// Most runs that are kept: more cannot be told apart.
-const MOST: usize = PINS.len();
+const MOST_PINS: usize = PINS.len();
 
 /// A run that is kept.
 #[derive(Clone)]
@@ -97,7 +97,7 @@ impl Comparison {
         if self.pins.iter().any(|p| p.answer.history.digest() == digest) {
             return Err(text::PIN_THERE.as_str());
         }
-        let free = (0..MOST).find(|c| self.pins.iter().all(|p| p.color != *c));
+        let free = (0..MOST_PINS).find(|c| self.pins.iter().all(|p| p.color != *c));
         let color = free.ok_or(text::PINS_FULL.as_str())?;
         self.count += 1;
         let name = format!("{} {}: {what}", text::PIN, self.count);
@@ -130,15 +130,15 @@ mod tests {
     #[test]
     fn a_run_is_kept_once_and_a_colour_is_free_again_when_its_run_goes() {
         let mut kept = Comparison::default();
-        let runs: Vec<Arc<Answer>> = (0..=MOST).map(|i| answer(0.1 + 0.01 * i as f64)).collect();
-        for run in &runs[..MOST] {
+        let runs: Vec<Arc<Answer>> = (0..=MOST_PINS).map(|i| answer(0.1 + 0.01 * i as f64)).collect();
+        for run in &runs[..MOST_PINS] {
             kept.pin(run, "gap").expect("room for it");
         }
         assert_eq!(kept.pin(&runs[0], "gap"), Err(text::PIN_THERE.as_str()), "the same run");
-        assert_eq!(kept.pin(&runs[MOST], "gap"), Err(text::PINS_FULL.as_str()), "one too many");
+        assert_eq!(kept.pin(&runs[MOST_PINS], "gap"), Err(text::PINS_FULL.as_str()), "one too many");
         kept.unpin(1);
         kept.unpin(99);
-        kept.pin(&runs[MOST], "gap").expect("room again");
+        kept.pin(&runs[MOST_PINS], "gap").expect("room again");
         assert_eq!(kept.pins().last().map(|p| p.color), Some(1), "the colour that became free");
     }
 

@@ -1,8 +1,8 @@
 //! Runs the scene that is shown: at once when it is quick, beside the window with progress and cancel when it is not.
 //!
-//! Beside the window a coarse pass comes first: it is shown until the full one has come in, and is kept for nothing. A scene that comes
-//! while a coarse pass is computed waits for it, so that a drag of a large scene is followed by its answers instead of cancelling
-//! each of them. The last good answer stays in view until a better one is there; a scene that cannot be run leaves its complaints.
+//! Beside the window a coarse pass comes first: its answer is shown until that of the full pass is there, and is never exported or
+//! pinned. A scene that arrives during a coarse pass waits for that pass, so that a drag of a large scene shows answers instead of
+//! cancelling each. The last answer stays in view until the next; a scene that cannot be run leaves its errors in `problems`.
 //! When the window is idle, a thread estimates the error of the answer.
 
 use std::sync::Arc;
@@ -17,11 +17,11 @@ use crate::sim::readings::Passed;
 use crate::sim::{History, Session};
 
 /// How long a run may hold up a frame before it goes on on a thread.
-const AT_ONCE: Duration = Duration::from_millis(30);
+const FRAME_BUDGET: Duration = Duration::from_millis(30);
 
 /// How long a newer scene waits for the coarse pass of the one before it: as long as an answer still seems to follow the hand.
 /// Chosen, not measured.
-const PATIENCE: Duration = Duration::from_secs(1);
+const COARSE_WAIT: Duration = Duration::from_secs(1);
 
 /// Longest run whose error is estimated where the window stands still meanwhile.
 const STANDSTILL: Duration = Duration::from_millis(100);
@@ -178,7 +178,7 @@ impl Runner {
 
     /// Begins the scene that waits, unless a coarse pass is to come in first.
     fn begin_waiting(&mut self) {
-        if self.job.as_ref().is_some_and(|job| job.is_coarse_still() && job.begun.elapsed() < PATIENCE) {
+        if self.job.as_ref().is_some_and(|job| job.is_coarse_still() && job.begun.elapsed() < COARSE_WAIT) {
             return;
         }
         if let Some(next) = self.waiting.take() {
@@ -189,14 +189,14 @@ impl Runner {
 
     fn begin(&mut self, Next { mut session, revision }: Next) {
         let (start, duration) = (now(), session.scene().duration);
-        let budget = if self.slow { Duration::ZERO } else { AT_ONCE };
+        let budget = if self.slow { Duration::ZERO } else { FRAME_BUDGET };
         let mut in_time = true;
         session.advance(duration, &mut |_| {
             in_time = start.elapsed() < budget;
             in_time
         });
         if in_time {
-            self.slow = start.elapsed() > AT_ONCE;
+            self.slow = start.elapsed() > FRAME_BUDGET;
             let answer = Answer::new(session.finish(), start.elapsed(), self.next_number());
             self.take(answer, revision, false);
         } else {
@@ -234,7 +234,7 @@ impl Runner {
             match brought {
                 Ok(job::Brought { answer, coarse }) => {
                     if !coarse {
-                        self.slow = answer.took > AT_ONCE;
+                        self.slow = answer.took > FRAME_BUDGET;
                         self.job = None;
                     }
                     self.take(answer, revision, coarse);
@@ -293,7 +293,7 @@ impl Runner {
         None
     }
 
-    /// Waits for the run on a thread (tests, export).
+    /// Waits until the run on a thread has ended (tests).
     pub fn wait(&mut self) {
         while self.job.is_some() {
             if !self.poll() {

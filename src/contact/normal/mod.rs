@@ -78,7 +78,8 @@ pub trait NormalLaw: Debug + Send + Sync {
         2.0
     }
 
-    /// Energy stored by a touch that begins at this penetration: `N δ` over the power of a force that is a power of δ \[J\].
+    /// Stored energy of a touch that begins at this penetration: `N δ/n`, with n the power of δ in the stored energy \[J\]. Exact where N
+    /// is a power of δ.
     fn entry_energy(&self, penetration: f64) -> f64 {
         self.elastic(penetration) * penetration / self.energy_power()
     }

@@ -25,7 +25,7 @@ pub(in crate::dynamics) fn search(world: &mut World, pair: usize, [t, until]: [f
     }
     let samples = shared.samples(world, pair, [t, until]);
     let corners_stay = cannot_close(world, pair, samples);
-    // A crossing in the plane of the face has an end of its edge, a corner, behind that plane.
+    // Where the crossing of an edge reaches the plane of the face, one end of the edge, a corner, is behind that plane.
     let edges_stay = corners_stay
         && contacts.clone().all(|c| is_edge(world, c) || world.contacts[c].state == Contact::Open { armed: true });
     if corners_stay && edges_stay {

@@ -115,7 +115,7 @@ fn in_steps(world: &World, number: usize, t: f64, until: f64) -> Option<f64> {
         let speed = |i: usize| frames[i].velocity.length() + frames[i].spin.length() * link.arms[i].length();
         world.model.tolerance.max(SPEED_ROUNDING) * (speed(0) + speed(1))
     };
-    // Of its points, which are `distance` apart at `from`, up to `to`.
+    // Bounds on the relative motion of the link's points from `from` to `to`; `distance` is their distance at `from` \[m\].
     let bounds = |distance: f64, from: f64, to: f64| {
         let curvature = GapCurvature::of(world, *slots, from, to);
         let bounds = curvature.separation(link.arms.map(DVec3::length), distance, to - from);
@@ -135,7 +135,8 @@ fn in_steps(world: &World, number: usize, t: f64, until: f64) -> Option<f64> {
     let resolution = resolution_of(link, &here);
     let span = until - t;
     if let Some(bounds) = bounds(motion_here.vector().length(), t, until) {
-        // Less the way of its points, or above the parabola of the greatest curvature, the gap stays open: slack throughout.
+        // No closing within the step where the gap less the largest relative displacement of the points, or the parabola that bounds the
+        // gap from below, stays positive.
         let less_way = first.gap - bounds.speed * span;
         let lowest = || {
             let curvature = link.device.gap_curvature(phase, &bounds);

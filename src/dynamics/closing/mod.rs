@@ -1,4 +1,5 @@
-//! Search for the next closing of an open gap: in flight, within planned steps, and for a pair on one axis.
+//! Search for the next closing of an open gap, and for the beginning or the phase end of a device's force: in flight, within planned
+//! steps, and for a pair on one axis.
 
 pub(in crate::dynamics) mod collinear_pair;
 pub(in crate::dynamics) mod constants;

@@ -102,7 +102,7 @@ fn linear(world: &World, (number, slot): (usize, usize), value: impl Fn(&Separat
     Linear { placed, slope: moved - placed }
 }
 
-/// Switching functions of a link's phase: linear where they are lengths; of a speed nothing is said.
+/// Switching functions of a link's phase: linear in u where they are lengths; `None` for a speed.
 fn functions(world: &World, (number, slot): (usize, usize)) -> SmallVec<[Option<Linear>; 4]> {
     let track = &world.links[number];
     let (device, phase) = (&world.model.links[track.link].device, &track.phase);

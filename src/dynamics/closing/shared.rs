@@ -1,10 +1,9 @@
-//! What the searches of several pairs of the same two bodies have in common at one time: poses, and until when the bodies stand
-//! apart.
+//! Results that the searches of all pairs of two bodies share at one time: poses, and the time up to which the bodies are apart.
 //!
-//! Between bodies that have met every face has a pair. While the bodies stand apart nodes pass planes of faces beside these, which
-//! closes nothing: the pairs are searched from the time on at which the bodies can touch, and which nodes are before their faces
-//! and which are behind, beside them, is looked at then. The distance of two bodies changes by no more than their relative
-//! displacement and the way that their corners turn by.
+//! Between two bodies that have met every face of one has a pair with every face of the other. While the bodies are apart, nodes cross
+//! planes of faces outside the polygons, which is no closing. The pairs are therefore searched from the time on at which the bodies can
+//! touch, and nodes are armed or disarmed then by the side of the plane on which they are. The distance of the bodies changes by at
+//! most their relative displacement plus the displacement of their corners by rotation.
 
 use crate::dynamics::closing::constants::{NEAR, PARTED_ADVANCES};
 use crate::dynamics::closing::flight_view::{FlightSample, horizon, remember};
@@ -17,8 +16,8 @@ use crate::dynamics::world::tracks::{Apart, PairTrack};
 #[derive(Default)]
 pub(in crate::dynamics) struct Shared {
     samples: Option<StepSamples>,
-    /// Where two bodies in flight are, by slots, sections and time.
-    look: Option<(FlightKey, FlightSample)>,
+    /// Last sample of two bodies in flight, with its slots, sections and time.
+    sample: Option<(FlightKey, FlightSample)>,
     /// Number of a meeting, and how long its bodies stand apart.
     parted: Option<(usize, Parted)>,
 }
@@ -48,9 +47,9 @@ impl Shared {
     pub(super) fn flight_sample(&mut self, world: &World, pair: usize, [t, until]: [f64; 2]) -> FlightSample {
         let PairTrack { slots, sections, .. } = world.pairs[pair];
         let key = (slots, sections, [t, until]);
-        match &self.look {
+        match &self.sample {
             Some((known, sample)) if *known == key => *sample,
-            _ => self.look.insert((key, FlightSample::of(world, slots, sections, t, until))).1,
+            _ => self.sample.insert((key, FlightSample::of(world, slots, sections, t, until))).1,
         }
     }
 
@@ -159,7 +158,7 @@ fn approach(world: &mut World, pair: usize, t: f64) {
     for contact in world.pairs[pair].contacts.clone() {
         let track = &world.contacts[contact];
         if track.state.closed().is_none() {
-            // The sign of an edge node's gap tells by itself.
+            // An edge node needs no disarming: the sign of its gap is evaluated by its own search.
             let is_edge = world.model.contacts[track.site].edge.is_some();
             let armed = is_edge || world.local(contact, t).gap > 0.0;
             let track = &mut world.contacts[contact];

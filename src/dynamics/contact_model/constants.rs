@@ -35,9 +35,10 @@ pub(super) const CONTACT_EVENTS_PER_TOUCH: usize = 1_000_000;
 pub(super) const WORK_BOUND_PER_BODY: usize = 10_000_000;
 /// Work between two looks at the bounds; the look itself costs a few sums.
 pub(super) const WORK_BETWEEN_LOOKS: usize = 4096;
-/// Part of a run's memory that a group of bodies may take at least \[–\]: most groups of a large scene take little. Tuned.
+/// Divisor of a run's memory: a group of bodies may take at least 1/8 of it, as most groups of a large scene take little \[–\]. Tuned.
 pub(super) const MEMORY_SHARE_OF_GROUP: usize = 8;
-/// The pace of a run is measured over this part of the bound on its work. Tuned: a second of computing.
+/// Divisor of the bound on the work: the pace of a run is measured over stretches of 1/100 of that bound \[–\]. Tuned: a second of
+/// computing.
 pub(super) const PACE_SHARE: usize = 100;
 /// A pace that would lead to so many times the bound on the work ends the run. Tuned: inside the domain a contact turns by 1e7
 /// rad in a run, and no run comes near ten times the bound; dense stretches are short.

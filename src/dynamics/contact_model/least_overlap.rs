@@ -1,8 +1,8 @@
 //! The face through which two bodies that have met are the least inside each other, and the node deepest behind it.
 //!
 //! Behind a face of one body lie nodes of the other; the overlap along the face's normal is the depth of the deepest. Of two
-//! convex bodies that overlap, the face of the least overlap is the shortest way out (separating axes, of the faces' normals). A
-//! contact that carries an overlap otherwise carries it along a way that is longer.
+//! convex bodies that overlap, the face of the least overlap is the shortest way out (separating axes, of the faces' normals).
+//! Along the normal of any other face the overlap is larger.
 
 use glam::DVec3;
 
@@ -12,10 +12,12 @@ use crate::dynamics::model::edge_node::{Edge, NodePlace};
 use crate::dynamics::world::contact_points;
 use crate::scene::facing::{Side, SolidId};
 
-/// Depths are alike up to this ratio. Chosen: of ends that stand flush they differ by the angle between them alone.
-const ALIKE: f64 = 2.0;
+/// Largest ratio of a contact's penetration to the least overlap of its bodies, or of that to it, at which the contact counts as
+/// carrying the overlap \[–\]. Chosen: the penetrations at the nodes of two flush ends differ by the angle between the faces alone.
+const DEPTH_RATIO: f64 = 2.0;
 
-/// Cosine of half a right angle: of two ways square to each other, the nearer one.
+/// Least cosine of the angle between two normals that count as along one line \[–\]: 45°, so that of two normals square to each other
+/// the nearer one counts.
 const ALONG: f64 = std::f64::consts::FRAC_1_SQRT_2;
 
 /// A face and the node deepest behind it.
@@ -75,11 +77,11 @@ impl AtInstant<'_> {
     }
 
     /// Whether two edges that are `depth` \[m\] across each other at a place are where the bodies part along their normal: they overlap
-    /// along it by [`ALIKE`].
+    /// along it by [`DEPTH_RATIO`].
     pub(in crate::dynamics) fn parts_along(&self, contact: usize, place: &NodePlace, depth: f64) -> bool {
         let rounding = self.edge(contact).map_or(0.0, Edge::tolerance);
         let overlap = self.along(contact, self.sides(contact)[1].turn(place.normal));
-        overlap.is_none_or(|overlap| overlap <= ALIKE * depth + rounding)
+        overlap.is_none_or(|overlap| overlap <= DEPTH_RATIO * depth + rounding)
     }
 
     /// The least overlap of a contact's two bodies along the common perpendicular of two edges that are across each other without a
@@ -96,12 +98,12 @@ impl AtInstant<'_> {
         all.min_by(|a, b| a.depth.total_cmp(&b.depth))
     }
 
-    /// The contact by which a node that comes inside another body is in it; `None` where the overlap of the two bodies is
-    /// carried by others.
+    /// Contact in which a node that crosses a plane of another body closes; `None` where other contacts carry the overlap of the bodies.
     ///
-    /// The face through which the node came, where its normal is along that of the least overlap to [`ALONG`]: so it is of bodies
-    /// that did not overlap before. Else the node comes from beside, behind another face of the body that it enters: it is in
-    /// by that face, where its normal is along that of the least overlap and its depth is [`ALIKE`].
+    /// The contact with the crossed face, where its normal is along that of the least overlap to [`ALONG`], or where the bodies did not
+    /// overlap. Otherwise the contact of the same node with another face of the entered body, whose normal is along that of the least
+    /// overlap and whose penetration is at most [`DEPTH_RATIO`] times the least depth; without one, the contact with the crossed face, unless
+    /// another contact carries the overlap.
     pub(in crate::dynamics) fn entered_by(&self, contact: usize) -> Option<usize> {
         if self.site(contact).around.is_none() {
             return Some(contact);
@@ -117,7 +119,7 @@ impl AtInstant<'_> {
         let from_beside = overlaps.iter().filter(of_entered).find_map(|o| self.of_node(contact, o.contact));
         let depth = |other: &usize| self.local(*other).penetration();
         let least = self.least_depth(contact, least.depth);
-        let is_alike = |other: &usize| depth(other) > 0.0 && depth(other) <= ALIKE * least;
+        let is_alike = |other: &usize| depth(other) > 0.0 && depth(other) <= DEPTH_RATIO * least;
         match from_beside.filter(is_alike) {
             Some(other) => Some(other),
             None => (!self.is_carried_beside(contact, least)).then_some(contact),
@@ -132,7 +134,7 @@ impl AtInstant<'_> {
             return true;
         }
         let least = self.overlaps(contact).first().map_or(0.0, |least| least.depth);
-        let alike = self.local(contact).penetration() <= ALIKE * least;
+        let alike = self.local(contact).penetration() <= DEPTH_RATIO * least;
         alike && (is_edge || self.entered_by(contact) == Some(contact))
     }
 
@@ -143,7 +145,7 @@ impl AtInstant<'_> {
     }
 
     /// The contact that takes over where a node leaves its face over an edge while the two bodies overlap and no other contact
-    /// carries that: of the least overlap, the node's own one included, or of one [`ALIKE`] whose node is inside its face. In space
+    /// carries that: of the least overlap, the node's own one included, or of one [`DEPTH_RATIO`] whose node is inside its face. In space
     /// that can be along the common perpendicular of two edges.
     pub(in crate::dynamics) fn takes_over(&self, contact: usize) -> Option<LeastOverlap> {
         if self.site(contact).around.is_none() && !self.edge(contact).is_some_and(Edge::is_of_met) {
@@ -159,7 +161,7 @@ impl AtInstant<'_> {
         }
         let inside = |other: &&LeastOverlap| {
             let is_before = self.site(other.contact).beyond(&NodePlace::default(), &self.local(other.contact)) < 0.0;
-            other.contact != contact && other.depth <= ALIKE * least.depth && is_before
+            other.contact != contact && other.depth <= DEPTH_RATIO * least.depth && is_before
         };
         Some(overlaps.iter().find(inside).copied().unwrap_or(least))
     }
@@ -171,10 +173,11 @@ impl AtInstant<'_> {
             .find(|&c| self.site(c).node == *node && self.face_of(c) == face && self.is_opposed_most(c))
     }
 
-    /// Whether another closed contact of the same two bodies is [`ALIKE`] in depth.
+    /// Whether another closed contact of the same two bodies is [`DEPTH_RATIO`] in depth.
     pub(in crate::dynamics) fn is_carried_beside(&self, contact: usize, depth: f64) -> bool {
-        let carries =
-            |c: usize| self.world.contacts[c].state.closed().is_some() && ALIKE * self.local(c).penetration() >= depth;
+        let carries = |c: usize| {
+            self.world.contacts[c].state.closed().is_some() && DEPTH_RATIO * self.local(c).penetration() >= depth
+        };
         self.between(contact).any(|c| c != contact && carries(c))
     }
 

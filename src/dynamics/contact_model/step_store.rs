@@ -1,8 +1,8 @@
 //! Storage of integration steps: as polynomials, or by their initial states, from which a step is recomputed when read.
 //!
-//! A polynomial is read in nanoseconds and takes up to 400 bytes a body; an initial state takes a seventh of the
-//! memory and microseconds to read. A run stores polynomials up to the memory limit of the model and initial states
-//! from then on.
+//! A polynomial is read in nanoseconds and takes 64 bytes a component, 400 bytes a planar girder; an initial state takes a seventh of
+//! that and microseconds to read. A group stores polynomials up to its share of `Model::polynomials`, then initial states of all steps
+//! that are recomputed to the last bit and have at most 16 components a body.
 
 use crate::dynamics::integrator::dense_output::DenseOutput;
 use crate::dynamics::model::reference_pose::ReferencePose;

@@ -15,11 +15,11 @@ use crate::dynamics::record::event::EventKind;
 use crate::dynamics::world::contact_points;
 use crate::scene::Sharing;
 
-/// Sine of the angle up to which two faces of bodies that have met are flush \[–\]: 10°. Chosen: forces of a vertex turn by less where
-/// one node hands it to another.
+/// Largest sine of the angle between two faces of bodies that have met that count as flush \[–\]: 10°. Chosen: the force at a vertex turns
+/// by at most this angle where one node replaces another.
 const FLUSH: f64 = 0.174;
 
-/// What the nodes of a vertex have together.
+/// State that all nodes of a vertex share.
 struct Carried {
     /// Penetration \[m\].
     depth: f64,
@@ -121,7 +121,7 @@ impl Transitions<'_> {
         };
         // Where a node is beside its face, it may go on as far again.
         let carried = Carried { kept: 2.0 * beside, ..self.carried(&before, nodes.len() as f64 / divisor as f64) };
-        // Deeper than the body is there is no contact.
+        // No contact at a penetration of at least the depth of the face's body.
         if nodes.iter().any(|&node| self.site(node).face.depth <= carried.depth) {
             return;
         }

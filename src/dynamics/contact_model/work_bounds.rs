@@ -8,7 +8,7 @@ use crate::language::{Message, Text, message};
 /// What a run has spent.
 #[derive(Clone, Copy, Debug)]
 pub(super) struct Spent {
-    /// Events, and evaluations of searches.
+    /// Handled events, and `CUT_SEARCH_WORK` for every search that ended at its bound of advances \[–\].
     pub(super) work: usize,
     /// Memory of stored steps and events \[bytes\].
     pub(super) bytes: usize,

@@ -193,7 +193,7 @@ impl Device for Backfill {
         if number == 0 && phase.law != ELASTIC { SwitchUnit::Speed } else { SwitchUnit::Length }
     }
 
-    /// On the envelope: the push falls; the limit. Else: the envelope again; the wall leaves the soil.
+    /// On the envelope 0: the push falls, 1: the limit is reached; elastic 0: the envelope is reached, 1: the wall leaves the soil.
     fn switch(&self, number: usize, phase: &Phase, motion: &Separation) -> f64 {
         let push = self.push(motion);
         match (number, phase.law) {

@@ -156,7 +156,8 @@ impl Device for Bumper {
         3
     }
 
-    /// The line's beginning, where the first one opens; its end; squeezed, the force vanishes, off, it begins again.
+    /// 0: δ falls below the start of the line, on the first line an opening; 1: δ exceeds the end of the line; 2: the force falls to 0, or
+    /// rises above 0 while it does not act.
     fn switch(&self, number: usize, phase: &Phase, motion: &Separation) -> f64 {
         let [depth, rate] = self.depth(motion);
         let line = Self::line(phase);

@@ -254,10 +254,10 @@ mod tests {
     #[test]
     fn yield_ends_no_earlier_than_the_change_of_the_rate_allows() {
         let law = Hysteresis::Circle(Play { stiffness: 5e6, force: 6e4 });
-        let mut dice = uniform(7);
+        let mut random = uniform(7);
         let (mut claimed, mut near) = (0, f64::INFINITY);
         for _ in 0..400 {
-            let [angle, across, along, turn, size] = std::array::from_fn(|_| dice());
+            let [angle, across, along, turn, size] = std::array::from_fn(|_| random());
             let phase = Phase { law: YIELDING, memory: [7.0 * angle, 0.0, 0.0] };
             let n = DVec2::from_angle(phase.memory[0]);
             let start = n * along + n.perp() * (2.0 * across - 1.0);

@@ -165,7 +165,7 @@ impl Device for Restrainer {
         if number == 1 && phase.law == YIELD { SwitchUnit::Speed } else { SwitchUnit::Length }
     }
 
-    /// Slack again; yield, or its end; break.
+    /// 0: slack; 1: start of yield, in yield its end; 2: break.
     fn switch(&self, number: usize, phase: &Phase, motion: &Separation) -> f64 {
         let line = Line::of(motion);
         let elongation = self.elongation(&line);

@@ -14,7 +14,8 @@ use crate::dynamics::connection::{
 };
 use crate::language::Text;
 
-/// Q below which the direction of friction turns as fast as with it, per that at rest: at N = 0 friction has no direction.
+/// Least friction limit in the rate `k_t/Q` at which the direction of friction turns, per limit at rest μP \[–\]: the rate has no bound
+/// at N = 0. Chosen.
 const LEAST_LOAD: f64 = 1e-2;
 
 /// A slider.
@@ -208,7 +209,7 @@ impl Device for Slider {
         if number == 0 && phase.law == SLIDING { SwitchUnit::Speed } else { SwitchUnit::Length }
     }
 
-    /// Sliding or its end, or, lifted, landing; then uplift.
+    /// 0: start of sliding (elastic), end of sliding (sliding), landing (lifted); 1: uplift.
     fn switch(&self, number: usize, phase: &Phase, motion: &Separation) -> f64 {
         let normal = self.normal(motion);
         match (number, phase.law) {

@@ -144,7 +144,7 @@ impl Device for Stopper {
         if number == 0 && phase.law == YIELD { SwitchUnit::Speed } else { SwitchUnit::Length }
     }
 
-    /// Opening, or in yield its end; yield or break.
+    /// 0: opening, in yield the end of yield; 1: yield or break, in yield the break.
     fn switch(&self, number: usize, phase: &Phase, motion: &Separation) -> f64 {
         match (number, phase.law, self.failure) {
             (0, YIELD, _) => -motion.rate.x,

@@ -173,7 +173,7 @@ impl BodyMotion {
         matches!(self, Self::Custom(form) if form.has_works())
     }
 
-    /// [`ClosedForm::fastest`]; 0 for a girder, whose own that is \[rad/s\].
+    /// [`ClosedForm::fastest`]; 0 for a rigid girder in plan, whose fastest frequency is that of its body alone \[rad/s\].
     pub fn fastest(&self) -> f64 {
         match self {
             Self::Girder(_) => 0.0,

@@ -10,4 +10,4 @@ pub(super) const TAYLOR_TERMS: u32 = 20;
 /// of nearly equal numbers by ω². 19 terms then leave less than 0.3^20/20!.
 pub(super) const SERIES_LIMIT: f64 = 0.3;
 /// Relative difference below which two oscillators are one but for rounding.
-pub(super) const ALIKE: f64 = 1e-12;
+pub(super) const OSCILLATOR_ROUNDING: f64 = 1e-12;

@@ -4,7 +4,7 @@
 //! oscillators is a free motion itself, whose energy never grows. In a row that moves in phase no gap can close, and none is
 //! evaluated until a girder of it is hit.
 
-use crate::dynamics::free_flight::constants::ALIKE;
+use crate::dynamics::free_flight::constants::OSCILLATOR_ROUNDING;
 use crate::dynamics::free_flight::flight::{FreeMotion, FreeMotionForm};
 use crate::dynamics::free_flight::uncoupled_axis::UncoupledAxis;
 use crate::dynamics::model::coordinates::planar::{PlanarState, part};
@@ -103,7 +103,7 @@ impl GirderInFlight<'_> {
 
 /// Whether two oscillators are equal within round-off: girders of one frequency and different masses.
 pub(in crate::dynamics) fn alike([a, b]: [&UncoupledAxis; 2]) -> bool {
-    let near = |x: f64, y: f64| (x - y).abs() <= ALIKE * x.abs().max(y.abs());
+    let near = |x: f64, y: f64| (x - y).abs() <= OSCILLATOR_ROUNDING * x.abs().max(y.abs());
     near(a.oscillator.omega2, b.oscillator.omega2) && near(a.oscillator.gamma, b.oscillator.gamma)
 }
 

@@ -85,7 +85,7 @@ pub(super) const SWITCHING_SAMPLES: usize = 16;
 pub(super) const FIRST_STEP: f64 = 1e-3;
 /// A step that reaches this part of the longest is stretched to it: what
 /// would be left is no step worth taking. Tuned.
-pub(super) const STRETCH: f64 = 0.999;
+pub(super) const STRETCHED_STEP: f64 = 0.999;
 /// Rejected steps in a row before the run stops. 60 halvings take a step of 1 s to 1e-18 s, below
 /// the round-off of time.
 pub(super) const REJECTED_STEPS: usize = 60;

@@ -74,7 +74,7 @@ pub(in crate::dynamics) struct StepController {
 }
 
 impl StepController {
-    /// A controller for systems of `size` components that continues with `pace`.
+    /// A controller for systems of `size` components that continues with the method and the step length of `state`.
     pub(in crate::dynamics) fn new(size: usize, state: ControllerState) -> Self {
         let state = ControllerState { stiff: state.stiff && size <= LARGEST_IMPLICIT, ..state };
         let mut stepper = Self { size, state, trial: TRIAL_STEPS, ..Self::default() };

@@ -43,8 +43,8 @@ pub trait ImplicitSystem: System {
     fn relative_tolerance(&self) -> f64 {
         0.0
     }
-    /// What an implicit step costs against an explicit one, in parts of what it does for a few bodies: that of a long state is an
-    /// elimination, which grows with its cube, where its slope grows with its length.
+    /// Cost of an implicit step over that of an explicit one, per the same ratio for a few bodies \[–\]: elimination grows with the cube of
+    /// the number of components, the right-hand side in proportion to it.
     fn implicit_cost(&self) -> f64 {
         1.0
     }

@@ -8,7 +8,7 @@ use glam::{DVec2, DVec3};
 use nalgebra::DVector;
 
 /// Samples of a record between two at which the driven motion is kept: a compromise of memory and of what a look costs.
-const KEPT: usize = 4;
+const SAMPLES_PER_ENTRY: usize = 4;
 /// Distance of an exponent from the ground's frequency below which there is no steady motion to speak of, in parts of it.
 const RESONANT: f64 = 1e-6;
 
@@ -34,7 +34,7 @@ enum Way {
         phase: f64,
         path: GroundPath,
     },
-    /// Of a record: coefficients at every [`KEPT`]-th sample, one after the other, and the factors that carry them over one interval.
+    /// Of a record: coefficients at every [`SAMPLES_PER_ENTRY`]-th sample, one after the other, and the factors that carry them over one interval.
     Record {
         ground: Ground,
         kept: Vec<Complex>,
@@ -88,7 +88,7 @@ impl Driven {
             self.carry(&mut now, &factors, &piece, piece.from);
             sums = integrated(sums, &piece, dt);
             number += 1;
-            if number.is_multiple_of(KEPT) {
+            if number.is_multiple_of(SAMPLES_PER_ENTRY) {
                 kept.extend_from_slice(&now);
                 integrals.push(sums);
             }
@@ -120,7 +120,7 @@ impl Driven {
                 let (number, nearest) = nearest(ground, t);
                 let count = out.len();
                 out.copy_from_slice(&kept[nearest * count..][..count]);
-                for before in nearest * KEPT..number {
+                for before in nearest * SAMPLES_PER_ENTRY..number {
                     let piece = ground.piece(before);
                     self.carry(out, factors, &piece, piece.from);
                 }
@@ -151,7 +151,7 @@ impl Driven {
             Way::Record { ground, integrals, .. } => {
                 let (number, nearest) = nearest(ground, t);
                 let mut sums = integrals[nearest];
-                for before in nearest * KEPT..number {
+                for before in nearest * SAMPLES_PER_ENTRY..number {
                     let piece = ground.piece(before);
                     sums = integrated(sums, &piece, piece.until - piece.from);
                 }
@@ -254,7 +254,7 @@ fn interval(exponent: Complex, tau: f64) -> [Complex; 3] {
 /// The interval of a record that holds `t`, and the number of what is kept before it.
 fn nearest(ground: &Ground, t: f64) -> (usize, usize) {
     let number = ground.piece_number(t);
-    (number, number / KEPT)
+    (number, number / SAMPLES_PER_ENTRY)
 }
 
 /// First and second integral after τ of a piece, in plan.

@@ -93,7 +93,7 @@ fn element(lever: DVec3, axes: DMat3, diagonal: DVec3) -> DMat3 {
     outer(along(u), diagonal.x) + outer(along(v), diagonal.y)
 }
 
-/// What (3), (4) call a planar girder by.
+/// Frequencies, damping ratios and eccentricities (3), (4) of a planar girder on its bearings.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct BearingQuantities {
     /// `ω_x, ω_y, ω_θ` \[rad/s\].

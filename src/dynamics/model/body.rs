@@ -23,10 +23,10 @@ use crate::geometry::End;
 use crate::geometry::Prism;
 use crate::motion::Ground;
 
-/// A girder, compiled.
+/// A body of the model: a girder, a backwall that moves, a pier, or ground of given motion.
 #[derive(Clone, Debug)]
 pub struct Body {
-    /// The girder's name.
+    /// Its name.
     pub name: String,
     /// Its degrees of freedom.
     pub coordinates: BodyCoordinates,
@@ -34,7 +34,7 @@ pub struct Body {
     pub prism: Prism,
     /// Where G is placed \[m\].
     pub home: DVec3,
-    /// Girder axes as placed, in the columns, in the world.
+    /// Its axes as placed, in the columns, in the world.
     pub axes: DMat3,
     /// `m` \[kg\].
     pub mass: f64,
@@ -44,7 +44,7 @@ pub struct Body {
     pub inertia: [DMat3; 2],
     /// Largest distance of a corner from G \[m\].
     pub radius: f64,
-    /// How fast it can answer.
+    /// Upper bounds of its mobility and of its stiffness per inertia.
     pub rate_bounds: RateBounds,
     /// Bearings.
     pub bearings: Vec<Bearing>,

@@ -18,7 +18,8 @@ use crate::scene::{Kind, Scene, SceneError, SceneErrors, placed};
 
 /// What a planar girder's nodes are called after it.
 const CORNERS: [&str; 4] = [".corner0", ".corner1", ".corner2", ".corner3"];
-/// A backwall's corners are declared when they are less than this part of the girder's end beside that end.
+/// Distance beside a girder's end face below which a corner of a backwall is declared as a node, per length of the end \[–\]
+/// (`docs/physics.md#contact-pairs`). Chosen.
 const OVERHANG: f64 = 0.75;
 
 /// A node of a side.

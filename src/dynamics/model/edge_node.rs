@@ -28,9 +28,9 @@ const LEAST_SINE: f64 = 0.5;
 /// The same of bodies that have met \[–\]: closer to parallel the common perpendicular is not determined well. Chosen.
 const LEAST_SINE_ACROSS: f64 = 0.02;
 
-/// Sine of the angle between two edges of bodies that have met, times that of the angle between their normal and the nearer face's, up
-/// to which edges closer to parallel than [`LEAST_SINE`] bound a sliver \[–\]: a corner comes in before they are pressed by this part
-/// of half their length. Chosen: [`LEAST_SINE_ACROSS`] at 10°.
+/// Two edges of bodies that have met have no contact where the sine of their angle is below [`LEAST_SINE`] and its product with the sine
+/// of the angle between their common perpendicular and the nearer face's normal is below this \[–\]: a corner enters before the edges
+/// penetrate by this part of half their length. Chosen: [`LEAST_SINE_ACROSS`] times sin 10°.
 const SLIVER: f64 = 3.5e-3;
 
 /// Least cosine of the angle between the common perpendicular and the normal of either face \[–\]: 45°. Edges with another one

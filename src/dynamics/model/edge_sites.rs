@@ -16,7 +16,7 @@ use crate::scene::{Kind, Scene, SceneErrors};
 const EDGES: [&str; 4] = ["bottom", "right", "top", "left"];
 
 /// Steepness up to which two edges are alike \[–\]: round-off of axes.
-const ALIKE: f64 = 1e-9;
+const STEEPNESS_ROUNDING: f64 = 1e-9;
 
 /// Declares the edge nodes of a pair; of a planar scene none. With `met`, where every face of the two bodies is in a pair, a crossing
 /// belongs to the two faces that look along its normal the most.
@@ -39,9 +39,9 @@ pub(in crate::dynamics) fn edge_nodes(
     for (i, j) in nodes {
         let (one, other) = ((&first, i), (&second, j));
         let steeper = steepness(bodies, one) - steepness(bodies, other);
-        let both = [(steeper >= -ALIKE, one, other, 0), (steeper <= ALIKE, other, one, 1)];
+        let both = [(steeper >= -STEEPNESS_ROUNDING, one, other, 0), (steeper <= STEEPNESS_ROUNDING, other, one, 1)];
         let nodes = both.into_iter().filter(|(carries, ..)| *carries);
-        let shared = steeper.abs() <= ALIKE;
+        let shared = steeper.abs() <= STEEPNESS_ROUNDING;
         let among = |first: usize| faces.as_ref().map(|faces| Arc::clone(&faces[first]));
         sites.extend(nodes.map(|(_, own, facing, first)| node(bodies, own, facing, (pair, shared, among(first)))));
     }

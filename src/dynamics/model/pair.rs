@@ -22,7 +22,7 @@ pub struct Pair {
     pub second: Side,
     /// Whether the pair was added because the two bodies met, where they do not face each other as placed.
     pub met: bool,
-    /// The girders on both sides; nothing for an abutment.
+    /// Numbers of the bodies on both sides; `None` for an abutment that stands.
     pub bodies: [Option<usize>; 2],
     /// The numbers in force.
     pub contact: PairContact,

@@ -4,7 +4,7 @@ use crate::dynamics::connection::Connection;
 use crate::dynamics::model::bearing::Bearing;
 use crate::geometry::Prism;
 
-/// How fast a body can answer, from above.
+/// Upper bounds of a body's mobility at its corners and of its stiffness per inertia.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct RateBounds {
     /// Acceleration at a corner per unit force \[1/kg\].

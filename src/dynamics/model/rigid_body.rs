@@ -39,8 +39,7 @@ fn first_moment(body: &Body, here: &Frame) -> DVec3 {
     placed + here.turned * placed
 }
 
-/// What the bearings do to a body together beyond what they do at rest: those parts of the forces of [`bearing_forces`],
-/// summed in their axes.
+/// Wrench of all bearings without the preloads, `−K (p − p0) − C ṗ` of [`bearing_forces`], summed in the girder's axes as placed.
 fn on_bearings(body: &Body, here: &Frame) -> Wrench {
     // Axes along the world's: the products with 0 and 1 left out, not a bit differs.
     if body.axes == DMat3::IDENTITY {

@@ -1,5 +1,5 @@
 //! Equations of motion of an island (`docs/physics.md#rigid-body`) as a system for the integrators: the vector holds
-//! the states of the bodies, then the slip angles.
+//! the states of the bodies, then the slip angles, then the memories of devices that change.
 
 use std::ops::Range;
 
@@ -87,7 +87,7 @@ impl EquationsOfMotion<'_> {
 }
 
 /// Coordinates of a rigid body.
-const RIGID: usize = 6;
+const RIGID_IN_SPACE: usize = 6;
 /// Operations of a slope, per component.
 const SLOPE: f64 = 30.0;
 
@@ -144,8 +144,12 @@ impl ImplicitSystem for EquationsOfMotion<'_> {
 
     fn implicit_cost(&self) -> f64 {
         let (width, bodies) = (self.system.layout.len(), self.system.bodies.len());
-        // Girders that bend alone have more than a rigid body's components: its steps are what the constants were measured with.
-        let own = if width > bodies * spatial::WIDTH { implicit_share(width) / implicit_share(2 * RIGID) } else { 1.0 };
+        // Only girders that bend have more components than a rigid body, with which the constants of step control were measured.
+        let own = if width > bodies * spatial::WIDTH {
+            implicit_share(width) / implicit_share(2 * RIGID_IN_SPACE)
+        } else {
+            1.0
+        };
         own.max(1.0)
     }
 

@@ -4,13 +4,14 @@ use crate::contact::{Mode, NormalLaw};
 use crate::dynamics::Model;
 use crate::dynamics::integrator::constants::RESOLVED_DECAY;
 use crate::dynamics::penalty3d::constants::{
-    EXPLICIT_ROUNDING, FINEST_TOLERANCE, FINEST_TOLERANCE_FREE, GROUND_PHASE_CONTACT, GROUND_PHASE_FREE,
-    IMPLICIT_ROUNDING, LEAST_ACCELERATION, LONG_RUN_CONTACT, LONG_RUN_FREE, REST_SPEED, REVERSAL_SPEED, ROUNDING_FLOOR,
+    EXPLICIT_ROUNDING, FINEST_TOLERANCE_FREE, GROUND_PHASE_CONTACT, GROUND_PHASE_FREE, IMPLICIT_ROUNDING,
+    LEAST_ACCELERATION, LONG_RUN_CONTACT, LONG_RUN_FREE, REST_SPEED, REVERSAL_SPEED, ROUNDING_FLOOR,
     ROUNDING_FLOOR_TURNING, SIZE_ROUNDING_SHARE,
 };
 use crate::dynamics::penalty3d::equations_of_motion::ErrorScale;
 use crate::dynamics::penalty3d::island::Island;
 use crate::motion::Ground;
+use crate::scene::FINEST_TOLERANCE;
 
 impl Island {
     /// Error scale of the next step: the tolerance times the largest speed `√((ω g)² + ġ²)` of normal and tangential

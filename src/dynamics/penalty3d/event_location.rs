@@ -188,15 +188,16 @@ fn is_entering(model: &Model, island: &Island, number: usize, here: &Local) -> b
     here.gap_rate < 0.0 && here.gap > -entry_depth(model, island, number, here)
 }
 
-/// Dead band of a switching function, in its unit: behind the face the clamp's round-off; at the face the round-off of gap, stretch and their rates, whose signs are undetermined.
+/// Dead band of a switching function, in its unit: behind the face that of the kink of the normal force; at the face the round-off of
+/// gap, stretch and their rates, whose signs are undetermined.
 fn dead_band(model: &Model, island: &Island, number: usize, reason: Reason, here: &Local) -> f64 {
     let closed = &island.system.active[number].closed;
     let entry = entry_depth(model, island, number, here);
     if here.gap <= -entry {
         let rounding = POSITION_ROUNDING * island.reach(model, number);
         return match reason {
-            // A normal force that stays near 0 crosses 0 with each round-off of its position. The force is continuous
-            // there: changed so much later it is off by its own round-off.
+            // A normal force that stays near 0 crosses 0 with each round-off of position. The force is continuous there: a change of
+            // state that is late by the dead band changes the force by its round-off alone.
             Reason::Kink if closed.law.normal.has_phases() => closed.law.kink_change(here, rounding, island.omega()),
             Reason::Kink => closed.law.kink_change(here, rounding, 0.0),
             _ => 0.0,

@@ -11,7 +11,7 @@ use crate::dynamics::penalty3d::contact_force;
 use crate::dynamics::penalty3d::coupled_system::CoupledSystem;
 use crate::dynamics::penalty3d::workspace::Workspace;
 
-/// Derivative of a state `y`: of the bodies under the ground's motion, then of the slip angles.
+/// Derivative of a state `y`: of the bodies under the ground's motion, then of the slip angles and of the memories of devices.
 pub(in crate::dynamics) fn rates(
     model: &Model,
     system: &CoupledSystem,

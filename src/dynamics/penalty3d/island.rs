@@ -170,9 +170,9 @@ impl Island {
         let known = self.workspace.sliding.sliders.is_empty() && self.sloped == (t, number);
         self.explicit = !self.stepper.state().stiff;
         self.again = known && self.explicit && self.system.links.is_empty();
-        // Contacts of one face act in parallel and are faster than the stiffest of them alone. No step before the first
-        // tells its length, and its estimate is unreliable beyond the limit of stability: it follows from the fastest
-        // rate |λ| in play, that of an oscillation or that of a dashpot.
+        // Connections in parallel are faster than the fastest of them alone: factor √(2/n) for n connections, n from 2 to 4. Before the
+        // first step no length is known, and its error estimate is unreliable beyond the limit of stability: the length of the first step
+        // follows from the largest rate |λ|, the frequency of an oscillation or the decay rate of a dashpot.
         let together = (2.0 / (self.system.active.len() + self.system.links.len()).clamp(2, 4) as f64).sqrt();
         let quickest = if self.stepper.state().step > 0.0 { 0.0 } else { self.system.quickest };
         let first = FIRST_PHASE * together / scale.omega.max(quickest) * (model.tolerance / 1e-10).powf(0.125);

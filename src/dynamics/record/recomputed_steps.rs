@@ -26,7 +26,7 @@ use crate::dynamics::trajectory::stored_path::{StoredMotion, StoredPath};
 /// In place of the number of an initial state: the state is the end of the members' flights.
 const FLOWN: u32 = u32::MAX;
 /// Bit of [`Member::base`] that marks the number of a stored reference pose.
-const KEPT: u32 = 1 << 31;
+const STORED_BIT: u32 = 1 << 31;
 
 /// Steps of a group of bodies.
 #[derive(Clone, Debug, Default)]
@@ -51,20 +51,20 @@ struct Stretch {
 pub(in crate::dynamics) struct Member {
     /// Number of the body in the model.
     pub body: u32,
-    /// Number of the flight that ends at the reference pose, or with [`KEPT`] the number of the stored reference
+    /// Number of the flight that ends at the reference pose, or with [`STORED_BIT`] the number of the stored reference
     /// pose.
     base: u32,
 }
 
 impl Member {
-    /// A body whose reference pose is the end of flight `number`, less than [`KEPT`].
+    /// A body whose reference pose is the end of flight `number`, less than [`STORED_BIT`].
     pub(in crate::dynamics) fn flown(body: u32, number: u32) -> Self {
-        Self { body, base: number & !KEPT }
+        Self { body, base: number & !STORED_BIT }
     }
 
     /// A body whose reference pose is stored under `number`.
     pub(in crate::dynamics) fn kept(body: u32, number: u32) -> Self {
-        Self { body, base: number | KEPT }
+        Self { body, base: number | STORED_BIT }
     }
 }
 
@@ -114,7 +114,7 @@ impl Replay {
 
     /// Stores a reference pose; its number, `None` where numbers are exhausted.
     pub(in crate::dynamics) fn keep(&mut self, base: &ReferencePose) -> Option<u32> {
-        self.starts.push(&base.numbers()).filter(|number| number & KEPT == 0)
+        self.starts.push(&base.numbers()).filter(|number| number & STORED_BIT == 0)
     }
 
     /// Adds a step of `length` \[s\] to a stretch, with its initial state, or `None` where that is the end of the
@@ -179,12 +179,12 @@ impl Replay {
         // Reference pose, and for a body that comes from a flight its state at the end of that flight.
         let caught = |member: &Member| {
             let body = &past.model.bodies[member.body as usize];
-            if member.base & KEPT == 0 {
+            if member.base & STORED_BIT == 0 {
                 let mut state = landed(*member, past);
                 return (body.rebase(&mut state), state);
             }
             let mut numbers = vec![0.0; body.placed().size()];
-            self.starts.read(member.base & !KEPT, &mut numbers);
+            self.starts.read(member.base & !STORED_BIT, &mut numbers);
             (body.reference(&numbers), [0.0; WIDTH])
         };
         let (bases, landed): (Vec<ReferencePose>, Vec<PlanarState>) = members.iter().map(caught).unzip();

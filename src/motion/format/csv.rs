@@ -1,8 +1,9 @@
 //! A ground motion as a two-column table: time in s, acceleration, one line a sample.
 //!
-//! Bytes in, never a path. Lines that start with `#` are comments; a first line that is no numbers is a heading, which may state the
-//! unit of the acceleration (`t [s], a [gal]`, `acc_g`); without one, or one beside the file, it is m/s². Blank lines are skipped. Columns are separated by commas, semicolons or tabs; a decimal comma is as good as a decimal point. The
-//! samples must be evenly spaced; the first one is the acceleration at t = 0, whatever its own time.
+//! Bytes in, never a path. Lines that start with `#` are comments; a first line without numbers is a heading, which may state the unit
+//! of the acceleration (`t [s], a [gal]`, `acc_g`). Without a unit there or beside the file the unit is m/s². Blank lines are skipped.
+//! Columns are separated by commas, semicolons or tabs; the decimal mark is a point or a comma. The samples must be evenly spaced; the
+//! first one is the acceleration at t = 0, whatever its own time.
 
 use csv::{Reader, ReaderBuilder, StringRecord, Trim};
 
@@ -13,9 +14,9 @@ use crate::language::{Text, message};
 
 /// Times may be off by this part of the interval; a recorder's clock is better.
 const UNEVEN: f64 = 0.01;
-/// Times printed to less than this part of the interval leave no doubt whether a sample is missing: the straight line through the
-/// first and the last then misses some time by half an interval or more, rounding takes one unit of that away, and what is left
-/// must exceed the unit that is allowed.
+/// Unit u of the last digit of printed times, per interval Δt, below which a missing sample is found for certain \[–\]: it moves some time
+/// by at least Δt/2 off the straight line through the first and the last, rounding takes u of that away, and the rest must exceed the
+/// deviation u that is allowed: Δt/2 − u > u.
 const FINE: f64 = 0.25;
 /// What may stand between the columns. Between commas only a quoted number has a decimal comma.
 const SEPARATORS: [u8; 3] = [b',', b';', b'\t'];

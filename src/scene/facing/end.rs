@@ -121,11 +121,11 @@ pub(super) fn all(scene: &Scene, walls: &Walls<'_>) -> Vec<EndFace> {
     girders.flat_map(|n| End::BOTH.map(|end| EndFace::of(scene, walls, n, end))).collect()
 }
 
-/// So many ends are looked at along the row before the tree is asked.
+/// Ends that are tested in order of their distance along one axis before the tree of boxes is used \[–\]. Affects the work alone. Chosen.
 const PATIENCE: usize = 64;
 
-/// Ends of girders and who they look at, asked along the row, and of a tree where that is of no use: a row of n costs
-/// about n, not n³.
+/// Ends of girders and the ends that face them, searched along one axis, and by a tree of boxes after [`PATIENCE`] ends: the work for a
+/// row of n girders is about n.
 pub(super) struct Lookout<'a> {
     ends: &'a [EndFace],
     along: Along,

@@ -1,7 +1,7 @@
 //! The study itself: every chosen method on every chosen problem, swept over its setting.
 
 use super::answer::INTERVALS;
-use super::method::{Job, Knob, Method};
+use super::method::{Job, Method, SettingKind};
 use super::problem::Problem;
 use super::reference::{self, Reference};
 use super::{Errors, Instants};
@@ -98,13 +98,13 @@ pub fn study(
     Ok(Study { parts })
 }
 
-/// The settings of a knob, coarse to fine.
-fn settings(knob: Knob, quick: bool) -> Vec<f64> {
+/// The settings of a setting_kind, coarse to fine.
+fn settings(setting_kind: SettingKind, quick: bool) -> Vec<f64> {
     let tolerance = |n: i32| 10.0_f64.powi(-n);
-    match (knob, quick) {
-        (Knob::Tolerance, false) => (4..=13).map(tolerance).collect(),
-        (Knob::Tolerance, true) => [6, 10].map(tolerance).to_vec(),
-        (Knob::StepsPerInterval, _) => (0..=FINEST).map(|n| f64::from(1_u32 << n)).collect(),
+    match (setting_kind, quick) {
+        (SettingKind::Tolerance, false) => (4..=13).map(tolerance).collect(),
+        (SettingKind::Tolerance, true) => [6, 10].map(tolerance).to_vec(),
+        (SettingKind::StepsPerInterval, _) => (0..=FINEST).map(|n| f64::from(1_u32 << n)).collect(),
     }
 }
 
@@ -117,7 +117,7 @@ fn sweep(
     rows: &mut Vec<Row>,
 ) {
     let longest = if options.quick { LONGEST_QUICK } else { LONGEST };
-    for setting in settings(method.knob(), options.quick) {
+    for setting in settings(method.setting_kind(), options.quick) {
         let row = measure(problem, method, scene, setting, reference, options.repeat);
         let seconds = row.seconds;
         rows.push(row);
@@ -139,7 +139,7 @@ fn measure(
     let instants = Instants { until: scene.duration };
     let job = Job { scene, instants, setting };
     let timed = fastest(repeat, || method.work(&job));
-    let is_step = method.knob() == Knob::StepsPerInterval;
+    let is_step = method.setting_kind() == SettingKind::StepsPerInterval;
     let mut row = Row {
         problem: problem.name,
         method: method.name(),

@@ -6,8 +6,8 @@ use serde::{Deserialize, Serialize};
 use super::states::{Stretch, stretches};
 use crate::sim::{History, Touch};
 
-/// Instants a second at which extremes are looked for besides events: half a millisecond off its top a displacement of the
-/// model girders has lost 50 m/s² · (0.25 ms)² / 2 = 2 µm.
+/// Instants a second at which extremes are looked for besides events \[Hz\]: at most a quarter of a millisecond from its peak a
+/// displacement of the model girders has lost 50 m/s² · (0.25 ms)² / 2 = 2 µm.
 const LOOKS_HZ: f64 = 2000.0;
 /// Instants a second of a history as it is drawn; 20 a period of the sine.
 pub(super) const DRAWN_HZ: f64 = 50.0;

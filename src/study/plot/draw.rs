@@ -251,14 +251,16 @@ fn draw_guides(svg: &mut String, guides: &[Guide], x: &Axis, y: &Axis) {
     for guide in guides {
         let to = end(guide);
         line(svg, from, to, &style);
-        // Where another one's end is just to the right, the name stands to the left.
+        // The name stands to the right of the end, or, where another end is just there, to the left, between two of them below.
         let width = 8.0 + 6.6 * guide.name.chars().count() as f64;
-        let met = guides
-            .iter()
-            .map(end)
-            .any(|other| (to.1 - other.1).abs() < LINE && (0.1..width).contains(&(other.0 - to.0)));
-        let (at, anchor) = if met { (to.0 - 4.0, "end") } else { (to.0 + 4.0, "start") };
-        text(svg, (at, to.1 + 4.0), 12.0, anchor, GREY, &escape(&guide.name));
+        let ends = || guides.iter().map(end).filter(|other| (to.1 - other.1).abs() < LINE);
+        let is_met = |side: f64| ends().any(|other| (0.1..width).contains(&(side * (other.0 - to.0))));
+        let (at, below, anchor) = match (is_met(1.0), is_met(-1.0)) {
+            (false, _) => (to.0 + 4.0, 4.0, "start"),
+            (true, false) => (to.0 - 4.0, 4.0, "end"),
+            (true, true) => (to.0, LINE, "middle"),
+        };
+        text(svg, (at, to.1 + below), 12.0, anchor, GREY, &escape(&guide.name));
     }
 }
 

@@ -5,10 +5,10 @@
 //! shrunk to a small scene that fails in the same check.
 
 pub mod check;
-pub mod dice;
 mod examine;
 pub mod family;
 mod parts;
+pub mod random;
 mod report;
 mod shrink;
 mod watch;

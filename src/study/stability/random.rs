@@ -2,15 +2,15 @@
 
 /// A small, fast and well-mixed generator (splitmix64).
 #[derive(Clone, Debug)]
-pub struct Dice(u64);
+pub struct Random(u64);
 
-impl Dice {
+impl Random {
     /// The sequence of a seed.
     pub fn new(seed: u64) -> Self {
         // Neighbouring seeds start far apart.
-        let mut dice = Self(seed.wrapping_mul(0xD134_2543_DE82_EF95));
-        dice.bits();
-        dice
+        let mut random = Self(seed.wrapping_mul(0xD134_2543_DE82_EF95));
+        random.bits();
+        random
     }
 
     fn bits(&mut self) -> u64 {
@@ -75,15 +75,15 @@ mod tests {
 
     #[test]
     fn a_seed_is_the_same_sequence_and_its_neighbour_another() {
-        let draw = |seed| (0..4).map(|_| Dice::new(seed).unit()).collect::<Vec<_>>();
+        let draw = |seed| (0..4).map(|_| Random::new(seed).unit()).collect::<Vec<_>>();
         assert_eq!(draw(7), draw(7), "by seed");
-        assert!((Dice::new(7).unit() - Dice::new(8).unit()).abs() > 1e-6, "neighbours differ");
+        assert!((Random::new(7).unit() - Random::new(8).unit()).abs() > 1e-6, "neighbours differ");
     }
 
     #[test]
     fn logarithms_stay_in_their_range() {
-        let mut dice = Dice::new(1);
-        let all: Vec<f64> = (0..2000).map(|_| dice.log(1e2, 1e12)).collect();
+        let mut random = Random::new(1);
+        let all: Vec<f64> = (0..2000).map(|_| random.log(1e2, 1e12)).collect();
         assert!(all.iter().all(|x| (1e2..=1e12).contains(x)), "inside");
         let low = all.iter().filter(|x| **x < 1e7).count();
         assert!((800..1200).contains(&low), "half of them below the geometric middle: {low}");

@@ -1,8 +1,8 @@
 //! A failing scene made small: whatever can go while the same check still fails, goes.
 
 use super::check::Check;
-use super::dice::three_digits;
 use super::examine::{Outcome, examine};
+use super::random::three_digits;
 use super::watch::{Clock, Limits, Watch};
 use crate::scene::{Bearings, Initial, Motion, Push, Scene};
 

@@ -163,7 +163,7 @@ impl Dataset<'_> {
     }
 }
 
-/// What a measure is, without what it is of none.
+/// Meaning of a measure up to the first comma or semicolon.
 fn title(measure: &Measure) -> String {
     measure.meaning.split([';', ',']).next().unwrap_or_default().to_owned()
 }

@@ -10,9 +10,9 @@ use girderbench::scene::{Flush, ImpactSettings};
 use glam::{DVec2, DVec3};
 
 /// Numbers from a seed, in \[0, 1) (splitmix64).
-struct Dice(u64);
+struct Random(u64);
 
-impl Dice {
+impl Random {
     fn next(&mut self) -> f64 {
         self.0 = self.0.wrapping_add(0x9e37_79b9_7f4a_7c15);
         let mut z = self.0;
@@ -57,10 +57,10 @@ struct Straight {
 }
 
 impl Straight {
-    fn random(dice: &mut Dice) -> Self {
-        let (a, b) = (dice.between(0.05, 0.2), dice.between(0.01, 0.1));
-        let theta = dice.between(0.01, 0.3);
-        let sign = if dice.next() < 0.5 { -1.0 } else { 1.0 };
+    fn random(random: &mut Random) -> Self {
+        let (a, b) = (random.between(0.05, 0.2), random.between(0.01, 0.1));
+        let theta = random.between(0.01, 0.3);
+        let sign = if random.next() < 0.5 { -1.0 } else { 1.0 };
         let r = a.hypot(b);
         Self { r, omega: b.atan2(a) - theta, sign, i2: (a * a + b * b) / 3.0 }
     }
@@ -73,13 +73,13 @@ impl Straight {
 
 #[test]
 fn a_corner_hit_is_29_and_31_as_printed() {
-    let mut dice = Dice(29);
+    let mut random = Random(29);
     let mut worst = 0.0f64;
     for _ in 0..1000 {
-        let g = Straight::random(&mut dice);
-        let [x, y, w] = [(); 3].map(|()| dice.between(-1.0, 1.0));
+        let g = Straight::random(&mut random);
+        let [x, y, w] = [(); 3].map(|()| random.between(-1.0, 1.0));
         let w = 10.0 * w;
-        let (e_x, e_y) = (dice.next(), dice.between(-1.0, 1.0));
+        let (e_x, e_y) = (random.next(), random.between(-1.0, 1.0));
         let mut cluster = girder(g.i2, DVec3::new(x, y, w));
         let numbers = Coefficients { e_n: e_x, e_t: e_y, mu_s: 0.2, mu_k: 0.15 };
         let ([p_n, p_s], _) = first_impulse(&mut cluster, &at_wall(g.arm(), DVec2::NEG_X), &numbers);
@@ -95,10 +95,10 @@ fn a_corner_hit_is_29_and_31_as_printed() {
 
 #[test]
 fn a_second_impulse_is_35_37_39_or_43_as_printed() {
-    let (mut dice, mut worst, mut held, mut slid) = (Dice(35), 0.0f64, 0, 0);
+    let (mut random, mut worst, mut held, mut slid) = (Random(35), 0.0f64, 0, 0);
     for _ in 0..4000 {
-        let g = Straight::random(&mut dice);
-        let [x, y, w] = [(); 3].map(|()| dice.between(-1.0, 1.0));
+        let g = Straight::random(&mut random);
+        let [x, y, w] = [(); 3].map(|()| random.between(-1.0, 1.0));
         let w = 10.0 * w;
         let mut cluster = girder(g.i2, DVec3::new(x, y, w));
         let point = at_wall(g.arm(), DVec2::NEG_X);
@@ -135,11 +135,11 @@ fn a_second_impulse_is_35_37_39_or_43_as_printed() {
 
 #[test]
 fn a_flush_hit_acts_where_44_says() {
-    let mut dice = Dice(44);
+    let mut random = Random(44);
     for _ in 0..500 {
-        let (a, b) = (dice.between(0.05, 0.2), dice.between(0.01, 0.1));
-        let (x, w) = (dice.between(0.1, 1.0), dice.between(-1.0, 1.0));
-        let cluster = girder((a * a + b * b) / 3.0, DVec3::new(x, dice.next(), w));
+        let (a, b) = (random.between(0.05, 0.2), random.between(0.01, 0.1));
+        let (x, w) = (random.between(0.1, 1.0), random.between(-1.0, 1.0));
+        let cluster = girder((a * a + b * b) / 3.0, DVec3::new(x, random.next(), w));
         // Further back along s = −y is +y.
         let ends = [DVec2::new(a, b), DVec2::new(a, -b)].map(|arm| at_wall(arm, DVec2::NEG_X));
         let place = ends[0].towards(&ends[1], centroid(&cluster, &ends)).arms[0].y;
@@ -150,26 +150,26 @@ fn a_flush_hit_acts_where_44_says() {
 
 #[test]
 fn no_hit_adds_energy_and_none_leaves_a_point_driven_in() {
-    let mut dice = Dice(7);
+    let mut random = Random(7);
     let (mut jammed, mut faces) = (0, 0);
     for round in 0..40_000 {
-        let two = dice.next() < 0.5;
-        let body = |dice: &mut Dice| {
-            let mass = 10f64.powf(dice.between(-2.0, 2.0));
-            DVec3::new(1.0 / mass, 1.0 / mass, 1.0 / (mass * dice.between(0.01, 1.0)))
+        let two = random.next() < 0.5;
+        let body = |random: &mut Random| {
+            let mass = 10f64.powf(random.between(-2.0, 2.0));
+            DVec3::new(1.0 / mass, 1.0 / mass, 1.0 / (mass * random.between(0.01, 1.0)))
         };
-        let speed = |dice: &mut Dice| DVec3::from([(); 3].map(|()| dice.between(-1.0, 1.0)));
+        let speed = |random: &mut Random| DVec3::from([(); 3].map(|()| random.between(-1.0, 1.0)));
         let cluster = Cluster {
-            inverse: (0..=usize::from(two)).map(|_| body(&mut dice)).collect(),
-            velocity: (0..=usize::from(two)).map(|_| speed(&mut dice)).collect(),
+            inverse: (0..=usize::from(two)).map(|_| body(&mut random)).collect(),
+            velocity: (0..=usize::from(two)).map(|_| speed(&mut random)).collect(),
         };
-        let n = DVec2::from_angle(dice.between(0.0, std::f64::consts::TAU));
-        let mut point = at_wall(DVec2::new(dice.between(-1.0, 1.0), dice.between(-1.0, 1.0)), n);
+        let n = DVec2::from_angle(random.between(0.0, std::f64::consts::TAU));
+        let mut point = at_wall(DVec2::new(random.between(-1.0, 1.0), random.between(-1.0, 1.0)), n);
         point.bodies[1] = two.then_some(1);
-        point.arms[1] = DVec2::new(dice.between(-1.0, 1.0), dice.between(-1.0, 1.0));
+        point.arms[1] = DVec2::new(random.between(-1.0, 1.0), random.between(-1.0, 1.0));
         let mut points = vec![point];
-        if dice.next() < 0.6 {
-            let length = dice.between(0.01, 1.0);
+        if random.next() < 0.6 {
+            let length = random.between(0.01, 1.0);
             let mut other = point;
             other.arms = point.arms.map(|arm| arm + point.s * length);
             other.along += length;
@@ -178,12 +178,12 @@ fn no_hit_adds_energy_and_none_leaves_a_point_driven_in() {
         if points.iter().all(|p| cluster.speed(p, p.n) >= 0.0) {
             continue;
         }
-        let mu_s = dice.between(0.0, 3.0);
+        let mu_s = random.between(0.0, 3.0);
         let numbers = ImpactSettings {
-            restitution_normal: dice.next(),
-            restitution_tangential: dice.between(-1.0, 1.0),
+            restitution_normal: random.next(),
+            restitution_tangential: random.between(-1.0, 1.0),
             mu_static: mu_s,
-            mu_kinetic: mu_s * dice.next(),
+            mu_kinetic: mu_s * random.next(),
             flush: if round % 2 == 0 { Flush::Paper } else { Flush::TwoCorner },
             ..ImpactSettings::default()
         };

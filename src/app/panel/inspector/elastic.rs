@@ -10,7 +10,7 @@ use crate::scene::keys::Key;
 use crate::scene::{Elastic, Girder, Rayleigh};
 
 /// Density of concrete, to begin with \[kg/m³\].
-const CONCRETE: f64 = 2500.0;
+const CONCRETE_DENSITY: f64 = 2500.0;
 
 /// Shows the elastic numbers of a girder, or the way to give it some.
 pub(super) fn show(ui: &mut Ui, form: Form<'_>, place: Place<'_>, girder: &mut Girder) -> Option<Change> {
@@ -20,7 +20,7 @@ pub(super) fn show(ui: &mut Ui, form: Form<'_>, place: Place<'_>, girder: &mut G
         if !act(ui, place, "elastic", text::ELASTIC_ADD.as_str()) {
             return None;
         }
-        girder.elastic = Some(Elastic::of_density(CONCRETE));
+        girder.elastic = Some(Elastic::of_density(CONCRETE_DENSITY));
         return CLICK;
     };
     let whole = girder.clone();

@@ -15,7 +15,7 @@ use crate::scene::{ContactNumber, ContactSettings, PairSettings, Scene};
 use crate::view::Target;
 
 /// Most pairs shown at once: beyond that one girder is selected to see its own.
-const MOST: usize = 40;
+const MOST_PAIRS: usize = 40;
 
 /// Shows the pairs of one body, or all, with the scene's answer where there is one.
 pub(super) fn show(ui: &mut Ui, form: Form<'_>, answer: Option<&Answer>, of: Option<&str>, out: &mut Vec<Command>) {
@@ -27,12 +27,12 @@ pub(super) fn show(ui: &mut Ui, form: Form<'_>, answer: Option<&Answer>, of: Opt
         return;
     }
     section(ui, text::PAIRS_SECTION.as_str(), true, |ui| {
-        for pair in ours.iter().take(MOST) {
+        for pair in ours.iter().take(MOST_PAIRS) {
             let title = format!("{} {}", text::PAIR, pair.name);
             section(ui, &title, ours.len() == 1, |ui| one(ui, form, answer, pair, out));
         }
-        if ours.len() > MOST {
-            ui.label(RichText::new(text::more(ours.len() - MOST)).weak());
+        if ours.len() > MOST_PAIRS {
+            ui.label(RichText::new(text::more(ours.len() - MOST_PAIRS)).weak());
         }
     });
 }
@@ -77,7 +77,7 @@ fn contacts(ui: &mut Ui, answer: Option<&Answer>, pair: &Facing, out: &mut Vec<C
     let model = answer.history.model();
     let Some(run) = model.pairs.iter().find(|p| p.name == pair.name) else { return };
     ui.horizontal_wrapped(|ui| {
-        for contact in run.contacts.clone().take(MOST) {
+        for contact in run.contacts.clone().take(MOST_PAIRS) {
             let name = format!("{} | {}", model.contacts[contact].node, model.contacts[contact].face_name);
             if ui.small_button(name).on_hover_text(text::CONTACTS_OF_PAIR).clicked() {
                 out.push(SelectCommand::Only(Some(Target::Contact(contact))).into());

@@ -10,7 +10,7 @@ use glam::DVec3;
 use crate::dynamics::Model;
 use crate::dynamics::free_flight::sliding_face::SlidingFace;
 use crate::dynamics::impact2d::constants::{
-    FIRST_STEP, NOT_FINITE_FACTOR, REJECTED_FACTOR, REJECTED_STEPS, STRETCH, SWITCHING_SAMPLES,
+    FIRST_STEP, NOT_FINITE_FACTOR, REJECTED_FACTOR, REJECTED_STEPS, STRETCHED_STEP, SWITCHING_SAMPLES,
 };
 use crate::dynamics::impact2d::delassus::centre;
 use crate::dynamics::impact2d::kinematics::{Kinematics, ground_acceleration};
@@ -209,7 +209,7 @@ impl LastingContact {
         method.start(&mut system, t, &y);
         let mut h = if self.step > 0.0 { self.step } else { FIRST_STEP * (cap - t) };
         for _ in 0..REJECTED_STEPS {
-            h = if h >= STRETCH * (cap - t) { cap - t } else { h };
+            h = if h >= STRETCHED_STEP * (cap - t) { cap - t } else { h };
             let error = method.attempt(&mut system, t, &y, h);
             if error <= 1.0 {
                 let dense = method.accept(&mut system, t, &mut y, h);

@@ -12,7 +12,7 @@ use crate::motion::responses::responses;
 use crate::motion::{Ground, LinearPiece};
 
 /// Longest stretch of a flight \[rad of its oscillation\]. Tuned: that of explicit steps, whose samples show every sign change.
-const STRETCH: f64 = 1.25;
+const STRETCH_PHASE: f64 = 1.25;
 /// Most samples of the record that bounds look ahead.
 const AHEAD: usize = 8;
 /// Numbers of a flight: stiffness, load, displacement and rate at the start, then displacement and rate at each sample of the
@@ -127,12 +127,12 @@ impl ClosedForm for GuidedFlight {
         let omega = numbers.first().map_or(0.0, |stiffness| stiffness.sqrt());
         let kink = self.ground.next_kink(t);
         let phase = omega * (kink - t);
-        if phase <= STRETCH {
+        if phase <= STRETCH_PHASE {
             kink
         } else if kink.is_finite() {
-            t + (kink - t) / (phase / STRETCH).ceil()
+            t + (kink - t) / (phase / STRETCH_PHASE).ceil()
         } else if omega > 0.0 {
-            t + STRETCH / omega
+            t + STRETCH_PHASE / omega
         } else {
             kink
         }
@@ -235,7 +235,7 @@ mod tests {
                 let [least, greatest] = form.range(start, &numbers, [t, end]).expect("one coordinate");
                 let ways = (0..=50).map(|i| form.at(start, &numbers, t + (end - t) * f64::from(i) / 50.0)[0]);
                 assert!(ways.into_iter().all(|u| (least..=greatest).contains(&u)), "{least} to {greatest} m");
-                assert!(end > t && omega2.sqrt() * (end - t) <= STRETCH * (1.0 + 1e-12), "{t} to {end}");
+                assert!(end > t && omega2.sqrt() * (end - t) <= STRETCH_PHASE * (1.0 + 1e-12), "{t} to {end}");
                 kinks += u32::from(end == form.ground.next_kink(t));
                 t = end;
             }

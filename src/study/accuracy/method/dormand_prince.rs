@@ -5,7 +5,7 @@
 //! Coefficients and continuous extension after Hairer, Nørsett and Wanner, Solving Ordinary Differential Equations I,
 //! II.5 and II.6.
 
-use super::interface::{Job, Knob, Method, Work};
+use super::interface::{Job, Method, SettingKind, Work};
 use super::world::World;
 use crate::study::accuracy::Answer;
 use crate::study::accuracy::answer::INTERVALS;
@@ -36,10 +36,10 @@ const D: [f64; 7] = [
 
 /// Accepted and refused steps before it is given up.
 const MOST: usize = 20_000_000;
-/// The absolute tolerance, in parts of the relative one: a hundredth of a unit counts as a unit's hundredth.
+/// Absolute over relative tolerance, in the unit of the component: errors are divided by `tolerance · (ABSOLUTE + |y|)`. Chosen.
 const ABSOLUTE: f64 = 1e-2;
 
-/// See above.
+/// The method of Dormand and Prince, order 5(4).
 #[derive(Debug)]
 pub(super) struct DormandPrince;
 
@@ -132,8 +132,8 @@ impl Method for DormandPrince {
         "dormand-prince"
     }
 
-    fn knob(&self) -> Knob {
-        Knob::Tolerance
+    fn setting_kind(&self) -> SettingKind {
+        SettingKind::Tolerance
     }
 
     fn work(&self, job: &Job<'_>) -> Result<Work, String> {

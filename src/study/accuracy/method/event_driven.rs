@@ -1,11 +1,11 @@
 //! The event-driven solver, as the product runs it: closed-form flight, Dormand–Prince 8(5,3) in contact, every change of
 //! state a root. Asked by its continuous answer, so the instants of comparison cost it nothing on the way.
 
-use super::interface::{Job, Knob, Method, Work};
+use super::interface::{Job, Method, SettingKind, Work};
 use crate::scene::Scene;
 use crate::sim::History;
 
-/// See above.
+/// The event-driven solver.
 #[derive(Debug)]
 pub(super) struct EventDriven;
 
@@ -14,8 +14,8 @@ impl Method for EventDriven {
         "event-driven"
     }
 
-    fn knob(&self) -> Knob {
-        Knob::Tolerance
+    fn setting_kind(&self) -> SettingKind {
+        SettingKind::Tolerance
     }
 
     fn knows(&self, _: &Scene) -> bool {

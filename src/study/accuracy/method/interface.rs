@@ -1,12 +1,12 @@
-//! What every method is: a name, a knob, and the work that is timed.
+//! What every method is: a name, a setting_kind, and the work that is timed.
 
 use crate::scene::{ModelKind, Scene};
 use crate::sim::History;
 use crate::study::accuracy::{Answer, Instants};
 
-/// What a method is turned by.
+/// What the setting of a method is.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub enum Knob {
+pub enum SettingKind {
     /// Steps to one interval of comparison, so that every instant ends a step.
     StepsPerInterval,
     /// A tolerance.
@@ -20,7 +20,7 @@ pub struct Job<'a> {
     pub scene: &'a Scene,
     /// When it is asked.
     pub instants: Instants,
-    /// The knob: steps to an interval, or a tolerance.
+    /// The setting_kind: steps to an interval, or a tolerance.
     pub setting: f64,
 }
 
@@ -49,7 +49,7 @@ pub trait Method: Sync {
     fn name(&self) -> &'static str;
 
     /// What it is turned by.
-    fn knob(&self) -> Knob;
+    fn setting_kind(&self) -> SettingKind;
 
     /// Whether it computes such a scene: here the contact model with rigid girders.
     fn knows(&self, scene: &Scene) -> bool {

@@ -16,7 +16,7 @@ mod semi_implicit_euler;
 mod solve;
 mod world;
 
-pub use interface::{Job, Knob, Method, Work};
+pub use interface::{Job, Method, SettingKind, Work};
 
 static METHODS: [&dyn Method; 6] = [
     &event_driven::EventDriven,

@@ -3,7 +3,7 @@
 //!
 //! The iteration is Newton's with a tangent by differences, kept while it still converges quickly (modified Newton).
 
-use super::interface::{Job, Knob, Method, Work};
+use super::interface::{Job, Method, SettingKind, Work};
 use super::march::{Scheme, march};
 use super::solve::{inverse, subtract_product};
 use super::world::World;
@@ -15,7 +15,7 @@ const PATIENCE: usize = 4;
 /// Residual of velocity over a step, in parts of the speeds in play \[-\], and where there are none \[m/s\].
 const EQUILIBRIUM: f64 = 1e-15;
 
-/// See above.
+/// Newmark's method for rigid girders.
 #[derive(Debug)]
 pub(super) struct Newmark;
 
@@ -135,8 +135,8 @@ impl Method for Newmark {
         "newmark"
     }
 
-    fn knob(&self) -> Knob {
-        Knob::StepsPerInterval
+    fn setting_kind(&self) -> SettingKind {
+        SettingKind::StepsPerInterval
     }
 
     fn work(&self, job: &Job<'_>) -> Result<Work, String> {

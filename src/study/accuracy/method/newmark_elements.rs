@@ -3,7 +3,7 @@
 //!
 //! Elements are as long as a wave runs in a step: shorter ones, or shorter steps alone, would only cost.
 
-use super::interface::{Job, Knob, Method, Work};
+use super::interface::{Job, Method, SettingKind, Work};
 use crate::scene::Scene;
 use crate::study::accuracy::Answer;
 use crate::study::accuracy::answer::INTERVALS;
@@ -14,7 +14,7 @@ const MOST: usize = 30;
 /// Fewest elements of a bar.
 const FEWEST: usize = 10;
 
-/// See above.
+/// Newmark's method on bar elements.
 #[derive(Debug)]
 pub(super) struct NewmarkElements;
 
@@ -23,8 +23,8 @@ impl Method for NewmarkElements {
         "newmark-elements"
     }
 
-    fn knob(&self) -> Knob {
-        Knob::StepsPerInterval
+    fn setting_kind(&self) -> SettingKind {
+        SettingKind::StepsPerInterval
     }
 
     fn knows(&self, scene: &Scene) -> bool {

@@ -1,10 +1,10 @@
 //! The classical Runge–Kutta method of fourth order at a fixed step.
 
-use super::interface::{Job, Knob, Method, Work};
+use super::interface::{Job, Method, SettingKind, Work};
 use super::march::{Scheme, march};
 use super::world::World;
 
-/// See above.
+/// The classical Runge–Kutta method.
 #[derive(Debug)]
 pub(super) struct RungeKutta4;
 
@@ -41,8 +41,8 @@ impl Method for RungeKutta4 {
         "rk4"
     }
 
-    fn knob(&self) -> Knob {
-        Knob::StepsPerInterval
+    fn setting_kind(&self) -> SettingKind {
+        SettingKind::StepsPerInterval
     }
 
     fn work(&self, job: &Job<'_>) -> Result<Work, String> {

@@ -1,11 +1,11 @@
 //! Semi-implicit (symplectic) Euler: velocities first, places with the new velocities. What robotics engines and games
 //! step with.
 
-use super::interface::{Job, Knob, Method, Work};
+use super::interface::{Job, Method, SettingKind, Work};
 use super::march::{Scheme, march};
 use super::world::World;
 
-/// See above.
+/// The semi-implicit Euler method.
 #[derive(Debug)]
 pub(super) struct SemiImplicitEuler;
 
@@ -40,8 +40,8 @@ impl Method for SemiImplicitEuler {
         "semi-implicit-euler"
     }
 
-    fn knob(&self) -> Knob {
-        Knob::StepsPerInterval
+    fn setting_kind(&self) -> SettingKind {
+        SettingKind::StepsPerInterval
     }
 
     fn work(&self, job: &Job<'_>) -> Result<Work, String> {

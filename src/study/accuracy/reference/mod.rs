@@ -11,11 +11,9 @@ pub mod wide;
 use super::line::Line;
 use super::problem::Source;
 use super::{Answer, Instants};
-use crate::scene::{Scene, SceneErrors};
+use crate::scene::{FINEST_TOLERANCE, Scene, SceneErrors};
 use crate::sim::History;
 
-/// The tightest tolerance of the event-driven solver.
-const TIGHTEST: f64 = 1e-13;
 /// Change of the initial state that shows how far the answer can be trusted \[m\].
 const NUDGE: f64 = 1e-12;
 /// The comparison ends where the nudge has grown to this \[m\].
@@ -92,6 +90,6 @@ pub fn of(source: Source, scene: &Scene) -> Result<Reference, SceneErrors> {
 
 fn tightest(scene: &Scene, instants: Instants) -> Result<Answer, SceneErrors> {
     let mut scene = scene.clone();
-    scene.solver.tolerance = TIGHTEST;
+    scene.solver.tolerance = FINEST_TOLERANCE;
     Ok(Answer::of(&History::of(&scene)?, instants))
 }

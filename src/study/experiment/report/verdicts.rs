@@ -5,7 +5,7 @@ use std::fmt::Write as _;
 use crate::study::experiment::earthquake::Earthquake;
 use crate::study::experiment::findings::{Finding, Outcome, Verdict};
 use crate::study::experiment::results::Results;
-use crate::study::experiment::scan::{Knob, Scan, steps};
+use crate::study::experiment::scan::{Parameter, Scan, steps};
 use crate::study::plot::Colors;
 use crate::study::plot::draw::escape;
 use crate::study::plot::heat_map::{HeatMap, Map, Steps};
@@ -105,11 +105,11 @@ pub(super) fn markdown(findings: &[Finding]) -> String {
 /// The maps of a scan side by side.
 pub(super) fn map(scan: &Scan, results: &Results) -> Option<String> {
     let values = &results.scans.get(scan.name)?.maps;
-    let axis = |axis: (Knob, [f64; 2], usize)| {
-        let (knob, [from, to], count) = axis;
-        let place = (knob.preset() - from) / (to - from);
+    let axis = |axis: (Parameter, [f64; 2], usize)| {
+        let (parameter, [from, to], count) = axis;
+        let place = (parameter.preset() - from) / (to - from);
         Steps {
-            name: knob.label().to_owned(),
+            name: parameter.label().to_owned(),
             values: steps(axis),
             mark: (0.0..=1.0).contains(&place).then_some(place * (count.saturating_sub(1)) as f64),
         }

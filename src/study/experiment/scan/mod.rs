@@ -1,10 +1,10 @@
 //! Scans: a finding's number over two of the values that the paper leaves open or that its models depend on.
 
-mod knob;
 mod measure;
+mod parameter;
 
-pub(super) use knob::Knob;
 pub(super) use measure::Measure;
+pub(super) use parameter::Parameter;
 
 use super::cases::Shaking;
 use super::earthquake::Earthquake;
@@ -35,9 +35,9 @@ pub struct Scan {
     /// What is seen, in a line.
     pub title: &'static str,
     /// The level axis: first and last value, number of steps.
-    pub x: (Knob, [f64; 2], usize),
+    pub x: (Parameter, [f64; 2], usize),
     /// The upright axis.
-    pub y: (Knob, [f64; 2], usize),
+    pub y: (Parameter, [f64; 2], usize),
     /// What is measured.
     pub measure: Measure,
     /// The maps, from left to right.
@@ -45,14 +45,14 @@ pub struct Scan {
 }
 
 const BOTH: &[Variant] = &[CONTACT, IMPACT];
-const GAP: (Knob, [f64; 2], usize) = (Knob::Gap, [2.0, 5.0], 7);
-const ALONG: (Knob, [f64; 2], usize) = (Knob::LegsAlong, [40.0, 90.0], 6);
-const ACROSS: (Knob, [f64; 2], usize) = (Knob::LegsAcross, [10.0, 35.0], 6);
-const FRICTION: (Knob, [f64; 2], usize) = (Knob::Friction, [0.0, 0.5], 6);
-const RESTITUTION: (Knob, [f64; 2], usize) = (Knob::Restitution, [0.1, 0.8], 8);
-const TANGENTIAL: (Knob, [f64; 2], usize) = (Knob::Tangential, [-1.0, 0.0], 11);
-const STIFFNESS: (Knob, [f64; 2], usize) = (Knob::Stiffness, [4.0, 7.0], 7);
-const SCALE: (Knob, [f64; 2], usize) = (Knob::Scale, [0.5, 3.0], 6);
+const GAP: (Parameter, [f64; 2], usize) = (Parameter::Gap, [2.0, 5.0], 7);
+const ALONG: (Parameter, [f64; 2], usize) = (Parameter::LegsAlong, [40.0, 90.0], 6);
+const ACROSS: (Parameter, [f64; 2], usize) = (Parameter::LegsAcross, [10.0, 35.0], 6);
+const FRICTION: (Parameter, [f64; 2], usize) = (Parameter::Friction, [0.0, 0.5], 6);
+const RESTITUTION: (Parameter, [f64; 2], usize) = (Parameter::Restitution, [0.1, 0.8], 8);
+const TANGENTIAL: (Parameter, [f64; 2], usize) = (Parameter::Tangential, [-1.0, 0.0], 11);
+const STIFFNESS: (Parameter, [f64; 2], usize) = (Parameter::Stiffness, [4.0, 7.0], 7);
+const SCALE: (Parameter, [f64; 2], usize) = (Parameter::Scale, [0.5, 3.0], 6);
 
 /// Every scan.
 pub(super) const SCANS: [Scan; 15] = [
@@ -134,23 +134,23 @@ pub(super) const SCANS: [Scan; 15] = [
 pub(super) const SKEW_ANGLE: Scan = scan(
     "skew-angle",
     "Largest rotation over skew and excitation angle, 0.40 g at 2.6 Hz",
-    (Knob::Skew, [30.0, 90.0], 13),
-    (Knob::Angle, [-90.0, 90.0], 13),
+    (Parameter::Skew, [30.0, 90.0], 13),
+    (Parameter::Angle, [-90.0, 90.0], 13),
     Measure::Rotation,
 );
 
 const fn scan(
     name: &'static str,
     title: &'static str,
-    x: (Knob, [f64; 2], usize),
-    y: (Knob, [f64; 2], usize),
+    x: (Parameter, [f64; 2], usize),
+    y: (Parameter, [f64; 2], usize),
     measure: Measure,
 ) -> Scan {
     Scan { name, title, x, y, measure, variants: BOTH }
 }
 
 /// Values of an axis, evenly spaced.
-pub(super) fn steps((_, [from, to], count): (Knob, [f64; 2], usize)) -> Vec<f64> {
+pub(super) fn steps((_, [from, to], count): (Parameter, [f64; 2], usize)) -> Vec<f64> {
     let last = count.saturating_sub(1).max(1) as f64;
     let value = |i: usize| from + (to - from) * (i as f64 / last);
     // Steps are decimal numbers.

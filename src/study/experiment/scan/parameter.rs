@@ -5,7 +5,7 @@ use crate::study::experiment::cases::girder;
 
 /// A value of the scene that is scanned.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub enum Knob {
+pub enum Parameter {
     /// Gap (assumed) \[mm\].
     Gap,
     /// Places of the legs along the girder, ± (assumed) \[mm\].
@@ -28,7 +28,7 @@ pub enum Knob {
     Angle,
 }
 
-impl Knob {
+impl Parameter {
     /// With its unit.
     pub fn label(self) -> &'static str {
         match self {

@@ -2,36 +2,34 @@
 //!
 //! Three runs: at the scene's tolerance, at a hundredth of it, and at a hundredth of that (never below the finest that a
 //! scene may ask for), which stands for the truth. Where the finer error is not below the coarser one and not at the
-//! rounding floor, the reference is run again from starts, on grounds and with friction that differ by a hair: the case is
-//! trusted until their difference has grown a thousandfold, and an error no larger than what starts, grounds and friction a
-//! finer tolerance apart have come to is what that tolerance promises.
+//! rounding floor, the reference is run again with starts, ground motion and friction perturbed by [`PERTURBATION`] and by the finer
+//! tolerance. The case counts as trusted until a perturbation has grown a thousandfold; the finer error may be ten times the growth of
+//! the perturbations.
 //!
-//! The runs go on together from one instant compared to the next, and no further than the case is trusted: what chance
-//! has made of a scene then is worth nobody's time.
+//! All runs advance together from one instant of comparison to the next and end where the case is no longer trusted: beyond, differences
+//! are those of a chaotic motion.
 
 use super::super::watch::{Limits, NoAnswer, Watch};
 use super::finding::{Check, Complaint, Figures};
 use super::looks::size;
-use crate::scene::{self, Direction, Kind, Scene};
+use crate::scene::{self, Direction, FINEST_TOLERANCE, Kind, Scene};
 use crate::sim::{Cause, History, Motion, Session, Stop};
 
 pub(super) const CLAIM: &str = "the error at a hundredth of the tolerance is below the error at it, or below the \
                                 floor (rounding, or ten times what starts, grounds and friction that differ by \
                                 the finer tolerance come apart), until the time to which the case can be trusted: those that \
-                                differ by a hair have then come a thousand hairs apart";
+                                differ by 1e-12 have then come a thousand times as far apart";
 
-/// The finest tolerance that a scene may ask for.
-const FINEST: f64 = 1e-13;
 /// Instants at which answers are compared.
 const COMPARED: usize = 400;
 /// Rounding of a place at the end of a run, in parts of what moves and how far.
 const FLOOR: f64 = 1e-12;
-/// A case is trusted until two starts have come so many times further apart.
+/// Growth of a perturbation up to which a case is trusted \[–\]. Chosen.
 const GROWN: f64 = 1e3;
-/// A relative difference that stands for rounding.
-const HAIR: f64 = 1e-12;
-/// An error may be so many times what a difference of the tolerance has grown to.
-const HAIRS: f64 = 10.0;
+/// Relative perturbation that stands for round-off \[–\].
+const PERTURBATION: f64 = 1e-12;
+/// Largest finer error over the grown perturbation \[–\]. Chosen.
+const ERROR_PER_GROWTH: f64 = 10.0;
 
 /// Puts the check.
 pub fn convergence(history: &History, watch: &Watch<'_>, figures: &mut Figures, complaints: &mut Vec<Complaint>) {
@@ -45,15 +43,16 @@ pub fn convergence(history: &History, watch: &Watch<'_>, figures: &mut Figures, 
 /// What is wrong, if anything; a run at another tolerance may fail as the first one might have.
 fn compare(coarse: &History, watch: &Watch<'_>, figures: &mut Figures) -> Result<Option<String>, Complaint> {
     let scene = coarse.scene();
-    let [tolerance, fine, finest] = [1.0, 1e-2, 1e-4].map(|part| (scene.solver.tolerance * part).max(FINEST));
+    let [tolerance, fine, finest] = [1.0, 1e-2, 1e-4].map(|part| (scene.solver.tolerance * part).max(FINEST_TOLERANCE));
     let mut truth = Run::new(with_tolerance(scene, finest))?;
     let mut finer = if finest < fine { Some(Run::new(with_tolerance(scene, fine))?) } else { None };
     let extent = extent(coarse);
-    let hairs = [HAIR, -HAIR, fine, -fine];
-    let starts = hairs.map(|hair| Run::new(nudged(&truth.scene, hair, extent)));
-    let mut doubt = Doubt { starts: Vec::new(), limits: hairs.map(|hair| GROWN * hair.abs() * extent).to_vec() };
+    let shares = [PERTURBATION, -PERTURBATION, fine, -fine];
+    let starts = shares.map(|share| Run::new(perturbed(&truth.scene, share, extent)));
+    let mut perturbed_runs =
+        PerturbedRuns { starts: Vec::new(), limits: shares.map(|share| GROWN * share.abs() * extent).to_vec() };
     for start in starts {
-        doubt.starts.push(start?);
+        perturbed_runs.starts.push(start?);
     }
     let mut errors = vec![[0.0_f64; 2]];
     let mut trusted = COMPARED;
@@ -70,10 +69,10 @@ fn compare(coarse: &History, watch: &Watch<'_>, figures: &mut Figures) -> Result
             error[1] = error[1].max(truth.apart(&finer.motions[i], i));
         }
         errors.push(error);
-        // A finer error as large may be chance: then nobody need go on.
+        // The finer error is as large as a chaotic motion makes it: the comparison need not go on.
         let wild = error[1] > GROWN * fine * extent;
         if (rises(error, floor) || wild)
-            && let Some(until) = doubt.until(&truth, i, watch)?
+            && let Some(until) = perturbed_runs.until(&truth, i, watch)?
         {
             trusted = until;
             break;
@@ -84,7 +83,7 @@ fn compare(coarse: &History, watch: &Watch<'_>, figures: &mut Figures) -> Result
     if !rises(error, floor) {
         return Ok(None);
     }
-    let floor = doubt.floor(&truth, trusted, watch)?.max(floor);
+    let floor = perturbed_runs.floor(&truth, trusted, watch)?.max(floor);
     Ok(rises(error, floor).then(|| {
         format!(
             "until {} s: error {:e} m at tolerance {tolerance:e}, {:e} m at {fine:e}; floor there {floor:e} m",
@@ -159,14 +158,14 @@ impl Run {
     }
 }
 
-/// The reference from starts, on grounds and with friction that differ by a hair.
-struct Doubt {
+/// The reference with perturbed starts, ground motion and friction.
+struct PerturbedRuns {
     starts: Vec<Run>,
     /// How far from the reference they may come \[m\].
     limits: Vec<f64>,
 }
 
-impl Doubt {
+impl PerturbedRuns {
     /// The last instant until which the case can be trusted, where it cannot be until `last`.
     fn until(&mut self, truth: &Run, last: usize, watch: &Watch<'_>) -> Result<Option<usize>, Complaint> {
         let mut until = None;
@@ -185,7 +184,7 @@ impl Doubt {
         for start in &mut self.starts {
             start.strays(truth, f64::INFINITY, last, watch)?;
             let apart = (0..=last).map(|i| truth.apart(&start.motions[i], i));
-            floor = apart.fold(floor, |floor, apart| floor.max(HAIRS * apart));
+            floor = apart.fold(floor, |floor, apart| floor.max(ERROR_PER_GROWTH * apart));
         }
         Ok(floor)
     }
@@ -197,24 +196,23 @@ fn with_tolerance(scene: &Scene, tolerance: f64) -> Scene {
     scene
 }
 
-/// The same scene with every girder a hair of that extent further on at its start, which bearings may damp away, on a ground
-/// that shakes as much harder, and with as much more friction, which last: what holds by the last digit of its force
-/// breaks away by that.
-fn nudged(scene: &Scene, hair: f64, extent: f64) -> Scene {
-    let (mut scene, d) = (scene.clone(), hair * extent);
+/// The same scene with every girder displaced at its start by this part of that extent, which bearings may damp away, and with ground
+/// motion and friction larger by this part, which last: a stick that holds by the last digit of its force breaks away by that.
+fn perturbed(scene: &Scene, share: f64, extent: f64) -> Scene {
+    let (mut scene, d) = (scene.clone(), share * extent);
     match &mut scene.motion {
         scene::Motion::Sine(sine) => {
             for amplitude in [&mut sine.amplitude, &mut sine.amplitude_g].into_iter().flatten() {
-                *amplitude *= 1.0 + hair;
+                *amplitude *= 1.0 + share;
             }
         }
-        scene::Motion::Record(record) => record.scale *= 1.0 + hair,
-        scene::Motion::Synthetic(quake) => quake.peak_g *= 1.0 + hair,
-        scene::Motion::Sweep(sweep) => sweep.amplitude_g *= 1.0 + hair,
+        scene::Motion::Record(record) => record.scale *= 1.0 + share,
+        scene::Motion::Synthetic(quake) => quake.peak_g *= 1.0 + share,
+        scene::Motion::Sweep(sweep) => sweep.amplitude_g *= 1.0 + share,
         scene::Motion::None => {}
     }
     for mu in [&mut scene.contact.mu_static, &mut scene.contact.mu_kinetic] {
-        *mu *= 1.0 + hair;
+        *mu *= 1.0 + share;
     }
     for (i, girder) in scene.girders.iter_mut().enumerate() {
         // No symmetry survives: each girder by another part, and up where it can, or what happens above and below the

@@ -2,70 +2,70 @@
 
 use crate::geometry::End;
 use crate::scene::{Bearings, Direction, Kind, PerDirection, Scene};
-use crate::study::stability::dice::{Dice, three_digits};
 use crate::study::stability::parts::{self, SKEW};
+use crate::study::stability::random::{Random, three_digits};
 
 /// Needles, plates and squares at the ends of the range of skew.
-pub(super) fn slender(dice: &mut Dice) -> Scene {
-    let f = dice.log(0.1, 10.0);
-    let mut scene = parts::blank(parts::kind(dice));
-    let length = dice.log(0.05, 50.0);
-    let width = length * dice.pick(&[1e-3, 1e-2, 1.0, 1.0, 30.0]);
-    let skew = dice.pick(&[SKEW[0], SKEW[1], 45.0, 90.0, 135.0]);
-    let first = parts::shaped(dice, [length, width], skew);
-    let gap = three_digits(length * dice.log(1e-6, 1e-2));
-    let count = 1 + dice.below(2);
-    scene.girders = parts::row(dice, &first, count, gap, false);
-    parts::walls(dice, &mut scene, gap);
-    shaken(dice, &mut scene, f, gap);
+pub(super) fn slender(random: &mut Random) -> Scene {
+    let f = random.log(0.1, 10.0);
+    let mut scene = parts::blank(parts::kind(random));
+    let length = random.log(0.05, 50.0);
+    let width = length * random.pick(&[1e-3, 1e-2, 1.0, 1.0, 30.0]);
+    let skew = random.pick(&[SKEW[0], SKEW[1], 45.0, 90.0, 135.0]);
+    let first = parts::shaped(random, [length, width], skew);
+    let gap = three_digits(length * random.log(1e-6, 1e-2));
+    let count = 1 + random.below(2);
+    scene.girders = parts::row(random, &first, count, gap, false);
+    parts::walls(random, &mut scene, gap);
+    shaken(random, &mut scene, f, gap);
     scene
 }
 
 /// Bodies that turn fast when they come to the wall.
-pub(super) fn spinning(dice: &mut Dice) -> Scene {
-    let f = dice.log(0.1, 10.0);
+pub(super) fn spinning(random: &mut Random) -> Scene {
+    let f = random.log(0.1, 10.0);
     let mut scene = parts::blank(Kind::Planar);
-    let first = parts::girder(dice);
-    let gap = three_digits(first.length * dice.log(1e-4, 0.3));
-    let count = 1 + dice.below(2);
-    scene.girders = parts::row(dice, &first, count, gap, false);
-    parts::walls(dice, &mut scene, gap);
-    shaken(dice, &mut scene, f, gap);
+    let first = parts::girder(random);
+    let gap = three_digits(first.length * random.log(1e-4, 0.3));
+    let count = 1 + random.below(2);
+    scene.girders = parts::row(random, &first, count, gap, false);
+    parts::walls(random, &mut scene, gap);
+    shaken(random, &mut scene, f, gap);
     for girder in &mut scene.girders {
-        girder.initial.spin_deg_s = three_digits(dice.sign() * 360.0 * f * dice.log(0.01, 10.0));
+        girder.initial.spin_deg_s = three_digits(random.sign() * 360.0 * f * random.log(0.01, 10.0));
     }
     scene
 }
 
 /// No bearings at all: girders fly between walls, and fall where they can.
-pub(super) fn free(dice: &mut Dice) -> Scene {
-    let mut scene = parts::blank(parts::kind(dice));
-    let first = parts::girder(dice);
-    let gap = three_digits(first.length * dice.log(1e-4, 0.1));
-    let count = 1 + dice.below(3);
-    scene.girders = parts::row(dice, &first, count, gap, false);
-    parts::walls(dice, &mut scene, gap);
-    if scene.kind == Kind::Spatial && dice.chance(0.7) {
+pub(super) fn free(random: &mut Random) -> Scene {
+    let mut scene = parts::blank(parts::kind(random));
+    let first = parts::girder(random);
+    let gap = three_digits(first.length * random.log(1e-4, 0.1));
+    let count = 1 + random.below(3);
+    scene.girders = parts::row(random, &first, count, gap, false);
+    parts::walls(random, &mut scene, gap);
+    if scene.kind == Kind::Spatial && random.chance(0.7) {
         scene.gravity = 0.0;
     }
-    scene.contact = parts::contact(dice);
-    let crossings = dice.log(0.1, 10.0);
-    parts::kick(dice, &mut scene, crossings, gap);
-    parts::last(dice, &mut scene, &[crossings]);
+    scene.contact = parts::contact(random);
+    let crossings = random.log(0.1, 10.0);
+    parts::kick(random, &mut scene, crossings, gap);
+    parts::last(random, &mut scene, &[crossings]);
     scene
 }
 
 /// Spatial bodies that may only do what planar ones do, or less.
-pub(super) fn held(dice: &mut Dice) -> Scene {
-    let f = dice.log(0.1, 10.0);
+pub(super) fn held(random: &mut Random) -> Scene {
+    let f = random.log(0.1, 10.0);
     let mut scene = parts::blank(Kind::Spatial);
-    let first = parts::girder(dice);
-    let gap = three_digits(first.length * dice.log(1e-5, 1e-2));
-    let count = 1 + dice.below(2);
-    scene.girders = parts::row(dice, &first, count, gap, false);
+    let first = parts::girder(random);
+    let gap = three_digits(first.length * random.log(1e-5, 1e-2));
+    let count = 1 + random.below(2);
+    scene.girders = parts::row(random, &first, count, gap, false);
     parts::wall(&mut scene, End::Plus, gap);
-    shaken(dice, &mut scene, f, gap);
-    let extra = dice.pick(&[None, None, Some(Direction::Yaw), Some(Direction::Y)]);
+    shaken(random, &mut scene, f, gap);
+    let extra = random.pick(&[None, None, Some(Direction::Yaw), Some(Direction::Y)]);
     for girder in &mut scene.girders {
         girder.held = vec![Direction::Z, Direction::Roll, Direction::Pitch];
         girder.held.extend(extra);
@@ -76,13 +76,13 @@ pub(super) fn held(dice: &mut Dice) -> Scene {
     scene
 }
 
-fn shaken(dice: &mut Dice, scene: &mut Scene, bearing_hz: f64, reach: f64) {
-    let ground = dice.log(0.1, 10.0);
-    parts::stand(dice, scene, bearing_hz);
-    scene.contact = parts::contact(dice);
-    if dice.chance(0.7) {
-        scene.motion = parts::sine(dice, ground, bearing_hz, reach);
+fn shaken(random: &mut Random, scene: &mut Scene, bearing_hz: f64, reach: f64) {
+    let ground = random.log(0.1, 10.0);
+    parts::stand(random, scene, bearing_hz);
+    scene.contact = parts::contact(random);
+    if random.chance(0.7) {
+        scene.motion = parts::sine(random, ground, bearing_hz, reach);
     }
-    parts::kick(dice, scene, bearing_hz, reach);
-    parts::last(dice, scene, &[ground, bearing_hz]);
+    parts::kick(random, scene, bearing_hz, reach);
+    parts::last(random, scene, &[ground, bearing_hz]);
 }

@@ -7,11 +7,11 @@ mod pressed;
 mod shaken;
 mod thrown;
 
-use super::dice::Dice;
+use super::random::Random;
 use crate::scene::Scene;
 
 /// What makes a scene of a family.
-type Maker = fn(&mut Dice) -> Scene;
+type Maker = fn(&mut Random) -> Scene;
 
 /// Every family by name; a seed belongs to number `seed mod` their count.
 const FAMILIES: &[(&str, Maker)] = &[
@@ -61,7 +61,7 @@ pub const FIRST_WAVES: u64 = 4_000_000;
 
 /// The scene of a seed, and the name of its family.
 pub fn scene(seed: u64) -> (&'static str, Scene) {
-    let mut dice = Dice::new(seed);
+    let mut random = Random::new(seed);
     let (family, maker) = if seed >= FIRST_WAVES {
         (WAVES, devices::waves as Maker)
     } else if seed >= FIRST_THROWN_IN_SPACE {
@@ -77,7 +77,7 @@ pub fn scene(seed: u64) -> (&'static str, Scene) {
         let number = (seed % FAMILIES.len() as u64) as usize;
         FAMILIES[number]
     };
-    let mut scene = maker(&mut dice);
+    let mut scene = maker(&mut random);
     scene.name = format!("seed-{seed}");
     (family, scene)
 }
