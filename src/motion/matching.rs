@@ -8,10 +8,8 @@
 
 use super::fourier::transform;
 use super::process::taper;
-use super::spectrum::{periods, spectrum};
+use super::spectrum::{DESIGN_DAMPING, periods, spectrum};
 
-/// Damping of the spectra, of critical.
-const DAMPING: f64 = 0.05;
 /// Control periods, evenly spaced by their logarithm.
 const CONTROLS: u32 = 60;
 /// Taper of both ends, in parts of the length: a record begins and ends without a jump.
@@ -42,7 +40,7 @@ pub fn matched(samples: &[f64], dt: f64, target: &[[f64; 2]]) -> Vec<f64> {
     let [Some(first), Some(last)] = [target.first(), target.last()] else { return samples.to_vec() };
     let controls = periods([first[0], last[0]], CONTROLS);
     let lacking = |samples: &[f64]| -> Vec<[f64; 2]> {
-        let found = spectrum(samples, dt, &controls, DAMPING);
+        let found = spectrum(samples, dt, &controls, DESIGN_DAMPING);
         found.iter().map(|r| [r.period, interpolated(target, r.period) / r.pseudo_acceleration()]).collect()
     };
     let (mut now, mut best) = (samples.to_vec(), (f64::INFINITY, samples.to_vec()));
@@ -116,7 +114,7 @@ fn at_rest(samples: &mut [f64], dt: f64) {
 /// Mean deviation of a record's spectrum from a target, in parts of it.
 pub fn deviation_from(samples: &[f64], dt: f64, target: &[[f64; 2]]) -> f64 {
     let [Some(first), Some(last)] = [target.first(), target.last()] else { return 0.0 };
-    let found = spectrum(samples, dt, &periods([first[0], last[0]], CONTROLS), DAMPING);
+    let found = spectrum(samples, dt, &periods([first[0], last[0]], CONTROLS), DESIGN_DAMPING);
     let factors: Vec<[f64; 2]> =
         found.iter().map(|r| [r.period, interpolated(target, r.period) / r.pseudo_acceleration()]).collect();
     deviation(&factors).exp_m1()
@@ -156,7 +154,7 @@ mod tests {
             let raw = Earthquake { seed, ..QUAKE }.samples();
             let controls = periods([0.05, 4.0], 60);
             let off = |samples: &[f64]| {
-                let found = spectrum(samples, 0.01, &controls, DAMPING);
+                let found = spectrum(samples, 0.01, &controls, DESIGN_DAMPING);
                 let ratio =
                     |r: &crate::motion::spectrum::Response| r.pseudo_acceleration() / interpolated(&target, r.period);
                 found.iter().map(|r| ratio(r).ln().abs()).sum::<f64>() / 60.0

@@ -8,6 +8,8 @@ use std::f64::consts::TAU;
 
 use super::oscillator::Step;
 
+/// Damping of design spectra, of critical \[–\].
+pub const DESIGN_DAMPING: f64 = 0.05;
 /// Steps per period at least.
 const STEPS: f64 = 40.0;
 

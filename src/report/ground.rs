@@ -5,7 +5,7 @@ use std::fmt::Write as _;
 
 use crate::language::{Text, said};
 use crate::motion::Ground;
-use crate::motion::spectrum::{periods, spectrum};
+use crate::motion::spectrum::{DESIGN_DAMPING, periods, spectrum};
 use crate::scene::STANDARD_GRAVITY;
 use crate::sim::History;
 use crate::sim::moving_ground::{MovedSupport, moved_supports};
@@ -15,8 +15,6 @@ use crate::study::plot::draw::escape;
 
 /// Samples of a history that is drawn, and of a ground motion whose spectrum is computed.
 const SAMPLES: u32 = 4000;
-/// Damping of the spectrum, of critical.
-const DAMPING: f64 = 0.05;
 /// Periods of the spectrum: from, to \[s\], count.
 const PERIODS: ([f64; 2], u32) = ([0.05, 5.0], 120);
 
@@ -103,7 +101,7 @@ pub(super) fn section(history: &History) -> String {
             let points = times(history).zip(&series).map(|(t, a)| [t, a / STANDARD_GRAVITY]).collect();
             curves.push(curve(&name, color, points));
             let dt = history.end() / f64::from(SAMPLES);
-            let responses = spectrum(&series, dt, &periods(PERIODS.0, PERIODS.1), DAMPING);
+            let responses = spectrum(&series, dt, &periods(PERIODS.0, PERIODS.1), DESIGN_DAMPING);
             let points = responses.iter().map(|r| [r.period, r.pseudo_acceleration() / STANDARD_GRAVITY]).collect();
             spectra.push(curve(&name, color, points));
         }

@@ -11,6 +11,7 @@ mod backfill;
 mod bearing;
 mod bearing_law;
 mod codes;
+mod concrete;
 mod contact;
 mod deck_bearings;
 mod elastic;
@@ -58,6 +59,7 @@ pub use backfill::{Backfill, BackfillLaw};
 pub use bearing::{Bearing, Bearings, PerDirection, SharedBearings};
 pub use bearing_law::{BearingSlide, BearingYield};
 pub use codes::{Codes, EuropeanGround, JapaneseGround, Support};
+pub use concrete::{CONCRETE_DENSITY, CONCRETE_MODULUS};
 pub use contact::{
     Between, Calibration, ContactNumber, ContactSettings, FrictionLaw, NormalName, PairSettings, Sharing, Tension,
 };

@@ -5,14 +5,12 @@ use std::f64::consts::{PI, TAU};
 use glam::{DMat3, DVec2, DVec3};
 
 use super::angle::sin_cos_deg;
+use super::concrete::CONCRETE_MODULUS;
 use super::pier::{ColumnTop, Pier};
 use super::supports::{extent, underside};
 use super::{PerDirection, Scene};
+use crate::motion::spectrum::DESIGN_DAMPING;
 
-/// Modulus of concrete \[Pa\].
-const CONCRETE_MODULUS: f64 = 3e10;
-/// Damping of a pier where none is given, of critical: that of design spectra \[–\].
-const USUAL_DAMPING: f64 = 0.05;
 /// Stiffness after yield over that before where none is given \[–\].
 const USUAL_POST_YIELD: f64 = 0.05;
 /// Height of a pier that is only drawn, in girder depths \[–\].
@@ -121,7 +119,7 @@ impl Scene {
             [sides[0], sides[1], depth]
         });
         let stiffness = pier.stiffness().unwrap_or([f64::NAN; 2]);
-        let ratio = pier.damping_ratio.map_or([USUAL_DAMPING; 2], PerDirection::xy);
+        let ratio = pier.damping_ratio.map_or([DESIGN_DAMPING; 2], PerDirection::xy);
         #[expect(clippy::cast_possible_truncation, clippy::cast_sign_loss, reason = "a whole number from 1 to 12")]
         let columns = pier.columns as usize;
         let width = if columns == 1 { cap[0].min(cap[1]) * 0.6 } else { cap[1] / (2.0 * pier.columns) };

@@ -1,5 +1,6 @@
 //! Backfill with everything filled in that abutment and girder say.
 
+use super::concrete::CONCRETE_DENSITY;
 use super::{Abutment, Backfill, BackfillLaw, Girder, Scene, placed};
 
 /// Height of the wall that the usual numbers of soil are stated for \[m\].
@@ -14,8 +15,6 @@ const FIRST_SLOPE: f64 = 20.3e6;
 const ULTIMATE: f64 = 326e3;
 /// Angle over which the reduction by the skew falls by a factor e (Rollins and Jessee 2013) \[degrees\].
 const SKEW_ANGLE: f64 = 45.0;
-/// Density of a backwall \[kg/m³\].
-const CONCRETE_DENSITY: f64 = 2500.0;
 /// Thickness of a backwall per height, where none is given \[–\].
 const SLENDERNESS: f64 = 0.25;
 /// Push at which a granular soil fails, per height of the wall \[–\].

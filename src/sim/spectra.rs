@@ -6,12 +6,10 @@
 use super::History;
 use super::quantity::Quantity;
 use crate::motion::fourier::amplitudes;
-use crate::motion::spectrum::{periods, spectrum};
+use crate::motion::spectrum::{DESIGN_DAMPING, periods, spectrum};
 
 /// Samples of a stretch: 1.2 ms apart in ten seconds.
 const SAMPLES: u32 = 8192;
-/// Damping of the oscillators of a response spectrum, of critical.
-pub const DAMPING: f64 = 0.05;
 /// Shortest and longest period of a response spectrum \[s\].
 const PERIODS: [f64; 2] = [0.02, 5.0];
 /// Periods, evenly spaced by their logarithm.
@@ -30,11 +28,11 @@ pub fn fourier(history: &History, quantity: Quantity, stretch: [f64; 2]) -> Vec<
     sampled(history, quantity, stretch).map_or_else(Vec::new, |(samples, dt)| amplitudes(&samples, dt))
 }
 
-/// The largest `ω²|u|` of `ü + 2ζωu̇ + ω²u = q(t)` from rest, `ζ` = [`DAMPING`], with `q` a quantity over a stretch \[s\]: pairs of
+/// The largest `ω²|u|` of `ü + 2ζωu̇ + ω²u = q(t)` from rest, `ζ` = [`DESIGN_DAMPING`], with `q` a quantity over a stretch \[s\]: pairs of
 /// period \[s\] and response in the quantity's unit, SI. Of a ground acceleration that is the pseudo-acceleration.
 pub fn response(history: &History, quantity: Quantity, stretch: [f64; 2]) -> Vec<[f64; 2]> {
     let Some((samples, dt)) = sampled(history, quantity, stretch) else { return Vec::new() };
-    let found = spectrum(&samples, dt, &periods(PERIODS, COUNT), DAMPING);
+    let found = spectrum(&samples, dt, &periods(PERIODS, COUNT), DESIGN_DAMPING);
     found.iter().map(|r| [r.period, r.pseudo_acceleration()]).collect()
 }
 
@@ -59,7 +57,7 @@ mod tests {
         let stiff = response(&history, ground, stretch)[0];
         let peak = (0..1000).map(|n| ground.at(&history, f64::from(n) * 0.01)).fold(0.0, |a: f64, v| a.max(v.abs()));
         let ratio = sine.frequency_hz * PERIODS[0];
-        let bound = 1.05 * (ratio * ratio + ratio * (-std::f64::consts::TAU * DAMPING / (4.0 * ratio)).exp());
+        let bound = 1.05 * (ratio * ratio + ratio * (-std::f64::consts::TAU * DESIGN_DAMPING / (4.0 * ratio)).exp());
         assert!((stiff[1] / peak - 1.0).abs() < bound, "{} of {peak} m/s², bound {bound}", stiff[1]);
         assert!(fourier(&history, ground, [1.0, 1.0]).is_empty(), "no stretch, no lines");
     }

@@ -8,11 +8,9 @@ use super::plot::COLORS;
 use super::plot::chart::{Chart, Curve, Panel};
 use crate::motion::format::Channel;
 use crate::motion::integrate::{Peak, StrongMotion, integrate};
-use crate::motion::spectrum::{Response, periods, response, spectrum};
+use crate::motion::spectrum::{DESIGN_DAMPING, Response, periods, response, spectrum};
 use crate::motion::{Ground as Motion, Samples};
 
-/// Damping of the spectrum, of critical.
-pub const DAMPING: f64 = 0.05;
 /// Shortest and longest period of the spectrum \[s\].
 const PERIODS: [f64; 2] = [0.02, 10.0];
 /// Periods of the spectrum, evenly spaced by their logarithm: 150 a decade.
@@ -63,7 +61,7 @@ impl<'a> Ground<'a> {
 
     /// The spectrum at 5 % of critical damping.
     pub fn spectrum(&self) -> Vec<Response> {
-        spectrum(&self.channel.samples, self.channel.dt, &periods(PERIODS, COUNT), DAMPING)
+        spectrum(&self.channel.samples, self.channel.dt, &periods(PERIODS, COUNT), DESIGN_DAMPING)
     }
 
     /// Every sample: `t_s,a_m_s2,v_m_s,d_m`.
@@ -97,7 +95,7 @@ impl<'a> Ground<'a> {
 
 /// Pseudo-acceleration at one period \[s\] and 5 % of critical damping, of samples at an interval \[s\] \[m/s²\].
 pub fn psa(samples: &[f64], dt: f64, period: f64) -> f64 {
-    response(samples, dt, period, DAMPING).pseudo_acceleration()
+    response(samples, dt, period, DESIGN_DAMPING).pseudo_acceleration()
 }
 
 /// The table of a spectrum: `period_s,sd_m,psv_m_s,psa_m_s2`.

@@ -1,8 +1,8 @@
 //! A facing pair's own entry of `[[contact.pair]]`, and what its stiffness follows from.
 
 use crate::geometry::End;
-use crate::scene::facing::{self, DEFAULT_YOUNG_MODULUS, Facing, Side, SolidId};
-use crate::scene::{PairSettings, Scene};
+use crate::scene::facing::{self, Facing, Side, SolidId};
+use crate::scene::{CONCRETE_MODULUS, PairSettings, Scene};
 
 /// Names of the two bodies of a facing pair.
 pub(in crate::app) fn names_of<'a>(scene: &'a Scene, pair: &Facing) -> [&'a str; 2] {
@@ -48,7 +48,7 @@ pub(in crate::app) fn pair_between(between: [String; 2], ends: Option<[End; 2]>)
 pub(in crate::app) fn elastic(scene: &Scene, key: &str) -> f64 {
     let Some(girder) = scene.girders.first() else { return 0.0 };
     let area = girder.width * girder.thickness;
-    let young_modulus = scene.contact.young_modulus.unwrap_or(DEFAULT_YOUNG_MODULUS);
+    let young_modulus = scene.contact.young_modulus.unwrap_or(CONCRETE_MODULUS);
     match key {
         "young_modulus_pa" => young_modulus,
         "area_m2" => area,

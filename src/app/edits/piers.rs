@@ -4,7 +4,7 @@ use super::change::{girder, micrometres, stem};
 use crate::geometry::End;
 use crate::scene::edit::{Edit, free_name};
 use crate::scene::facing::{self, Side};
-use crate::scene::{ColumnTop, Girder, PerDirection, Pier, Scene};
+use crate::scene::{CONCRETE_MODULUS, ColumnTop, Girder, PerDirection, Pier, Scene};
 
 /// Diameter of a new pier's columns, in widths of the deck (chosen).
 const COLUMN: f64 = 0.15;
@@ -13,7 +13,7 @@ const HEIGHT: f64 = 6.0;
 /// Mass of a new pier, in masses of the deck (chosen).
 const CAP: f64 = 0.4;
 /// Modulus of cracked columns: half that of concrete \[Pa\].
-const CRACKED: f64 = 1.5e10;
+const CRACKED: f64 = 0.5 * CONCRETE_MODULUS;
 
 /// Gives a pier other numbers.
 pub(in crate::app) fn pier(i: usize, pier: Pier) -> Edit {

@@ -4,6 +4,7 @@ mod tables;
 
 use crate::contact::{NormalLaw, PairNumbers, calibration, law_of_pair};
 use crate::geometry::End;
+use crate::scene::concrete::CONCRETE_MODULUS;
 use crate::scene::keys::{Fallback, Range, Slot, Stands, Word, words};
 use tables::contact_tables;
 
@@ -69,8 +70,6 @@ words! {
 
 /// Least coefficient of restitution: at 0, critical damping, a free contact never opens again \[–\].
 pub(in crate::scene) const LEAST_RESTITUTION: f64 = 0.01;
-/// `E` where neither `K` nor `E` is given: ordinary concrete \[Pa\].
-pub const DEFAULT_YOUNG_MODULUS: f64 = 30e9;
 
 // A number or a rule of contact is stated here and nowhere else: the two tables, their keys, defaults and ranges, what
 // lies over what, the numbers in force for a pair and the rows of the inspector follow.
@@ -78,7 +77,7 @@ contact_tables! {
     elasticity {
         stiffness = "stiffness_n_per_m" as "field-contact-k", Range::Positive, Fallback::Words("E A / L"),
             "K of a pair (54), N/m; not together with the next three";
-        young_modulus = "young_modulus_pa" as "field-contact-e", Range::Positive, Fallback::Number(DEFAULT_YOUNG_MODULUS),
+        young_modulus = "young_modulus_pa" as "field-contact-e", Range::Positive, Fallback::Number(CONCRETE_MODULUS),
             "E of K = E A / L (64), Pa; of two girders the smaller K counts";
         area = "area_m2" as "field-contact-a", Range::Positive, Fallback::Words("width × thickness of the girder"), "A of (64), m²";
         contact_length = "contact_length_m" as "field-contact-l", Range::Positive,

@@ -13,7 +13,7 @@ mod met;
 mod numbers;
 mod side;
 
-pub use super::contact::{DEFAULT_YOUNG_MODULUS, PairContact};
+pub use super::contact::PairContact;
 pub use end::LARGEST_TURN_DEG;
 pub use met::{between, bodies_met};
 pub use numbers::contact_length;

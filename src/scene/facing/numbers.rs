@@ -3,7 +3,8 @@
 use super::side::{Side, SolidId};
 use crate::contact::calibration::linear_stiffness;
 use crate::contact::parameters::reduced_mass;
-use crate::scene::contact::{DEFAULT_YOUNG_MODULUS, PairContact};
+use crate::scene::concrete::CONCRETE_MODULUS;
+use crate::scene::contact::PairContact;
 use crate::scene::{ContactSettings, Girder, PairSettings, Scene};
 
 /// Whether an entry of `[[contact.pair]]` is about this pair.
@@ -77,7 +78,7 @@ fn stiffness(scene: &Scene, settings: &ContactSettings, first: Side, second: Sid
         Some(n) => {
             let girder = &scene.girders[n];
             let elastic = girder.elastic.map(|elastic| (elastic.young_modulus, elastic.resolve(girder).area));
-            let (modulus, section) = elastic.unwrap_or((DEFAULT_YOUNG_MODULUS, girder.width * girder.thickness));
+            let (modulus, section) = elastic.unwrap_or((CONCRETE_MODULUS, girder.width * girder.thickness));
             let area = settings.area.unwrap_or(section);
             let length = settings.contact_length.unwrap_or_else(|| contact_length(girder));
             settings.young_modulus.unwrap_or(modulus) * area / length

@@ -98,7 +98,7 @@ pub fn study(
     Ok(Study { parts })
 }
 
-/// The settings of a setting_kind, coarse to fine.
+/// The settings of a kind, coarse to fine.
 fn settings(setting_kind: SettingKind, quick: bool) -> Vec<f64> {
     let tolerance = |n: i32| 10.0_f64.powi(-n);
     match (setting_kind, quick) {

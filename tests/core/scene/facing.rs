@@ -158,7 +158,11 @@ fn stiffness_is_given_or_e_a_over_l_of_the_softer_girder() {
     assert_eq!(stiffness(&[e, "girder.g2.width_m=6"]), 2e10 * 9.0 / 30.0, "the smaller of the two");
     let pair = "contact.pair=[{ between = [\"g1\", \"g2\"], young_modulus_pa = 1e10 }]";
     assert_eq!(stiffness(&[pair]), 1e10 * 15.0 / 30.0, "a pair's E, whatever K the others have");
-    assert_eq!(stiffness(&["contact.area_m2=15"]), facing::DEFAULT_YOUNG_MODULUS * 15.0 / 30.0, "concrete by default");
+    assert_eq!(
+        stiffness(&["contact.area_m2=15"]),
+        girderbench::scene::CONCRETE_MODULUS * 15.0 / 30.0,
+        "concrete by default"
+    );
 }
 
 #[test]

@@ -7,10 +7,7 @@ use crate::app::field::{CLICK, Change, Form, Look, Place, Without, act, rows};
 use crate::app::text;
 use crate::app::unit::Size;
 use crate::scene::keys::Key;
-use crate::scene::{Elastic, Girder, Rayleigh};
-
-/// Density of concrete, to begin with \[kg/m³\].
-const CONCRETE_DENSITY: f64 = 2500.0;
+use crate::scene::{CONCRETE_DENSITY, Elastic, Girder, Rayleigh};
 
 /// Shows the elastic numbers of a girder, or the way to give it some.
 pub(super) fn show(ui: &mut Ui, form: Form<'_>, place: Place<'_>, girder: &mut Girder) -> Option<Change> {

@@ -17,7 +17,7 @@ use crate::dynamics::impact2d::kinematics::{Kinematics, ground_acceleration};
 use crate::dynamics::impact2d::lasting::constrained_motion::{
     ConstrainedMotion, ContactMode, FrictionMode, Reaction, solve_reactions,
 };
-use crate::dynamics::impact2d::lasting::sliding_face::slide_on_wall;
+use crate::dynamics::impact2d::lasting::slide_on_wall::slide_on_wall;
 use crate::dynamics::integrator::dense_output::{DENSE_TERMS, DenseOutput};
 use crate::dynamics::integrator::dop853::{Dop853, next_factor};
 use crate::dynamics::integrator::system::System;

@@ -5,4 +5,4 @@ pub mod constrained_motion;
 pub(in crate::dynamics::impact2d) mod lasting_contact;
 pub mod mode_selection;
 pub(in crate::dynamics::impact2d) mod painleve;
-mod sliding_face;
+mod slide_on_wall;

@@ -1,4 +1,4 @@
-//! What every method is: a name, a setting_kind, and the work that is timed.
+//! What every method is: a name, a setting, and the work that is timed.
 
 use crate::scene::{ModelKind, Scene};
 use crate::sim::History;
@@ -20,7 +20,7 @@ pub struct Job<'a> {
     pub scene: &'a Scene,
     /// When it is asked.
     pub instants: Instants,
-    /// The setting_kind: steps to an interval, or a tolerance.
+    /// The setting: steps to an interval, or a tolerance.
     pub setting: f64,
 }
 

@@ -4,13 +4,11 @@ use std::f64::consts::TAU;
 
 use crate::contact::{Calibration, FrictionLaw, NormalName};
 use crate::scene::{
-    Abutment, ContactSettings, Girder, Kind, Motion, STANDARD_GRAVITY, Scene, SineMotion, Wave, overrides, validate,
+    Abutment, CONCRETE_DENSITY, ContactSettings, Girder, Kind, Motion, STANDARD_GRAVITY, Scene, SineMotion, Wave,
+    overrides, validate,
 };
 use crate::study::stability::parts;
 use crate::study::stability::random::{Random, three_digits};
-
-/// Density of concrete \[kg/m³\].
-const CONCRETE_DENSITY: f64 = 2500.0;
 
 /// Sizes that everything else of a scene is in proportion to.
 #[derive(Clone, Copy, Debug)]

@@ -120,9 +120,9 @@ fn a_deck_on_a_pier_moves_in_space_as_in_plan_where_all_is_level() {
     let (mut places, mut bent) = ([0.0f64; 2], 0.0f64);
     for i in 0..=400 {
         let t = plan.end() * f64::from(i) / 400.0;
-        for body in 0..2 {
+        for (body, apart) in places.iter_mut().enumerate() {
             let [a, b] = [&plan, &space].map(|history| history.motion(body, t).displacement);
-            places[body] = places[body].max((a - b).truncate().length());
+            *apart = apart.max((a - b).truncate().length());
         }
         let [a, b] = [&plan, &space].map(|history| history.deformation(0, 15.0, t));
         bent = bent.max((a.moved.truncate() - b.moved.truncate()).length());
