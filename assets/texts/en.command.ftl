@@ -404,3 +404,11 @@ warning-more-drift = warning: { $more } more such supports
 interrupted-nothing = nothing was written
 progress-again = , again with contact between bodies that met
 headless-no-render = this build has none (feature render)
+
+wrong-language = there is no such language; there are { $known }
+gpu-without = { $name }={ $value } is set: try without it;
+gpu-install-mesa = install mesa-vulkan-drivers (or libegl1 and libgl1-mesa-dri)
+gpu-install-driver = install the graphics card's driver
+window-no-display = no display to open a window on (neither DISPLAY nor WAYLAND_DISPLAY leads to one)
+window-cut-off = error: the display is gone, and the window with it; nothing was unsaved
+window-cut-off-kept = error: the display is gone, and the window with it; unsaved work is kept: it is offered when the program is opened again

@@ -225,12 +225,8 @@ unwritten-large = it is larger than a file may be
 unwritten-choose-folder = choose a folder that exists and may be written to
 unwritten-make-room = make room, write less, or write to another disk
 unwritten-try-again = try again, or write to another disk
-wrong-language = there is no such language; there are { $known }
 gpu-none = no graphics adapter, not even in software: { $set }{ $install }; { $looked }
-gpu-without = { $name }={ $value } is set: try without it;
 gpu-install-browser = use a browser with WebGPU or WebGL2, and hardware acceleration switched on
-gpu-install-mesa = install mesa-vulkan-drivers (or libegl1 and libgl1-mesa-dri)
-gpu-install-driver = install the graphics card's driver
 gpu-no-device = the graphics adapter gives no device: { $why }
 gpu-no-surface = nothing can be drawn on this display: { $why }
 gpu-size = a picture of { $width } x { $height } pixels: choose 1 to { $most } each way, and no more than 33 million in all
@@ -239,12 +235,9 @@ gpu-lost = the graphics device was lost ({ $why })
 gpu-no-memory = the graphics device has no memory left ({ $why })
 gpu-refused = the graphics device refused its work ({ $why })
 gpu-unsaid = it does not say why
-window-no-display = no display to open a window on (neither DISPLAY nor WAYLAND_DISPLAY leads to one)
 window-not-opened = no window could be opened: { $why }
 window-ended = the window had to end: { $why }
 window-ended-kept = the window had to end: { $why }; unsaved work is kept: it is offered when the program is opened again
-window-cut-off = error: the display is gone, and the window with it; nothing was unsaved
-window-cut-off-kept = error: the display is gone, and the window with it; unsaved work is kept: it is offered when the program is opened again
 
 ## limits of the domain and notes of design codes
 condition-can-turn = (6) of the paper, JRA (16.5.1): a₀ sin 2β/(2 b₀) = { $number } ≥ 1: can turn out between its abutments

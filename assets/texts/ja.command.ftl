@@ -401,3 +401,11 @@ warning-more-drift = 警告：そのような支点がほかに { $more } 箇所
 interrupted-nothing = 何も書いていない
 progress-again = 、出会った物体の接触を加えて再計算
 headless-no-render = このビルドは図を描けない（feature render）
+
+wrong-language = その言語はない：{ $known } がある
+gpu-without = { $name }={ $value } がある：外して試す。
+gpu-install-mesa = mesa-vulkan-drivers（または libegl1 と libgl1-mesa-dri）を入れる
+gpu-install-driver = 描画装置のドライバーを入れる
+window-no-display = ウィンドウを開く画面がない（DISPLAY も WAYLAND_DISPLAY もない）
+window-cut-off = 誤り：画面が失われ、ウィンドウも終わった。保存していない内容はなかった
+window-cut-off-kept = 誤り：画面が失われ、ウィンドウも終わった。保存していない内容は残してあり、次に開いたときに示す

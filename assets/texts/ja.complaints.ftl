@@ -225,12 +225,8 @@ unwritten-large = ファイルの上限より大きい
 unwritten-choose-folder = 実在して書けるフォルダーを選ぶ
 unwritten-make-room = 空きを作るか、書く量を減らすか、別のディスクに書く
 unwritten-try-again = やり直すか、別のディスクに書く
-wrong-language = その言語はない：{ $known } がある
 gpu-none = 描画装置がない（ソフトウェアもない）：{ $set }{ $install }：{ $looked }
-gpu-without = { $name }={ $value } がある：外して試す。
 gpu-install-browser = WebGPU か WebGL2 のあるブラウザーで、ハードウェアの使用を入にする
-gpu-install-mesa = mesa-vulkan-drivers（または libegl1 と libgl1-mesa-dri）を入れる
-gpu-install-driver = 描画装置のドライバーを入れる
 gpu-no-device = 描画装置を使えない：{ $why }
 gpu-no-surface = この画面には描けない：{ $why }
 gpu-size = { $width } x { $height } ピクセルの画像：各辺 1 ～ { $most }、全部で 33,000,000 ピクセルまでとする
@@ -239,12 +235,9 @@ gpu-lost = 描画装置が失われた（{ $why }）
 gpu-no-memory = 描画装置のメモリーが足りない（{ $why }）
 gpu-refused = 描画装置が仕事を断った（{ $why }）
 gpu-unsaid = 理由は示されない
-window-no-display = ウィンドウを開く画面がない（DISPLAY も WAYLAND_DISPLAY もない）
 window-not-opened = ウィンドウを開けない：{ $why }
 window-ended = ウィンドウを続けられない：{ $why }
 window-ended-kept = ウィンドウを続けられない：{ $why }。保存していない内容は残してあり、次に開いたときに示す
-window-cut-off = 誤り：画面が失われ、ウィンドウも終わった。保存していない内容はなかった
-window-cut-off-kept = 誤り：画面が失われ、ウィンドウも終わった。保存していない内容は残してあり、次に開いたときに示す
 
 ## 検証範囲と設計基準の注記
 condition-can-turn = 論文の条件 (6)、道示 (16.5.1)：a₀ sin 2β/(2 b₀) = { $number } ≥ 1：橋台の間で回転しうる
