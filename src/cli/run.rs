@@ -24,7 +24,8 @@ pub(super) struct RunArgs {
     #[command(flatten)]
     threads: Threads,
     /// Write trajectory.csv, contacts.csv, events.csv and summary.json into this folder, devices.csv where the scene has devices,
-    /// bearings that yield, slide or can be lost, or soil; of the impact model also hits.csv and transitions.csv, and impact-….csv beside the contact model's where the scene asks for both
+    /// bearings that yield, slide or can be lost, or soil; of the impact model also hits.csv and transitions.csv, and impact-….csv beside
+    /// the contact model's where the scene asks for both
     #[arg(long, value_name = "DIR")]
     out: Option<PathBuf>,
     /// Print a hash of the whole answer and nothing else

@@ -49,8 +49,8 @@ pub(super) fn corner_way(history: &History, girder: usize, corner: usize, t: f64
     motion.displacement + (motion.attitude * here - body.axes * here)
 }
 
-/// Gap of a contact's node \[m\], and coordinate of its projection along the face's horizontal \[m\], whether the contact is open or closed;
-/// of an open edge node those of the middle of its edge.
+/// Gap of a contact's node \[m\], and coordinate of its projection along the face's horizontal \[m\], whether the contact is open or
+/// closed; of an open edge node those of the middle of its edge.
 pub fn before_face(history: &History, contact: usize, t: f64) -> [f64; 2] {
     let site = &history.model().contacts[contact];
     let [node, face] = history.sides(contact, t.clamp(0.0, history.end()));

@@ -1,4 +1,5 @@
-//! The friction circle of the hardest contact that is closed, and of those selected: its tangential force in the plane of the face, over `μ N(δ)`.
+//! The friction circle of the hardest contact that is closed, and of those selected: its tangential force in the plane of the face, over
+//! `μ N(δ)`.
 //!
 //! The outline is `μ_s N(δ)`, the filled circle `μ_k N(δ)`; the arrow ends inside the outline in stick, on the rim of
 //! the filled circle in slip.

@@ -346,6 +346,24 @@ fn what_is_seen_is_what_is_picked() {
 }
 
 #[test]
+fn a_girder_that_is_drawn_exaggerated_is_picked_where_it_is_drawn() {
+    let history = run("skew45-abutment");
+    let scene = history.scene();
+    let camera = Camera::preset(ViewPreset::Top, Bounds::of_scene(scene), ASPECT);
+    let t = history.touches()[0].peak_time;
+    let place = history.motion(0, t).place;
+    let shift = history.motion(0, t).displacement;
+    // Near the end away from the wall, 10 mm inside: drawn 30 times as far, the girder has left it.
+    let end = place - DVec3::X * 0.085;
+    assert!(30.0 * shift.x > 0.02, "towards the wall: {shift} m");
+    let [x, y] = camera.project(end, SIZE.map(f64::from)).expect("before the eye");
+    let ndc = [2.0 * x / f64::from(SIZE[0]) - 1.0, 1.0 - 2.0 * y / f64::from(SIZE[1])];
+    let at = |exaggeration: f64| pick(&ViewInput { exaggeration, ..input(scene, Some(&history), t, &camera) }, ndc);
+    assert_eq!(at(1.0), Some(Target::Girder(0)), "as it is");
+    assert_eq!(at(30.0), None, "as it is drawn");
+}
+
+#[test]
 fn orbiting_panning_and_zooming_do_what_hands_expect() {
     let mut camera = Camera::preset(ViewPreset::Iso, Bounds::UNIT, 1.0);
     let before = camera;

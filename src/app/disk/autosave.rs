@@ -69,7 +69,7 @@ pub(in crate::app) struct Autosave {
     /// Origin and revision that the thread holds.
     held: Option<(u64, u64)>,
     /// Called where the process ends without the window.
-    will: Option<ExitCallback>,
+    at_exit: Option<ExitCallback>,
     due: Option<Instant>,
     /// How long after an edit the work is written.
     pub(in crate::app) delay: Duration,
@@ -81,13 +81,13 @@ impl Autosave {
         let (jobs, wanted) = channel();
         let (send, problems) = channel();
         let thread = spawn(move || write_as_asked(&wanted, &send, &wake));
-        let will: ExitCallback = Rc::new({
+        let at_exit: ExitCallback = Rc::new({
             let jobs = jobs.clone();
             move || jobs.send(Job::Write).is_ok() && ask_whether_kept(&jobs, EXIT_WAIT)
         });
-        exit_hook::register(&will);
-        let (jobs, thread, will) = (Some(jobs), thread, Some(will));
-        Self { jobs, thread, problems, written: BTreeMap::new(), held: None, will, due: None, delay: DELAY }
+        exit_hook::register(&at_exit);
+        let (jobs, thread, at_exit) = (Some(jobs), thread, Some(at_exit));
+        Self { jobs, thread, problems, written: BTreeMap::new(), held: None, at_exit, due: None, delay: DELAY }
     }
 
     /// Looks whether there is something to write; says when to look again.
@@ -170,7 +170,7 @@ impl Autosave {
 
 impl Drop for Autosave {
     fn drop(&mut self) {
-        (self.jobs, self.will) = (None, None);
+        (self.jobs, self.at_exit) = (None, None);
         // What was asked for is finished; a thread that panicked has nothing more to say.
         let _ = self.thread.take().map(Thread::join);
     }

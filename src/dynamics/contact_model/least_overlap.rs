@@ -102,8 +102,8 @@ impl AtInstant<'_> {
     ///
     /// The contact with the crossed face, where its normal is along that of the least overlap to [`ALONG`], or where the bodies did not
     /// overlap. Otherwise the contact of the same node with another face of the entered body, whose normal is along that of the least
-    /// overlap and whose penetration is at most [`DEPTH_RATIO`] times the least depth; without one, the contact with the crossed face, unless
-    /// another contact carries the overlap.
+    /// overlap and whose penetration is at most [`DEPTH_RATIO`] times the least depth; without one, the contact with the crossed face,
+    /// unless another contact carries the overlap.
     pub(in crate::dynamics) fn entered_by(&self, contact: usize) -> Option<usize> {
         if self.site(contact).around.is_none() {
             return Some(contact);

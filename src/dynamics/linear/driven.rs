@@ -34,7 +34,8 @@ enum Way {
         phase: f64,
         path: GroundPath,
     },
-    /// Of a record: coefficients at every [`SAMPLES_PER_ENTRY`]-th sample, one after the other, and the factors that carry them over one interval.
+    /// Of a record: coefficients at every [`SAMPLES_PER_ENTRY`]-th sample, one after the other, and the factors that carry them over one
+    /// interval.
     Record {
         ground: Ground,
         kept: Vec<Complex>,

@@ -1,8 +1,9 @@
 //! Remaining seats against closed forms: a free deck that moves and turns at a steady rate, its mirror image, and the numbers of
 //! the worked example of docs/seats.md.
 
+use girderbench::codes::{self, Source};
 use girderbench::geometry::{End, Prism};
-use girderbench::scene::{Girder, Initial, Motion, Scene, Seat, presets};
+use girderbench::scene::{EuropeanGround, Girder, Initial, Motion, Scene, Seat, presets};
 use girderbench::sim::seats::{self, Departure};
 use girderbench::sim::{History, readings};
 
@@ -153,4 +154,18 @@ fn only_ends_with_a_seat_are_read() {
     let history = History::of(&scene).expect("runs");
     let reading = readings::reading(&history, 0);
     assert_eq!(reading.seats.iter().map(|seat| seat.ledge.end).collect::<Vec<_>>(), [End::Minus], "the -x end alone");
+}
+
+#[test]
+fn what_follows_from_the_ground_type_that_a_scene_gives_is_not_assumed() {
+    let sources = |ground: Option<EuropeanGround>| {
+        let mut scene = deck(Initial::default());
+        scene.codes.european_ground = ground;
+        let history = History::of(&scene).expect("runs");
+        let seat = codes::of(&history).into_iter().next().expect("a seat");
+        let demand = seat.demands.into_iter().find(|d| d.inputs.iter().any(|i| i.symbol == "L_g")).expect("EN 1998-2");
+        ["S", "T_C", "T_D", "L_g"].map(|symbol| demand.inputs.iter().find(|i| i.symbol == symbol).map(|i| i.source))
+    };
+    assert_eq!(sources(None), [Some(Source::Assumed); 4], "no ground type");
+    assert_eq!(sources(Some(EuropeanGround::C)), [Some(Source::Scene); 4], "ground of type C");
 }
