@@ -1,10 +1,13 @@
 //! Contacts beyond the validity of their law: pressed too deep, or left over a face's edge with energy in their springs.
 
+use std::collections::BTreeMap;
+
 use super::History;
 use super::readings::largest;
-use super::report::{EventKind, Extreme};
+use super::report::{Event, EventKind, Extreme};
 use crate::contact::normal::NormalLaw;
 use crate::scene::Kind;
+use crate::scene::facing::SolidId;
 
 /// Deepest penetration in parts of the shortest side of either girder: a penalty spring stands for what bodies give where
 /// they touch; a tenth of a body is a deformation of the whole. Chosen, as no law has a limit of its own.
@@ -25,19 +28,40 @@ pub struct TooDeep {
     pub allowed: f64,
 }
 
-/// Contacts that left a face over its edge, or behind the body, while their springs held energy.
+/// Contacts that left a face over its edge, or behind the body, while their springs held energy that no other contact between the two
+/// bodies took over.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Dropped {
     /// How many times.
     pub count: usize,
-    /// Energy of all of them \[J\].
+    /// Energy of all of them, less what was taken over \[J\].
     pub energy: f64,
     /// The same in parts of the largest energy in play.
     pub share: f64,
-    /// The contact that held most.
+    /// The contact that lost most.
     pub contact: usize,
     /// When it left \[s\].
     pub t: f64,
+}
+
+/// Energy that changes from contact to contact between two bodies.
+#[derive(Clone, Copy, Debug, Default)]
+struct HandOver {
+    /// Closed contacts.
+    closed: usize,
+    /// Energy with which contacts came in at a depth, and that no contact has left with yet \[J\].
+    taken: f64,
+    /// Number of the last contact that left, in the list of those.
+    last: Option<usize>,
+}
+
+impl HandOver {
+    /// Takes what was taken over from what a contact lost.
+    fn settle(&mut self, lost: &mut f64) {
+        let common = self.taken.min(*lost);
+        self.taken -= common;
+        *lost -= common;
+    }
 }
 
 impl History {
@@ -73,15 +97,58 @@ impl History {
     /// Contacts that left a face with energy in their springs; `None` where that is nothing beside the energy in play.
     pub fn dropped(&self) -> Option<Dropped> {
         let scale = self.ledger(self.end()).scale;
-        let left = self.events().iter().filter(|event| event.kind == EventKind::LeftFace && event.released > 0.0);
-        let most = left.clone().reduce(|a, b| if b.released > a.released { b } else { a })?;
-        let energy: f64 = left.clone().map(|event| event.released).sum();
+        let left = self.lost_over_edges();
+        let (most, _) = left.iter().copied().reduce(|a, b| if b.1 > a.1 { b } else { a })?;
+        let energy: f64 = left.iter().map(|(_, lost)| lost).sum();
         (energy > LEAST_DROP * scale).then(|| Dropped {
-            count: left.count(),
+            count: left.len(),
             energy,
             share: energy / scale,
             contact: most.contact(),
             t: most.t,
         })
+    }
+
+    /// Contacts that left a face, with the energy of their springs \[J\] less what contacts between the same two bodies took over: those
+    /// that came in at a depth while this one was closed, or at the instant at which it left.
+    fn lost_over_edges(&self) -> Vec<(&Event, f64)> {
+        let mut left: Vec<(&Event, f64)> = Vec::new();
+        let mut between: BTreeMap<[SolidId; 2], HandOver> = BTreeMap::new();
+        for event in self.events() {
+            let pair = &self.model().pairs[self.model().contacts[event.contact()].pair];
+            let mut solids = [pair.first.solid(), pair.second.solid()];
+            solids.sort_unstable();
+            let hand_over = between.entry(solids).or_default();
+            match event.kind {
+                EventKind::OpenToStick | EventKind::OpenToSlip => {
+                    hand_over.closed += 1;
+                    hand_over.taken += (-event.released).max(0.0);
+                    if let Some((leaving, lost)) = hand_over.last.and_then(|last| left.get_mut(last))
+                        && leaving.t == event.t
+                    {
+                        hand_over.settle(lost);
+                    }
+                }
+                EventKind::LeftFace | EventKind::Opened => {
+                    hand_over.closed = hand_over.closed.saturating_sub(1);
+                    if event.kind == EventKind::LeftFace {
+                        let mut lost = event.released.max(0.0);
+                        hand_over.settle(&mut lost);
+                        hand_over.last = Some(left.len());
+                        left.push((event, lost));
+                    }
+                    if hand_over.closed == 0 {
+                        hand_over.taken = 0.0;
+                    }
+                }
+                EventKind::StickToSlip
+                | EventKind::SlipToStick
+                | EventKind::Moved
+                | EventKind::Missed
+                | EventKind::Hit => {}
+            }
+        }
+        left.retain(|(_, lost)| *lost > 0.0);
+        left
     }
 }

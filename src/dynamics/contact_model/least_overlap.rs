@@ -16,9 +16,9 @@ use crate::scene::facing::{Side, SolidId};
 /// carrying the overlap \[–\]. Chosen: the penetrations at the nodes of two flush ends differ by the angle between the faces alone.
 const DEPTH_RATIO: f64 = 2.0;
 
-/// Least cosine of the angle between two normals that count as along one line \[–\]: 45°, so that of two normals square to each other
-/// the nearer one counts.
-const ALONG: f64 = std::f64::consts::FRAC_1_SQRT_2;
+/// Difference of the cosines of two angles that counts as rounding \[–\]: of products of unit vectors that have been turned a few times,
+/// each to 1e-15 or so.
+const COSINE_ROUNDING: f64 = 1e-12;
 
 /// A face and the node deepest behind it.
 #[derive(Clone, Copy, Debug)]
@@ -100,23 +100,27 @@ impl AtInstant<'_> {
 
     /// Contact in which a node that crosses a plane of another body closes; `None` where other contacts carry the overlap of the bodies.
     ///
-    /// The contact with the crossed face, where its normal is along that of the least overlap to [`ALONG`], or where the bodies did not
-    /// overlap. Otherwise the contact of the same node with another face of the entered body, whose normal is along that of the least
-    /// overlap and whose penetration is at most [`DEPTH_RATIO`] times the least depth; without one, the contact with the crossed face,
-    /// unless another contact carries the overlap.
+    /// The contact with the crossed face, where of the faces of the entered body this one is the nearest to the way of the least overlap,
+    /// or where the bodies did not overlap. Otherwise the contact of the same node with that nearest face, where the penetration there is
+    /// at most [`DEPTH_RATIO`] times the least depth; without one, the contact with the crossed face, unless another contact carries the
+    /// overlap.
     pub(in crate::dynamics) fn entered_by(&self, contact: usize) -> Option<usize> {
         if self.site(contact).around.is_none() {
             return Some(contact);
         }
         let (overlaps, crossed) = (self.overlaps(contact), self.face_of(contact));
         let Some(least) = overlaps.first().filter(|least| least.depth > 0.0) else { return Some(contact) };
-        if self.is_along(contact, least.contact) {
+        let entered = crossed.solid();
+        let normal = self.normal(least.contact);
+        // Outward of the entered body.
+        let way = if self.face_of(least.contact).solid() == entered { normal } else { -normal };
+        let cosine = |contact: usize| self.normal(contact).dot(way);
+        let of_entered = overlaps.iter().filter(|o| self.face_of(o.contact).solid() == entered);
+        let nearest = of_entered.max_by(|a, b| cosine(a.contact).total_cmp(&cosine(b.contact)));
+        let Some(nearest) = nearest.filter(|o| cosine(o.contact) > cosine(contact) + COSINE_ROUNDING) else {
             return Some(contact);
-        }
-        let of_entered = |o: &&LeastOverlap| {
-            self.face_of(o.contact).solid() == crossed.solid() && self.is_along(o.contact, least.contact)
         };
-        let from_beside = overlaps.iter().filter(of_entered).find_map(|o| self.of_node(contact, o.contact));
+        let from_beside = self.of_node(contact, nearest.contact);
         let depth = |other: &usize| self.local(*other).penetration();
         let least = self.least_depth(contact, least.depth);
         let is_alike = |other: &usize| depth(other) > 0.0 && depth(other) <= DEPTH_RATIO * least;
@@ -136,12 +140,6 @@ impl AtInstant<'_> {
         let least = self.overlaps(contact).first().map_or(0.0, |least| least.depth);
         let alike = self.local(contact).penetration() <= DEPTH_RATIO * least;
         alike && (is_edge || self.entered_by(contact) == Some(contact))
-    }
-
-    /// Whether the normals of two contacts' faces are along one line, to [`ALONG`].
-    fn is_along(&self, one: usize, other: usize) -> bool {
-        let [one, other] = [one, other].map(|contact| self.normal(contact));
-        one.dot(other).abs() >= ALONG
     }
 
     /// The contact that takes over where a node leaves its face over an edge while the two bodies overlap and no other contact

@@ -6,6 +6,7 @@ mod edges;
 mod offset;
 mod ramp;
 mod round_a_corner;
+mod sliding_joint;
 mod stacked;
 mod thrown_in_space;
 
