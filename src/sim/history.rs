@@ -4,7 +4,7 @@ use std::sync::{Arc, OnceLock};
 
 use super::books::Books;
 use super::impact::events;
-use super::replayed::Replayed;
+use super::recent_steps::RecentSteps;
 use super::report::Overlap;
 use super::{Event, Motion, Stop, Touch};
 use crate::contact::Frame;
@@ -16,7 +16,7 @@ use crate::dynamics::model::coordinates::BodyState;
 use crate::dynamics::record::contact_log::ContactLog;
 use crate::dynamics::record::event::Cause;
 use crate::dynamics::record::link_log::LinkLog;
-use crate::dynamics::record::recomputed_steps::Past;
+use crate::dynamics::record::recomputed_steps::{Past, Replay};
 use crate::dynamics::run::Finished;
 use crate::dynamics::trajectory::heading::StepHeading;
 use crate::dynamics::trajectory::step_polynomial::StepPolynomial;
@@ -27,6 +27,9 @@ use crate::scene::{Between, Scene};
 
 /// Instants at which two runs are compared.
 const COMPARED: u32 = 2000;
+/// Bodies that are compared side by side at all instants before the next ones are. Neighbours of an island share the steps that
+/// are recomputed; paths and caches of so few stay in the processor's own memory.
+const COMPARED_TOGETHER: usize = 16;
 
 /// A run of a scene, from t = 0 to [`History::end`].
 #[derive(Clone, Debug)]
@@ -37,7 +40,9 @@ pub struct History {
     stop: Option<Stop>,
     pub(super) paths: Vec<StoredPath>,
     /// Steps kept by their starts, group by group.
-    pub(super) replayed: Vec<Replayed>,
+    pub(super) replays: Vec<Replay>,
+    /// Of each body.
+    recent: Vec<RecentSteps>,
     /// The group of each body.
     group_of: Vec<usize>,
     systems: Vec<Option<BodyMotion>>,
@@ -68,9 +73,9 @@ impl History {
         let mut events = Vec::new();
         let mut effort = Effort::default();
         let mut group_of = vec![0; model.bodies.len()];
-        let (mut replayed, mut records) = (Vec::with_capacity(groups.len()), Vec::new());
+        let (mut replays, mut records) = (Vec::with_capacity(groups.len()), Vec::new());
         for (number, group) in groups.into_iter().enumerate() {
-            replayed.push(Replayed::of(group.replay));
+            replays.push(group.replay);
             effort += group.effort;
             records.extend(group.record);
             for (body, path, system) in group.bodies {
@@ -95,6 +100,7 @@ impl History {
             events = events::of(record, &model);
         }
         events.sort_by(|a, b| a.t.total_cmp(&b.t));
+        let recent = paths.iter().map(|_| RecentSteps::default()).collect();
         let (touches, books, overlaps) = (OnceLock::new(), OnceLock::new(), OnceLock::new());
         Self {
             scene,
@@ -102,7 +108,8 @@ impl History {
             end,
             stop,
             paths,
-            replayed,
+            replays,
+            recent,
             group_of,
             systems,
             logs,
@@ -232,16 +239,31 @@ impl History {
 
     /// A step that is kept by its start, taken again: `read` gets the body's part.
     pub(super) fn stepped<T>(&self, body: usize, step: (u32, f64), read: impl FnOnce(&StepPolynomial) -> T) -> T {
+        let own = self.recent[body].take(step.0).unwrap_or_else(|| self.recomputed(body, step));
+        let answer = read(&own);
+        self.recent[body].keep(step.0, own);
+        answer
+    }
+
+    /// The body's part of a step; those of the step's other bodies go into their caches.
+    fn recomputed(&self, body: usize, (number, from): (u32, f64)) -> StepPolynomial {
         let past = Past { model: &self.model, paths: &self.paths, systems: &self.systems, logs: &self.logs };
-        self.replayed[self.group_of[body]].with(step, body, &past, read)
+        let replay = &self.replays[self.group_of[body]];
+        let mut steps = replay.step(number, from, &past);
+        let place = replay.bodies(number).position(|of| of == body).unwrap_or(0);
+        let own = steps.remove(place);
+        for (of, step) in replay.bodies(number).filter(|of| *of != body).zip(steps) {
+            self.recent[of].keep(number, step);
+        }
+        own
     }
 
     /// What the answer takes, without the scene \[bytes\]: paths, contact states, events.
     pub fn bytes(&self) -> usize {
         let paths: usize = self.paths.iter().map(StoredPath::bytes).sum();
-        let replayed: usize = self.replayed.iter().map(Replayed::bytes).sum();
+        let replays: usize = self.replays.iter().map(Replay::bytes).sum();
         let logs: usize = self.logs.iter().map(ContactLog::bytes).sum();
-        paths + replayed + logs + self.events.len() * size_of::<Event>()
+        paths + replays + logs + self.events.len() * size_of::<Event>()
     }
 
     /// Pose and twist of a body at G.
@@ -301,12 +323,15 @@ impl History {
     /// Largest difference in displacement from another run of the same bodies \[m\].
     pub fn difference(&self, other: &Self) -> f64 {
         let end = self.end.min(other.end);
+        let bodies = self.model.bodies.len().min(other.model.bodies.len());
         let mut largest: f64 = 0.0;
-        for i in 0..=COMPARED {
-            let t = end * f64::from(i) / f64::from(COMPARED);
-            for body in 0..self.model.bodies.len().min(other.model.bodies.len()) {
-                let displacement = |run: &Self| Motion::of(&run.model, body, &run.state(body, t)).displacement;
-                largest = largest.max((displacement(self) - displacement(other)).length());
+        for first in (0..bodies).step_by(COMPARED_TOGETHER) {
+            for i in 0..=COMPARED {
+                let t = end * f64::from(i) / f64::from(COMPARED);
+                for body in first..bodies.min(first + COMPARED_TOGETHER) {
+                    let displacement = |run: &Self| Motion::of(&run.model, body, &run.state(body, t)).displacement;
+                    largest = largest.max((displacement(self) - displacement(other)).length());
+                }
             }
         }
         largest

@@ -25,7 +25,7 @@ mod piers;
 mod quadrature;
 pub mod quantity;
 pub mod readings;
-mod replayed;
+mod recent_steps;
 mod report;
 pub mod seat_on;
 pub mod seats;

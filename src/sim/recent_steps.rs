@@ -1,65 +1,46 @@
-//! Cache of the last recomputed steps: readings at several instants of one step follow one another.
+//! Cache of a body's last recomputed steps: readings at several instants of one step follow one another.
 
-use std::sync::{Mutex, PoisonError};
+use std::sync::{Mutex, MutexGuard, PoisonError};
 
-use crate::dynamics::record::recomputed_steps::{Past, Replay};
 use crate::dynamics::trajectory::step_polynomial::StepPolynomial;
 
-/// Steps in the cache \[–\]: those of both sides of a contact and of their neighbours. Chosen.
-const CACHED_STEPS: usize = 4;
+/// Steps in the cache of a body \[–\]: those on both sides of an event.
+const CACHED_STEPS: usize = 2;
 
-/// Steps of a group that are stored by their initial states, with a cache of the last recomputed ones.
+/// The body's part of the steps that were recomputed last, by number.
 #[derive(Debug, Default)]
-pub(super) struct Replayed {
-    replay: Replay,
+pub(super) struct RecentSteps {
     /// The last used last.
-    recent: Mutex<Vec<(u32, Vec<StepPolynomial>)>>,
+    steps: Mutex<Vec<(u32, StepPolynomial)>>,
 }
 
-impl Clone for Replayed {
+impl Clone for RecentSteps {
+    /// An empty cache: what it held is recomputed to the same bits.
     fn clone(&self) -> Self {
-        Self::of(self.replay.clone())
+        Self::default()
     }
 }
 
-impl Replayed {
-    pub(super) fn of(replay: Replay) -> Self {
-        Self { replay, recent: Mutex::default() }
-    }
-
-    /// A body's part of the answer of step `number`, which begins at `from`, as `read` takes it.
-    pub(super) fn with<T>(
-        &self,
-        (number, from): (u32, f64),
-        body: usize,
-        past: &Past<'_>,
-        read: impl FnOnce(&StepPolynomial) -> T,
-    ) -> T {
-        let place = self.replay.bodies(number).position(|b| b == body).unwrap_or(0);
+impl RecentSteps {
+    fn lock(&self) -> MutexGuard<'_, Vec<(u32, StepPolynomial)>> {
         // After a panic elsewhere the cache still holds whole steps.
-        let mut recent = self.recent.lock().unwrap_or_else(PoisonError::into_inner);
-        let found = recent.iter().position(|(known, _)| *known == number);
-        let step = match found {
-            Some(at) => recent.remove(at),
-            None => (number, self.replay.step(number, from, past)),
-        };
-        let answer = read(&step.1[place]);
-        if recent.len() == CACHED_STEPS {
-            recent.remove(0);
+        self.steps.lock().unwrap_or_else(PoisonError::into_inner)
+    }
+
+    /// Step `number` out of the cache, `None` where it is not there.
+    pub(super) fn take(&self, number: u32) -> Option<StepPolynomial> {
+        let mut steps = self.lock();
+        let at = steps.iter().position(|(known, _)| *known == number)?;
+        Some(steps.remove(at).1)
+    }
+
+    /// Keeps step `number`, where the cache is full in place of the one that was not used for longest.
+    pub(super) fn keep(&self, number: u32, step: StepPolynomial) {
+        let mut steps = self.lock();
+        if steps.len() == CACHED_STEPS {
+            steps.remove(0);
         }
-        recent.push(step);
-        answer
-    }
-
-    /// What it takes, without the steps taken again \[bytes\].
-    pub(super) fn bytes(&self) -> usize {
-        self.replay.bytes()
-    }
-
-    /// How many steps are kept by their starts.
-    #[cfg(test)]
-    pub(super) fn len(&self) -> usize {
-        self.replay.len()
+        steps.push((number, step));
     }
 }
 
@@ -67,7 +48,7 @@ impl Replayed {
 mod tests {
     use std::sync::Arc;
 
-    use super::*;
+    use crate::dynamics::record::recomputed_steps::Replay;
     use crate::dynamics::{Model, run};
     use crate::scene::{Motion, Scene, presets};
     use crate::sim::History;
@@ -98,7 +79,7 @@ mod tests {
     fn a_step_taken_again_is_the_same_to_the_last_bit() {
         for angle in [0.0, 20.0] {
             let (whole, part, none) = (row(angle, usize::MAX), row(angle, 10_000), row(angle, 0));
-            let counts = [&whole, &part, &none].map(|history| history.replayed[0].len());
+            let counts = [&whole, &part, &none].map(|history| history.replays[0].len());
             let steps = usize::try_from(whole.effort().steps).expect("few");
             assert!(counts[0] == 0 && counts[1] > 0 && counts[2] > counts[1], "{counts:?} of {steps}");
             assert!(counts[2] + 8 > steps / 2, "most are explicit: {counts:?} of {steps}");
@@ -121,7 +102,7 @@ mod tests {
     #[test]
     fn a_spatial_step_taken_again_is_the_same_to_the_last_bit() {
         let (whole, none) = (deck(usize::MAX), deck(0));
-        let (kept, steps) = (none.replayed[0].len(), usize::try_from(whole.effort().steps).expect("few"));
+        let (kept, steps) = (none.replays[0].len(), usize::try_from(whole.effort().steps).expect("few"));
         assert!(kept > steps / 8, "those without sliding: {kept} of {steps}");
         assert_eq!(whole.digest(), none.digest());
         for i in 0..=1000 {
@@ -148,7 +129,7 @@ mod tests {
                     .iter()
                     .map(crate::dynamics::trajectory::stored_path::StoredPath::bytes)
                     .sum::<usize>();
-                (kept + history.replayed.iter().map(Replayed::bytes).sum::<usize>()) as f64 / stretches as f64
+                (kept + history.replays.iter().map(Replay::bytes).sum::<usize>()) as f64 / stretches as f64
             };
             assert!(each(&none) < most, "{} bytes a stretch at {angle}°", each(&none));
             assert!(2.0 * each(&none) < each(&whole), "{} against {}", each(&none), each(&whole));
