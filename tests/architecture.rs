@@ -80,7 +80,7 @@ const APP_ROOMS: &[(&str, &[&str])] = &[
             "viewport", "map", "quake", "bench",
         ],
     ),
-    ("shell", &["host", "command", "text", "run", "disk", "bench", "panel"]),
+    ("shell", &["host", "command", "style", "text", "run", "disk", "bench", "panel"]),
 ];
 
 /// Every room inside of `dynamics` and the rooms of `dynamics` that it may use, without exception.

@@ -8,6 +8,7 @@ use epaint::{
 };
 use glam::Vec2;
 
+use super::letters::fonts;
 use crate::language::{JAPANESE_FONT, is_japanese};
 use crate::view::list::{Mark, Rgba};
 
@@ -26,9 +27,9 @@ fn pos(p: Vec2) -> Pos2 {
     pos2(p.x, p.y)
 }
 
-/// The usual fonts, and Japanese letters where they lack one.
+/// The usual font, and Japanese letters where it lacks one.
 fn with_japanese() -> FontDefinitions {
-    let mut fonts = FontDefinitions::default();
+    let mut fonts = fonts();
     fonts.font_data.insert("japanese".to_owned(), FontData::from_static(JAPANESE_FONT).into());
     fonts.families.entry(FontFamily::Proportional).or_default().push("japanese".to_owned());
     fonts
@@ -36,7 +37,7 @@ fn with_japanese() -> FontDefinitions {
 
 impl Flat {
     pub(super) fn new() -> Self {
-        Self { fonts: Fonts::new(TextOptions::default(), FontDefinitions::default()), has_japanese: false }
+        Self { fonts: Fonts::new(TextOptions::default(), fonts()), has_japanese: false }
     }
 
     /// One mesh of all marks, in their order.

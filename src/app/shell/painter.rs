@@ -208,6 +208,7 @@ pub(in crate::app::shell) mod tests {
     use crate::app::bench::Workbench;
     use crate::app::command::{EditCommand, PlaceCommand};
     use crate::app::panel::layout;
+    use crate::app::style::theme;
     use crate::scene::presets;
     use egui::{Context, FullOutput, RawInput, Rect, pos2, vec2};
 
@@ -281,7 +282,7 @@ pub(in crate::app::shell) mod tests {
         bench.replay.runner.set_estimates(false);
         bench.apply(PlaceCommand::AddGirder);
         bench.replay.runner.wait();
-        let mut shown = Shown { bench, context: Context::default(), textures: Textures::default() };
+        let mut shown = Shown { bench, context: theme::context(), textures: Textures::default() };
         // Panels grow and things fade in for some frames.
         (0..40).for_each(|_| shown.frame().textures_delta.clear());
         shown

@@ -200,6 +200,7 @@ mod tests {
     use crate::app::shell::painter::tests::{bytes, painter};
     use crate::app::shell::painter::{Painter, Shapes};
     use crate::app::shell::textures::Textures;
+    use crate::app::style::theme;
     use crate::language::Language;
     use crate::scene::{Scene, presets};
     use crate::study::stability::random::Random;
@@ -283,7 +284,7 @@ mod tests {
         let (textures, size) = (Textures::default(), [900, 560]);
         let painter = painter(&textures)?;
         bench.view.set_target(painter.format(), Some(painter.summary()));
-        let (context, shown, canvas) = (Context::default(), Shown::default(), painter.canvas(size));
+        let (context, shown, canvas) = (theme::context(), Shown::default(), painter.canvas(size));
         let drawn = BTreeMap::new();
         Some((Both { bench, context, textures, shown, canvas, size, scale: 1.0, time: 0.0, drawn }, painter))
     }

@@ -20,6 +20,7 @@ use crate::app::shell::event_log::{EventLog, Part};
 use crate::app::shell::outside::{self, Asked, Outside};
 use crate::app::shell::redraw::Frame;
 use crate::app::shell::surface::{Painted, Painting, Surface};
+use crate::app::style::theme;
 use crate::app::text;
 use crate::files::SceneSource;
 use crate::language::{Language, Text, said};
@@ -125,8 +126,7 @@ impl Open {
         });
         let mut surface = Surface::new(event_loop, &window, wake.clone());
         let (scale, theme) = (Some(pixels_per_point(&window)), window.theme());
-        let mut egui =
-            egui_winit::State::new(egui::Context::default(), ViewportId::ROOT, event_loop, scale, theme, None);
+        let mut egui = egui_winit::State::new(theme::context(), ViewportId::ROOT, event_loop, scale, theme, None);
         let outside = Outside::new(event_loop, (&window, &mut egui), proxy);
         bench.set_wake(wake);
         let begun = surface.bring_up().map_err(|e| e.to_string())?;

@@ -1,4 +1,4 @@
-//! Letters that egui's own fonts lack: those of a language, from when it is first shown.
+//! Letters that the font lacks: those of a language, from when it is first shown.
 
 use egui::epaint::text::{FontInsert, FontPriority, InsertFontFamily};
 use egui::{Context, FontData, FontFamily, Id};

@@ -3,7 +3,9 @@
 use egui::epaint::text::{FontInsert, FontPriority, InsertFontFamily};
 use egui::{Color32, Context, CornerRadius, FontData, FontFamily, Id, Stroke, Theme, Visuals};
 
-/// The glyphs of the paper's own names of the six states and of the name of Japanese, which egui's font does not have.
+use crate::render;
+
+/// The glyphs of the paper's own names of the six states and of the name of Japanese, which the font does not have.
 const PAPER_NAMES: &[u8] = include_bytes!("../../../assets/fonts/paper-names.otf");
 
 /// Stick, as in the pictures.
@@ -88,13 +90,21 @@ impl Palette {
     }
 }
 
-/// Sets both themes' styles, once for a context.
+/// A context that is ready for its first frame.
+pub(in crate::app) fn context() -> Context {
+    let ctx = Context::default();
+    install(&ctx);
+    ctx
+}
+
+/// Sets the font and both themes' styles, once for a context.
 pub(in crate::app) fn install(ctx: &Context) {
     let there = Id::unique("theme");
     if ctx.data(|data| data.get_temp::<bool>(there)).is_some() {
         return;
     }
     ctx.data_mut(|data| data.insert_temp(there, true));
+    ctx.set_fonts(render::fonts());
     let family = InsertFontFamily { family: FontFamily::Proportional, priority: FontPriority::Lowest };
     ctx.add_font(FontInsert::new("paper-names", FontData::from_static(PAPER_NAMES), vec![family]));
     ctx.set_visuals_of(Theme::Dark, dark());
