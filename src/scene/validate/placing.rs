@@ -8,7 +8,7 @@ use super::complaints::{At, Complaints, numbers};
 use crate::geometry::Face;
 use crate::geometry::broad;
 use crate::geometry::shape::{self, AlignedBox, Convex, Stand};
-use crate::language::{Text, message};
+use crate::language::{Text, message, six};
 use crate::scene::{Abutment, BackfillLaw, Kind, ResolvedBackfill, Scene, facing, keys, placed};
 
 /// Bodies may reach this part of their size into each other: placing by hand touches to rounding.
@@ -123,7 +123,10 @@ enum Body {
 
 /// Bodies that reach into each other as placed; what `initial` does is a pressed start, and allowed.
 pub(super) fn overlaps(scene: &Scene, complaints: &mut Complaints) {
-    let bodies: Vec<Placed> = girders(scene).chain(abutments(scene)).collect();
+    let mut bodies: Vec<Placed> = girders(scene).chain(abutments(scene)).collect();
+    if scene.kind == Kind::Planar {
+        stand_up(&mut bodies);
+    }
     let mut pairs = broad::pairs(&bodies.iter().map(|body| body.hull).collect::<Vec<_>>());
     pairs.sort_unstable_by_key(|&(earlier, later)| (later, earlier));
     for [earlier, later] in pairs.into_iter().map(|(earlier, later)| [&bodies[earlier], &bodies[later]]) {
@@ -138,8 +141,7 @@ fn complain(scene: &Scene, [earlier, later]: [&Placed; 2], depth: f64, complaint
         Body::Girder(n) => message!("found-girder", "name" => scene.girders[n].name.as_str()),
         Body::Abutment(n) => message!("found-abutment", "name" => scene.abutments[n].name.as_str()),
     };
-    let remedy =
-        message!("wrong-overlap", "one" => label(later), "depth" => format!("{depth:.3e}"), "other" => label(earlier));
+    let remedy = message!("wrong-overlap", "one" => label(later), "depth" => six(depth), "other" => label(earlier));
     match later.side {
         Body::Girder(n) => {
             let girder = &scene.girders[n];
@@ -156,6 +158,18 @@ fn complain(scene: &Scene, [earlier, later]: [&Placed; 2], depth: f64, complaint
             };
             complaints.of("abutment", &abutment.name, keys::ABUTMENT).add(key, value, remedy);
         }
+    }
+}
+
+/// Makes bodies whose heights mean nothing higher than they are long: none gets out of another upwards.
+fn stand_up(bodies: &mut [Placed]) {
+    let longest = bodies.iter().map(|body| (body.hull.max - body.hull.min).length()).fold(0.0, f64::max);
+    for body in bodies {
+        let middle = body.corners.iter().map(|corner| corner.z).sum::<f64>() / body.corners.len() as f64;
+        for corner in &mut body.corners {
+            corner.z = if corner.z < middle { -longest } else { longest };
+        }
+        body.hull = AlignedBox::around(&body.corners);
     }
 }
 
