@@ -370,6 +370,7 @@ default-motion-processing-peak_g = 記録のまま
 default-motion-component-file = これか samples_m_s2
 default-motion-component-samples_m_s2 = これか file
 default-limits-rotation_deg = 見ない
+default-codes-column_height_m = 橋脚の高さ、または 0.0
 default-codes-japanese_ground = "II"
 default-codes-soil_factor = european_ground から
 default-codes-caltrans_support = "abutment"（橋台）

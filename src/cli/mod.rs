@@ -105,7 +105,7 @@ pub fn main() -> ExitCode {
     // Before the arguments are read: what is wrong with them is said in it too.
     asked(std::env::args_os()).unwrap_or_else(Language::of_system).speak();
     let mut command = help::told(Cli::command());
-    let read = command.try_get_matches_from_mut(std::env::args_os()).and_then(|found| {
+    let read = command.try_get_matches_from_mut(arguments(std::env::args_os().collect())).and_then(|found| {
         // A flag of the opening alone, unlike the language.
         let misplaced = found.subcommand().is_some() && found.value_source("out") == Some(ValueSource::CommandLine);
         let cli = Cli::from_arg_matches(&found).map_err(|mistake| mistake.format(&mut command))?;
@@ -123,6 +123,18 @@ pub fn main() -> ExitCode {
     }
     interrupt::end_if_raised();
     code
+}
+
+/// Arguments as the library takes them: its command `help` takes names of commands alone, and the language has been read by then.
+fn arguments(mut args: Vec<OsString>) -> Vec<OsString> {
+    if args.get(1).is_some_and(|command| command == "help") {
+        let is_flag = |arg: &OsString| arg.to_str().is_some_and(|arg| arg == "--lang" || arg.starts_with("--lang="));
+        while let Some(at) = args.iter().position(is_flag) {
+            let with_value = args[at] == "--lang" && at + 1 < args.len();
+            args.drain(at..=at + usize::from(with_value));
+        }
+    }
+    args
 }
 
 /// The language that arguments ask for, wherever it stands among them.

@@ -27,8 +27,12 @@ pub(super) struct ReportArgs {
 /// Does it.
 ///
 /// # Errors
-/// Bad input, no place to write; a run that gave up, after its page has been written.
+/// Bad input, a file of another kind, no place to write; a run that gave up, after its page has been written.
 pub(super) fn run(args: &ReportArgs, console: &mut Console) -> Result<(), Failure> {
+    let is_html = args.out.extension().is_some_and(|e| e.eq_ignore_ascii_case("html") || e.eq_ignore_ascii_case("htm"));
+    if !is_html {
+        return Err(Failure::Input(said!("wrong-report-format", "out" => args.out.display().to_string())));
+    }
     let scene = args.scene.load()?;
     args.threads.start()?;
     domain::warn(&scene, console);

@@ -7,7 +7,9 @@ use crate::scene::FrictionLaw;
 use crate::scene::keys::word_told;
 use crate::scene::shown::{escaped, shown};
 use crate::sim::moving_ground::MovedSupport;
-use crate::tables::{DeviceReport, LostReport, OutsideReport, OverlapReport, PierReport, Report, VerdictReport};
+use crate::tables::{
+    DeviceReport, LostReport, OutsideReport, OverlapReport, PassedReport, PierReport, Report, VerdictReport,
+};
 
 /// So many quantities outside the domain, and as many overlaps, are listed; `summary.json` has all.
 const MOST_LISTED: usize = 10;
@@ -63,7 +65,18 @@ fn head(report: &Report) -> Vec<Line> {
         .chain(outside)
         .chain(overlaps(&report.overlaps))
         .chain(law_sense(report))
+        .chain(report.limits_passed.iter().take(MOST_LISTED).map(limit))
         .collect()
+}
+
+/// A limit of the scene that was passed.
+fn limit(passed: &PassedReport) -> Line {
+    let (t, reached) = (format!("{:.4}", passed.t), format!("{:.6}", passed.reached));
+    let whose = escaped(&passed.whose);
+    line(
+        Text::new("run-limit"),
+        said!("report-limit-passed", "whose" => whose, "limit" => passed.limit, "t" => t, "reached" => reached),
+    )
 }
 
 /// A bearing without support.

@@ -17,7 +17,7 @@ pub(super) fn support_length_mm(length_mm: f64, height_mm: f64, skew_deg: f64) -
 impl Code for AashtoLrfd {
     fn demands(&self, case: &Case<'_>) -> Vec<Demand> {
         let length = case.deck_length("L");
-        let height = Input::given_or("H", "m", case.codes.column_height, 0.0);
+        let height = case.column_height("H");
         let percent = Input::given_or("zone", "%", case.codes.zone_percent, PERCENT);
         let skew = Input::of_scene("S", "°", case.skew_deg());
         let base = 1e-3 * support_length_mm(1e3 * length.value, 1e3 * height.value, skew.value);

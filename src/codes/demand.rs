@@ -20,6 +20,8 @@ pub struct Case<'a> {
     pub codes: &'a Codes,
     /// What the run left of the seat.
     pub seat: &'a Seat,
+    /// Heights of the piers that the scene has, from foot to cap: of the one under this end, of an end on an abutment of all \[m\].
+    pub piers: &'a [f64],
 }
 
 /// Where the value of an input is from.
@@ -115,6 +117,13 @@ impl Case<'_> {
     /// Skew from the square, `|90° − β|` \[degrees\].
     pub(super) fn skew_deg(&self) -> f64 {
         (90.0 - self.prism.skew.to_degrees()).abs()
+    }
+
+    /// Average height of the columns: what `[codes]` gives, else that of the piers that the scene gives; assumed to be 0, as of a single
+    /// span, without either.
+    pub(super) fn column_height(&self, symbol: &'static str) -> Input {
+        let average = (!self.piers.is_empty()).then(|| self.piers.iter().sum::<f64>() / self.piers.len() as f64);
+        Input::given_or(symbol, "m", self.codes.column_height.or(average), 0.0)
     }
 
     /// Deck to the next joint.

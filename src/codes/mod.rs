@@ -63,7 +63,10 @@ pub fn of(history: &History) -> Vec<SeatDemands> {
         let prism = scene.girders[girder].prism();
         let seats = seats::of_girder(history, girder).into_iter();
         seats.map(move |seat| {
-            let demands = demands(&Case { prism: &prism, codes: &scene.codes, seat: &seat });
+            let under = scene.pier_under(&scene.girders[girder], seat.ledge.end);
+            let piers = under.map_or(&scene.piers[..], |pier| &scene.piers[pier..=pier]);
+            let piers: Vec<f64> = piers.iter().filter_map(|pier| pier.height).collect();
+            let demands = demands(&Case { prism: &prism, codes: &scene.codes, seat: &seat, piers: &piers });
             SeatDemands { girder, seat, demands }
         })
     };

@@ -7,6 +7,8 @@ mod loops;
 mod orbit;
 mod plan;
 mod sections;
+mod supports;
+mod trust;
 
 use std::fmt::Write as _;
 
@@ -24,6 +26,7 @@ pub fn html(history: &History, options: &TableOptions) -> String {
     let name = escape(&scene.name);
     let mut page = page::begin(&said!("report-title", "name" => name.as_str()), Language::current().code());
     let _ = writeln!(page, "<h1>{name}</h1>\n<p>{}</p>", escape(&scene.description));
+    page.push_str(&trust::departures(&report));
     page.push_str(&sections::headline(&report));
     heading(&mut page, Text::new("report-scene"));
     figure(&mut page, &Plan::as_placed(history).svg(), &Text::new("report-plan-placed"));
@@ -56,6 +59,8 @@ pub fn html(history: &History, options: &TableOptions) -> String {
     heading(&mut page, Text::new("report-readings"));
     page.push_str(&sections::readings(history));
     page.push_str(&devices::table(&report));
+    page.push_str(&supports::piers(&report));
+    page.push_str(&supports::soils(&report));
     page.push_str(&sections::limits(history, &report));
     heading(&mut page, Text::new("report-seats"));
     page.push_str(&sections::seats(&report));
@@ -63,7 +68,7 @@ pub fn html(history: &History, options: &TableOptions) -> String {
         figure(&mut page, &svg, &caption);
     }
     heading(&mut page, Text::new("report-trust"));
-    page.push_str(&sections::trust(&report));
+    page.push_str(&trust::section(&report));
     page.push_str(page::END);
     page
 }

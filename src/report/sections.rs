@@ -11,14 +11,14 @@ use crate::study::plot::draw::escape;
 use crate::tables::{DemandReport, Report, SeatReport, corner_angle};
 
 /// Rows of a table whose first cell is a heading.
-fn facts(rows: impl IntoIterator<Item = (String, String)>) -> String {
+pub(super) fn facts(rows: impl IntoIterator<Item = (String, String)>) -> String {
     let row = |(name, value): (String, String)| {
         format!("<tr><th>{}</th><td class=\"number\">{}</td></tr>\n", escape(&name), escape(&value))
     };
     format!("<table>{}</table>\n", rows.into_iter().map(row).collect::<String>())
 }
 
-fn fact(name: Text, value: String) -> (String, String) {
+pub(super) fn fact(name: Text, value: String) -> (String, String) {
     (name.into(), value)
 }
 
@@ -266,13 +266,13 @@ pub(super) fn seats(report: &Report) -> String {
 fn seat_table(seat: &SeatReport) -> String {
     let mut html = format!("<h3>{}{}</h3>\n", escape(&seat.girder), seat.end);
     for corner in &seat.corners {
-        let off = corner.left_at.map_or_else(
-            || Text::new("report-corner-stays").into(),
-            |t| {
-                let along = format!("{:.3}", corner.left_along.unwrap_or(0.0));
-                said!("report-corner-off", "t" => format!("{t:.4}"), "along" => along)
-            },
-        );
+        let front = corner.left_at.map(|t| {
+            let along = format!("{:.3}", corner.left_along.unwrap_or(0.0));
+            said!("report-corner-off", "t" => format!("{t:.4}"), "along" => along)
+        });
+        let side = corner.left_side_at.map(|t| said!("report-corner-side", "t" => format!("{t:.4}")));
+        let departures: Vec<String> = front.into_iter().chain(side).collect();
+        let off = if departures.is_empty() { Text::new("report-corner-stays").into() } else { departures.join(", ") };
         let turning = corner
             .zero_rotation_deg
             .map_or(String::new(), |a| said!("report-corner-turned", "angle" => format!("{a:.2}")));
@@ -285,7 +285,7 @@ fn seat_table(seat: &SeatReport) -> String {
             "off" => off,
             "turning" => turning
         );
-        let class = if corner.left_at.is_some() { " class=\"no\"" } else { "" };
+        let class = if departures.is_empty() { "" } else { " class=\"no\"" };
         let _ = writeln!(html, "<p{class}>{}</p>", escape(&words));
     }
     html.push_str(&head(&[
@@ -334,38 +334,4 @@ fn demand_row(DemandReport { demand, met, ratio }: &DemandReport) -> String {
         inputs.join(", "),
         escape(&demand.note)
     )
-}
-
-/// Error, ledger, versions and digest.
-pub(super) fn trust(report: &Report) -> String {
-    let l = &report.ledger;
-    let joule = |value: f64| format!("{:.4e} J", value + 0.0);
-    let error = report.estimated_error.map_or(
-        Text::new("report-not-computed").into(),
-        |e| said!("report-error", "error" => format!("{e:.2e}"), "tolerance" => format!("{:e}", report.tolerance)),
-    );
-    let balance = said!("report-residual-of", "residual" => joule(l.residual), "bound" => joule(report.residual_bound));
-    facts([
-        fact(Text::new("report-estimated-error"), error),
-        fact(Text::new("report-work-ground"), joule(l.work_ground)),
-        fact(Text::new("report-kinetic"), joule(l.kinetic)),
-        fact(Text::new("report-stored"), joule(l.bearing)),
-        fact(Text::new("report-lost-bearings"), joule(l.loss_bearing)),
-        fact(Text::new("report-lost-contacts"), joule(l.loss_normal + l.loss_tangential + l.loss_hits)),
-        fact(Text::new("report-lost-friction"), joule(l.loss_friction)),
-        fact(
-            Text::new("report-residual"),
-            if report.balances { balance } else { said!("report-unbalanced", "balance" => balance) },
-        ),
-        fact(Text::new("report-overlaps"), report.overlaps.len().to_string()),
-        fact(
-            Text::new("report-program"),
-            said!(
-                "report-versions",
-                "program" => report.versions.girderbench,
-                "format" => report.versions.scene_format
-            ),
-        ),
-        fact(Text::new("report-digest"), report.digest.clone()),
-    ])
 }

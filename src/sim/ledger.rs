@@ -135,19 +135,10 @@ fn jumps(history: &History, t: f64, ledger: &mut Ledger) {
 
 fn balance(ledger: &mut Ledger, initial: f64) {
     let l = &*ledger;
-    let stored = l.kinetic + l.bearing + l.girder + l.gravity + l.contact + l.device;
-    let lost = l.loss_bearing
-        + l.loss_girder
-        + l.loss_normal
-        + l.loss_tangential
-        + l.loss_friction
-        + l.loss_hits
-        + l.loss_device;
-    let jumped = l.jump_slip + l.jump_open + l.jump_edge + l.jump_entry + l.jump_device;
-    let worked = l.work_ground + l.work_push;
+    let (stored, lost) = (l.stored(), l.lost());
     let scale =
         [stored, lost, initial, l.work_ground, l.work_push, l.kinetic].into_iter().fold(0.0f64, |m, x| m.max(x.abs()));
-    ledger.residual = stored + lost + jumped - worked - initial;
+    ledger.residual = stored + lost + l.released() - (l.work_ground + l.work_push) - initial;
     ledger.scale = scale;
 }
 

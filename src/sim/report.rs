@@ -214,6 +214,34 @@ pub struct Ledger {
     pub scale: f64,
 }
 
+impl Ledger {
+    /// Kinetic and stored energy \[J\].
+    pub fn stored(&self) -> f64 {
+        self.kinetic + self.bearing + self.girder + self.gravity + self.contact + self.device
+    }
+
+    /// Lost since t = 0 \[J\].
+    pub fn lost(&self) -> f64 {
+        self.loss_bearing
+            + self.loss_girder
+            + self.loss_normal
+            + self.loss_tangential
+            + self.loss_friction
+            + self.loss_hits
+            + self.loss_device
+    }
+
+    /// Released at changes of contacts and devices since t = 0 \[J\].
+    pub fn released(&self) -> f64 {
+        self.jump_slip + self.jump_open + self.jump_edge + self.jump_entry + self.jump_device
+    }
+
+    /// What there was at t = 0 \[J\].
+    pub fn initial(&self) -> f64 {
+        self.stored() + self.lost() + self.released() - self.work_ground - self.work_push - self.residual
+    }
+}
+
 /// An extreme and when it was reached.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Extreme {

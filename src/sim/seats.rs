@@ -109,6 +109,13 @@ pub struct SeatCorner {
     pub off_side: Option<Departure>,
 }
 
+impl SeatCorner {
+    /// When it came off, over the front edge or over a side \[s\].
+    fn off_at(&self) -> Option<f64> {
+        [self.off, self.off_side].into_iter().flatten().map(|off| off.t).reduce(f64::min)
+    }
+}
+
 /// What remains of a seat.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Seat {
@@ -134,9 +141,9 @@ impl Seat {
         self.ledge.placed() - self.least().value
     }
 
-    /// When the first corner came off, over the front edge \[s\].
+    /// When the first corner came off, over the front edge or over a side \[s\].
     pub fn off_at(&self) -> Option<f64> {
-        self.corners.into_iter().filter_map(|corner| corner.off).map(|off| off.t).reduce(f64::min)
+        self.corners.into_iter().filter_map(|corner| corner.off_at()).reduce(f64::min)
     }
 }
 

@@ -25,8 +25,8 @@ pub use impact::{hits, transitions};
 pub use quantities::quantities;
 pub use seats::{CornerReport, DemandReport, SeatReport, corner_angle};
 pub use summary::{
-    BackfillReport, DroppedReport, LostReport, OutsideReport, OverlapReport, PairReport, PierReport, Report,
-    TooDeepReport, Versions,
+    BackfillReport, DroppedReport, LostReport, OutsideReport, OverlapReport, PairReport, PassedReport, PierReport,
+    Report, TooDeepReport, Versions,
 };
 pub use trajectory::{trajectory, trajectory_columns};
 pub use verdicts::VerdictReport;

@@ -38,7 +38,7 @@ pub struct SeatReport {
     pub used: f64,
     /// When the least remained \[s\].
     pub t: f64,
-    /// When the first corner came off; `None` where both stayed \[s\].
+    /// When the first corner came off, over the front edge or over a side; `None` where both stayed \[s\].
     pub left_at: Option<f64>,
     /// When both corners were off for the first time: the end is lost \[s\].
     pub lost_at: Option<f64>,

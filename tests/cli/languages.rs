@@ -24,7 +24,7 @@ fn a_run_and_a_check_are_in_the_language_that_is_asked_for() {
 
 #[test]
 fn help_is_in_the_language_that_is_asked_for() {
-    for args in [["run", "--help", "--lang", "ja"], ["--lang", "ja", "run", "-h"]] {
+    for args in [["run", "--help", "--lang", "ja"], ["--lang", "ja", "run", "-h"], ["help", "run", "--lang", "ja"]] {
         let help = call(&args);
         assert_eq!(help.status, Some(0), "{args:?}: {}", help.err);
         for words in ["使い方：", "オプション", "要約を表示し、表をフォルダーに書く", "--digest"]

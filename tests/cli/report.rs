@@ -49,6 +49,54 @@ fn a_corner_that_comes_off_heads_the_page() {
 }
 
 #[test]
+fn a_corner_that_leaves_over_a_side_heads_the_page_too() {
+    let narrow = page("skew45-abutment", &["girder.deck.seat_m={ \"+x\" = 0.2, side = 1e-5 }"]);
+    assert!(narrow.contains("A corner comes off its seat: deck+x at "), "first of all");
+    assert!(narrow.contains("leaves over the side at "), "at its corner");
+}
+
+/// The energies of a page, by the names of their rows \[J\].
+fn energies(page: &str) -> Vec<(String, f64)> {
+    let rows = page.split("<tr><th>").skip(1).filter_map(|row| {
+        let (name, rest) = row.split_once("</th>")?;
+        let value = rest.split_once(" J</td>")?.0.rsplit('>').next()?;
+        Some((name.to_owned(), value.parse().ok()?))
+    });
+    rows.collect()
+}
+
+#[test]
+fn the_energies_of_a_report_add_up() {
+    // Devices, soil and bearings that yield: every row that there is.
+    let page = page("span-as-built", &[]);
+    let all = energies(&page);
+    let of = |start: &[&str]| -> f64 {
+        all.iter().filter(|(name, _)| start.iter().any(|s| name.contains(s))).map(|(_, energy)| energy).sum()
+    };
+    let work = of(&["work of"]);
+    let rest = of(&["kinetic", "stored", "lost", "raised", "released"]);
+    assert!(all.len() >= 6 && of(&["lost in devices"]) != 0.0, "{all:?}");
+    assert!((work - rest).abs() < 1e-3 * work.abs(), "{work} J of work, {rest} J elsewhere: {all:?}");
+    assert!(page.contains("<th>soil behind</th>"), "what the soil bears");
+}
+
+#[test]
+fn a_report_of_a_viaduct_has_its_piers_and_their_height() {
+    let page = page("viaduct-5", &[]);
+    assert!(page.contains("<th>pier</th>"), "a row for each");
+    if page.contains("AASHTO") {
+        assert!(!page.contains("H = 0 m"), "columns as high as the piers of the scene");
+    }
+}
+
+#[test]
+fn a_report_is_a_file_of_html() {
+    let said = call(&["report", "skew45-abutment", "--out", "page.pdf"]);
+    assert_eq!(said.status, Some(2), "{}", said.out);
+    assert!(said.err.contains("page.pdf") && said.err.contains(".html"), "what would do: {}", said.err);
+}
+
+#[test]
 fn a_report_is_in_the_language_that_is_asked_for() {
     let folder = tempfile::tempdir().expect("a folder");
     let out = folder.path().join("page.html");

@@ -275,6 +275,15 @@ fn a_girder_that_leaves_its_seat_is_said_to() {
 }
 
 #[test]
+fn limits_that_are_passed_are_said() {
+    let said = call(&["run", "skew45-abutment", "--until", "1", "--set", "limits.rotation_deg=0.01"]);
+    assert_eq!(said.status, Some(0), "{}", said.err);
+    assert!(said.out.contains("limit passed") && said.out.contains("limit rotation_deg passed at "), "{}", said.out);
+    let kept = call(&["run", "skew45-abutment", "--until", "1", "--set", "limits.rotation_deg=44"]);
+    assert!(!kept.out.contains("limit passed"), "kept: {}", kept.out);
+}
+
+#[test]
 fn check_prints_the_contact_numbers_of_the_paper() {
     let said = call(&["check", "skew45-abutment"]);
     assert_eq!(said.status, Some(0), "checks: {}", said.err);

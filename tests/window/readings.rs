@@ -151,6 +151,28 @@ fn seats_are_shown_with_codes_and_the_report_is_written() {
     }
     let text = std::fs::read_to_string(page).expect("written");
     assert!(text.contains("A corner comes off its seat: deck+x at "), "the run of the window");
+    assert!(harness.state().window.notice().is_some(), "says where");
+    wait(&mut harness, 11.0);
+    assert!(harness.state().window.notice().is_none(), "and goes by itself");
+    harness
+        .state_mut()
+        .apply(FileCommand::Export(girderbench::app::Export::Report, folder.path().join("none/run.html")));
+    for _ in 0..1000 {
+        harness.run();
+        if harness.state().window.notice().is_some() {
+            break;
+        }
+        std::thread::sleep(std::time::Duration::from_millis(5));
+    }
+    wait(&mut harness, 11.0);
+    assert!(harness.state().window.notice().is_some(), "what failed stays until it is dismissed");
+}
+
+/// Lets the window's clock go on by so much \[s\].
+fn wait(harness: &mut Window, seconds: f64) {
+    let now = harness.ctx.input(|input| input.time);
+    harness.input_mut().time = Some(now + seconds);
+    harness.run_steps(4);
 }
 
 /// What stands behind a name in a table of the panel.

@@ -46,6 +46,8 @@ pub struct WindowState {
     /// Which panels are folded.
     pub(in crate::app) folds: Folds,
     notice: Option<Told>,
+    /// How many notices there have been: the same words told again are another one.
+    notices: u64,
     leaving: Leaving,
 }
 
@@ -68,6 +70,11 @@ impl WindowState {
     /// What has happened, until it has been read.
     pub fn notice(&self) -> Option<&str> {
         self.notice.as_ref().map(|told| told.words.as_str())
+    }
+
+    /// Its number, for as long as it is there.
+    pub(in crate::app) fn notice_number(&self) -> Option<u64> {
+        self.notice.as_ref().map(|_| self.notices)
     }
 
     /// The file or folder that it is about.
@@ -102,6 +109,7 @@ impl WindowState {
     /// Shows a notice.
     pub(in crate::app) fn say(&mut self, words: impl Into<Told>) {
         self.notice = Some(words.into());
+        self.notices += 1;
     }
 
     /// Shows why something failed.

@@ -53,7 +53,7 @@ impl<'a> Look<'a> {
 
     fn label(&self, key: &Key) -> String {
         let name = text::field(key);
-        if self.whose.is_empty() { name.to_owned() } else { format!("{name} {}", self.whose) }
+        if self.whose.is_empty() { name.to_owned() } else { text::of_whom(name, self.whose) }
     }
 
     fn unit(&self, key: &Key, now: f64) -> Unit {

@@ -143,7 +143,7 @@ fn one(
 
 /// A component's file: chosen, or typed.
 fn file_row(ui: &mut Ui, place: Place<'_>, (file, ground, n): (&str, GroundId, usize), out: &mut Vec<Command>) {
-    let label = format!("{} {}", text::RECORD_FILE, text::of_component(n + 1));
+    let label = text::of_whom(text::RECORD_FILE.as_str(), &text::of_component(n + 1));
     ui.horizontal(|ui| {
         let name = ui.label(text::RECORD_FILE);
         let draft_id = egui::Id::unique(("component file draft", ground, n));

@@ -1,5 +1,7 @@
 //! What stands over the view: complaints, progress, and questions.
 
+use std::time::Duration;
+
 use egui::{Align2, Area, Color32, Frame, Id, Order, ProgressBar, Rect, RichText, Ui, vec2};
 
 use crate::app::bench::{Next, WindowState};
@@ -8,6 +10,9 @@ use crate::app::host::PAGE;
 use crate::app::run::runner::Runner;
 use crate::app::style::theme::Palette;
 use crate::app::text;
+
+/// Time after which a notice of where something was written goes by itself \[s\]. Chosen: a path is read twice in it.
+const NOTICE_SHOWN: f64 = 10.0;
 
 /// Greys an old answer and says why it is old.
 pub(in crate::app) fn over_view(ui: &mut Ui, rect: Rect, (runner, tool): (&Runner, Tool), out: &mut Vec<Command>) {
@@ -64,12 +69,29 @@ fn plate(ui: &mut Ui, rect: Rect, id: &str, body: impl FnOnce(&mut Ui)) {
     Frame::popup(ui.style()).show(&mut inner, body);
 }
 
+/// Whether a notice, by its number, has been shown for [`NOTICE_SHOWN`] since the mouse was over it.
+fn has_been_read(ui: &Ui, number: u64, is_pointed_at: bool) -> bool {
+    let (id, now) = (Id::unique("notice since"), ui.input(|i| i.time));
+    let since = ui.data_mut(|data| {
+        let since = data.get_temp_mut_or_insert_with(id, || (number, now));
+        if since.0 != number || is_pointed_at {
+            *since = (number, now);
+        }
+        since.1
+    });
+    let left = since + NOTICE_SHOWN - now;
+    if left > 0.0 {
+        ui.ctx().request_repaint_after(Duration::from_secs_f64(left));
+    }
+    left <= 0.0
+}
+
 /// The question before closing, and the notice of what has happened to a file.
 pub(in crate::app) fn over_all(ui: &mut Ui, window: &WindowState, out: &mut Vec<Command>) {
-    if let Some(notice) = window.notice() {
+    if let (Some(notice), Some(number)) = (window.notice(), window.notice_number()) {
         let area =
             Area::new(Id::unique("notice")).order(Order::Foreground).anchor(Align2::CENTER_BOTTOM, vec2(0.0, -40.0));
-        area.show(ui, |ui| {
+        let shown = area.show(ui, |ui| {
             Frame::popup(ui.style()).show(ui, |ui| {
                 ui.horizontal(|ui| {
                     ui.label(notice);
@@ -87,6 +109,10 @@ pub(in crate::app) fn over_all(ui: &mut Ui, window: &WindowState, out: &mut Vec<
                 });
             });
         });
+        // What failed stays until it is dismissed.
+        if window.place().is_some() && has_been_read(ui, number, shown.response.contains_pointer()) {
+            out.push(WindowCommand::Dismiss.into());
+        }
     }
     if let Some(next) = window.asked_before() {
         let anyway = match next {

@@ -207,6 +207,7 @@ pub(super) const SPATIAL: Text = Text::new("spatial");
 pub(super) const PAIRS_SECTION: Text = Text::new("pairs-section");
 pub(super) const PAIR: Text = Text::new("pair");
 pub(super) const OF_PAIR: Text = Text::new("of-pair");
+pub(super) const RETURNED_E: Text = Text::new("returned-e");
 pub(super) const PAIR_RESET: Text = Text::new("pair-reset");
 pub(super) const PAIR_RESET_HINT: Text = Text::new("pair-reset-hint");
 pub(super) const FROM_PAIR: Text = Text::new("from-pair");

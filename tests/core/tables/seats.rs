@@ -131,7 +131,8 @@ fn a_corner_leaves_the_seat_over_its_side() {
     let [plus, _] = run(&scene);
     near(plus.corners[1].off_side.expect("over the side").t, 1.2, 1e-12, "0.6 m at 0.5 m/s");
     near(plus.corners[1].side.expect("watched").value, 0.6 - 2.0, 1e-12, "least at the end");
-    assert!(plus.off_at().is_none(), "not over the front edge");
+    assert!(plus.corners.iter().all(|corner| corner.off.is_none()), "not over the front edge");
+    near(plus.off_at().expect("off"), 1.2, 1e-12, "the first way by which a corner comes off");
     near(plus.least().value, sixty()[2], 1e-12, "nothing used");
     near(plus.corners[0].side.expect("watched").value, 0.6, 1e-12, "the other corner moves inwards");
 }

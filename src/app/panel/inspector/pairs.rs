@@ -110,14 +110,14 @@ fn in_force(ui: &mut Ui, scene: &Scene, answer: Option<&Answer>, pair: &Facing) 
     if let Some(p) = dashpots {
         rows.push(("C n", text::damping(p.law.dashpots().normal), text::FROM_65));
         rows.push(("C t", text::damping(p.law.dashpots().tangential), text::FROM_65));
-        rows.push(("e returned", text::short(p.returned_restitution()), text::FROM_NORMAL_LAW));
+        rows.push((text::RETURNED_E.as_str(), text::short(p.returned_restitution()), text::FROM_NORMAL_LAW));
     }
     for one in ContactNumber::ALL {
         let given = own.as_mut().is_some_and(|pair| (one.of_pair)(pair).is_some());
         let source = if given { text::FROM_PAIR } else { text::FROM_SCENE };
         rows.push((Text::new(one.label).as_str(), text::short((one.in_force)(c)), source));
     }
-    rows.push(("gap", text::exact_length(pair.gap), text::FROM_PLACES));
+    rows.push((Text::new("field-gap").as_str(), text::exact_length(pair.gap), text::FROM_PLACES));
     egui::Grid::new(("in force", &pair.name)).num_columns(3).striped(true).spacing([8.0, 2.0]).show(ui, |ui| {
         for (name, value, source) in rows {
             ui.label(RichText::new(name).weak());

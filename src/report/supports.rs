@@ -1,0 +1,64 @@
+//! Tables of what a run did to piers and to the soil behind backwalls.
+
+use std::fmt::Write as _;
+
+use super::sections::{at, head};
+use crate::language::Text;
+use crate::study::plot::draw::escape;
+use crate::tables::Report;
+
+/// Period, drift, base shear and moment, yield of every pier; nothing of a scene without piers.
+pub(super) fn piers(report: &Report) -> String {
+    if report.piers.is_empty() {
+        return String::new();
+    }
+    let mut html = head(&[
+        Text::new("report-pier").as_str(),
+        &Text::new("report-pier-periods"),
+        &Text::new("report-pier-drift"),
+        &Text::new("report-pier-shear"),
+        &Text::new("report-pier-moment"),
+        &Text::new("report-pier-yields"),
+    ]);
+    for pier in &report.piers {
+        let yielded = pier.yielded_at.map_or("–".to_owned(), |t| format!("{t:.3}"));
+        let [along, across] = pier.periods;
+        let _ = writeln!(
+            html,
+            "<tr><td>{}</td><td class=\"number\">{along:.3}, {across:.3}</td><td class=\"number\">{}</td>\
+             <td class=\"number\">{}</td><td class=\"number\">{:.2}</td><td class=\"number\">{yielded}</td></tr>",
+            escape(&pier.name),
+            at(format!("{:.1}", 1e3 * pier.drift), pier.drift_t),
+            at(format!("{:.1}", pier.shear / 1e3), pier.shear_t),
+            pier.moment / 1e6
+        );
+    }
+    html + "</table>\n"
+}
+
+/// Push, resistance and the gap that stays of the soil behind every backwall; nothing of a scene without.
+pub(super) fn soils(report: &Report) -> String {
+    if report.backfill.is_empty() {
+        return String::new();
+    }
+    let mut html = head(&[
+        Text::new("report-soil").as_str(),
+        &Text::new("report-soil-push"),
+        &Text::new("report-soil-force"),
+        &Text::new("report-soil-part"),
+        &Text::new("report-soil-gap"),
+    ]);
+    for soil in &report.backfill {
+        let _ = writeln!(
+            html,
+            "<tr><td>{}</td><td class=\"number\">{}</td><td class=\"number\">{:.1}</td><td class=\"number\">{:.0} %</td>\
+             <td class=\"number\">{:.1}</td></tr>",
+            escape(&soil.abutment),
+            at(format!("{:.1}", 1e3 * soil.push), soil.t),
+            soil.force / 1e3,
+            100.0 * soil.force / soil.ultimate,
+            1e3 * soil.remaining_gap
+        );
+    }
+    html + "</table>\n"
+}
