@@ -37,6 +37,8 @@ impl RecentSteps {
     /// Keeps step `number`, where the cache is full in place of the one that was not used for longest.
     pub(super) fn keep(&self, number: u32, step: StepPolynomial) {
         let mut steps = self.lock();
+        // Another reader, or one of another body of the step, may have brought it meanwhile.
+        steps.retain(|(known, _)| *known != number);
         if steps.len() == CACHED_STEPS {
             steps.remove(0);
         }
