@@ -109,7 +109,7 @@ fn one(
     let grid = Grid::new(("component", n)).num_columns(2).spacing([8.0, 3.0]);
     let mut change = grid
         .show(ui, |ui| {
-            let named = |key: &str| format!("{key} {whose}");
+            let named = |key: &str| text::of_whom(key, &whose);
             let numbers = rows(ui, &look, component, &["file", "channel", "unit", "samples_m_s2", "dt_s", "vertical"]);
             let points = named(text::POINTS.as_str());
             let way = choice(ui, place, ("vertical", &points), &mut component.vertical, &ways());
@@ -130,7 +130,7 @@ fn one(
         })
         .inner;
     if let Some(samples) = component.samples.clone() {
-        let label = format!("{} {whose}", text::SAMPLES);
+        let label = text::of_whom(text::SAMPLES.as_str(), &whose);
         let typed = super::samples::show(ui, place, &label, &samples);
         change = typed.map_or(change, |typed| {
             component.samples = Some(typed);
