@@ -17,9 +17,9 @@ const PATIENCE: Duration = Duration::from_mins(1);
 
 /// Asks again and again until there is an answer, or it is too late.
 #[expect(clippy::disallowed_methods, reason = "how long a browser takes")]
-fn soon<T>(ask: impl Fn() -> Option<T>) -> Option<T> {
+fn within<T>(patience: Duration, ask: impl Fn() -> Option<T>) -> Option<T> {
     let begun = Instant::now();
-    while begun.elapsed() < PATIENCE {
+    while begun.elapsed() < patience {
         if let Some(answer) = ask() {
             return Some(answer);
         }
@@ -170,20 +170,37 @@ impl Page {
 
     /// Waits until something holds of what the window shows.
     pub(crate) fn until(&self, what: &str, holds: impl Fn(&Value) -> bool) -> Value {
-        let found = soon(|| Some(self.readings()).filter(&holds));
+        let found = within(PATIENCE, || Some(self.readings()).filter(&holds));
         let message = || self.script("return document.getElementById('message').textContent");
         found.unwrap_or_else(|| panic!("{what}: {}; {}; {:?}", self.readings(), message(), self.complaints()))
     }
 
     /// The widget of a role with a name or a value that begins so, once there is one.
     pub(crate) fn widget(&self, role: &str, begins: &str) -> Value {
-        let all = || self.script("return girderbench.widgets()");
+        let found = within(PATIENCE, || self.widget_now(role, begins));
+        found.unwrap_or_else(|| panic!("no {role} {begins}: {}", self.widgets()))
+    }
+
+    fn widgets(&self) -> Value {
+        self.script("return girderbench.widgets()")
+    }
+
+    fn widget_now(&self, role: &str, begins: &str) -> Option<Value> {
         let fits = |widget: &&Value| {
             let words = [&widget["name"], &widget["value"]].map(|words| words.as_str().unwrap_or_default());
             widget["role"] == role && words.iter().any(|words| words.starts_with(begins))
         };
-        let found = soon(|| all().as_array().into_iter().flatten().find(fits).cloned());
-        found.unwrap_or_else(|| panic!("no {role} {begins}: {}", all()))
+        self.widgets().as_array().into_iter().flatten().find(fits).cloned()
+    }
+
+    /// Chooses an item of a menu. A menu that does not open is clicked once more: on a busy machine the press and the release of a click
+    /// can come in one frame with the end of what was done before.
+    pub(crate) fn choose(&self, menu: &str, item: &str) {
+        self.click(&self.widget("Button", menu));
+        if within(PATIENCE / 4, || self.widget_now("Button", item)).is_none() {
+            self.click(&self.widget("Button", menu));
+        }
+        self.click(&self.widget("Button", item));
     }
 
     /// Presses the mouse on a widget and lets it go so many pixels to the right.
@@ -233,7 +250,7 @@ impl Page {
     /// A file that has been downloaded, once it is whole.
     pub(crate) fn downloaded(&self, name: &str) -> Vec<u8> {
         let path = self.downloads.join(name);
-        let found = soon(|| fs::read(&path).ok().filter(|bytes| !bytes.is_empty()));
+        let found = within(PATIENCE, || fs::read(&path).ok().filter(|bytes| !bytes.is_empty()));
         found.unwrap_or_else(|| panic!("no {}", path.display()))
     }
 }

@@ -135,8 +135,7 @@ fn links_lead_to_a_lesson_a_moment_a_language_and_a_scene() {
     // A scene of the user's own, copied as a link and opened by it.
     page.drag(&page.widget("Slider", "Skew"), 40.0);
     page.until("the edit", |r| is_there(r) && r["digest"] != other["digest"]);
-    page.click(&page.widget("Button", "File"));
-    page.click(&page.widget("Button", "Copy link"));
+    page.choose("File", "Copy link");
     page.until("it is said", |r| r["notice"].as_str().is_some_and(|words| words.contains("copied")));
     let own = page.until("the last of the edit", is_there);
     let link = page.script("return location.href");
@@ -154,10 +153,7 @@ fn links_lead_to_a_lesson_a_moment_a_language_and_a_scene() {
 fn scenes_pictures_and_reports_are_saved_and_scenes_opened() {
     let (opened, _) = Opened::at("#scene=straight-abutment");
     let page = &opened.page;
-    let choose = |item: &str| {
-        page.click(&page.widget("Button", "File"));
-        page.click(&page.widget("Button", item));
-    };
+    let choose = |item: &str| page.choose("File", item);
     choose("Save as");
     let saved = String::from_utf8(page.downloaded("straight-abutment.toml")).expect("text");
     let preset = presets::get("straight-abutment").expect("ships");
