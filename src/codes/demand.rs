@@ -20,8 +20,9 @@ pub struct Case<'a> {
     pub codes: &'a Codes,
     /// What the run left of the seat.
     pub seat: &'a Seat,
-    /// Heights of the piers that the scene has, from foot to cap: of the one under this end, of an end on an abutment of all \[m\].
-    pub piers: &'a [f64],
+    /// Average height of the columns of the scene: of the pier under this end, of an end on an abutment of all piers \[m\], and where that
+    /// is from; `None` of a scene without piers.
+    pub columns: Option<(f64, Source)>,
 }
 
 /// Where the value of an input is from.
@@ -119,11 +120,13 @@ impl Case<'_> {
         (90.0 - self.prism.skew.to_degrees()).abs()
     }
 
-    /// Average height of the columns: what `[codes]` gives, else that of the piers that the scene gives; assumed to be 0, as of a single
-    /// span, without either.
+    /// Average height of the columns: what `[codes]` gives, else that of the scene's piers; assumed to be 0, as of a single span, without
+    /// either.
     pub(super) fn column_height(&self, symbol: &'static str) -> Input {
-        let average = (!self.piers.is_empty()).then(|| self.piers.iter().sum::<f64>() / self.piers.len() as f64);
-        Input::given_or(symbol, "m", self.codes.column_height.or(average), 0.0)
+        match (self.codes.column_height, self.columns) {
+            (None, Some((value, source))) => Input { symbol, value, unit: "m", source },
+            (given, _) => Input::given_or(symbol, "m", given, 0.0),
+        }
     }
 
     /// Deck to the next joint.

@@ -12,10 +12,12 @@ mod en_1998_2;
 mod jra;
 mod rotation;
 
+use std::ops::Range;
+
 pub use demand::{Case, Demand, Input, Source};
 pub use rotation::{RotationCondition, rotation_to_zero};
 
-use crate::scene::Codes;
+use crate::scene::{Codes, Scene};
 use crate::sim::History;
 use crate::sim::seats::{self, Seat};
 use demand::Code;
@@ -56,6 +58,14 @@ pub struct SeatDemands {
     pub demands: Vec<Demand>,
 }
 
+/// Average height of piers \[m\], assumed where the scene leaves out that of one; `None` of none.
+fn columns(scene: &Scene, piers: Range<usize>) -> Option<(f64, Source)> {
+    let given = piers.clone().all(|pier| scene.piers[pier].height.is_some());
+    let sum: f64 = piers.clone().map(|pier| scene.pier(pier).height).sum();
+    let source = if given { Source::Scene } else { Source::Assumed };
+    (!piers.is_empty()).then(|| (sum / piers.len() as f64, source))
+}
+
 /// Every seat of a run with what the codes require of it.
 pub fn of(history: &History) -> Vec<SeatDemands> {
     let scene = history.scene();
@@ -64,9 +74,8 @@ pub fn of(history: &History) -> Vec<SeatDemands> {
         let seats = seats::of_girder(history, girder).into_iter();
         seats.map(move |seat| {
             let under = scene.pier_under(&scene.girders[girder], seat.ledge.end);
-            let piers = under.map_or(&scene.piers[..], |pier| &scene.piers[pier..=pier]);
-            let piers: Vec<f64> = piers.iter().filter_map(|pier| pier.height).collect();
-            let demands = demands(&Case { prism: &prism, codes: &scene.codes, seat: &seat, piers: &piers });
+            let columns = columns(scene, under.map_or(0..scene.piers.len(), |pier| pier..pier + 1));
+            let demands = demands(&Case { prism: &prism, codes: &scene.codes, seat: &seat, columns });
             SeatDemands { girder, seat, demands }
         })
     };

@@ -49,7 +49,7 @@ pub struct Dropped {
 struct HandOver {
     /// Closed contacts.
     closed: usize,
-    /// Energy with which contacts came in at a depth, and that no contact has left with yet \[J\].
+    /// Energy with which contacts came in at a depth since the two bodies touch, and that no contact has left with yet \[J\].
     taken: f64,
     /// Number of the last contact that left, in the list of those.
     last: Option<usize>,
@@ -109,8 +109,8 @@ impl History {
         })
     }
 
-    /// Contacts that left a face, with the energy of their springs \[J\] less what contacts between the same two bodies took over: those
-    /// that came in at a depth while this one was closed, or at the instant at which it left.
+    /// Contacts that left a face, with the energy of their springs \[J\] less what contacts between the same two bodies took over: what
+    /// they came in with at a depth during the same touch of the two, or at the instant at which this one left.
     fn lost_over_edges(&self) -> Vec<(&Event, f64)> {
         let mut left: Vec<(&Event, f64)> = Vec::new();
         let mut between: BTreeMap<[SolidId; 2], HandOver> = BTreeMap::new();

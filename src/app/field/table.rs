@@ -34,7 +34,7 @@ pub(in crate::app) struct Look<'a> {
     pub kind: Kind,
     /// What units follow.
     pub size: Size,
-    /// Written after each name: `of pair`.
+    /// Whose numbers they are, empty of the table alone: a field of a `pair` is called `K of pair`.
     pub whose: &'a str,
     /// Numbers that are left out.
     pub without: Without<'a>,

@@ -95,7 +95,7 @@ fn one(
     out: &mut Vec<Command>,
 ) -> (Option<Change>, bool) {
     let table = format!("{}.component[{n}]", look.place.table);
-    let whose = text::of_component(n + 1);
+    let whose = text::whose_component(n + 1);
     let zero = |_: &Key| 0.0;
     let place = Place { table: &table, ..look.place };
     let look = Look { place, whose: &whose, without: Without::Off(&zero), ..*look };
@@ -143,7 +143,7 @@ fn one(
 
 /// A component's file: chosen, or typed.
 fn file_row(ui: &mut Ui, place: Place<'_>, (file, ground, n): (&str, GroundId, usize), out: &mut Vec<Command>) {
-    let label = text::of_whom(text::RECORD_FILE.as_str(), &text::of_component(n + 1));
+    let label = text::of_whom(text::RECORD_FILE.as_str(), &text::whose_component(n + 1));
     ui.horizontal(|ui| {
         let name = ui.label(text::RECORD_FILE);
         let draft_id = egui::Id::unique(("component file draft", ground, n));

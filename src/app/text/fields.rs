@@ -76,7 +76,7 @@ pub(in crate::app) const QUAKE_HINT: Text = Text::new("quake-hint");
 
 // Contact of all pairs, and pairs by name.
 pub(in crate::app) const ALL_PAIRS_SECTION: Text = Text::new("all-pairs-section");
-pub(in crate::app) const OF_ALL: Text = Text::new("of-all");
+pub(in crate::app) const WHOSE_ALL: Text = Text::new("whose-all");
 pub(in crate::app) const THE_SCENES: Text = Text::new("the-scenes");
 pub(in crate::app) const DECLARED_SECTION: Text = Text::new("declared-section");
 pub(in crate::app) const ADD_ENTRY: Text = Text::new("add-entry");

@@ -81,8 +81,8 @@ pub(in crate::app) fn component(number: usize, way: &str) -> String {
 }
 
 /// Whose a number of a component is.
-pub(in crate::app) fn of_component(number: usize) -> String {
-    Text::new("of-component").with(&values!["number" => number])
+pub(in crate::app) fn whose_component(number: usize) -> String {
+    Text::new("whose-component").with(&values!["number" => number])
 }
 
 /// A button that takes a component away.

@@ -45,7 +45,7 @@ fn one(ui: &mut Ui, form: Form<'_>, answer: Option<&Answer>, pair: &Facing, out:
     let mut own = entry.map_or_else(|| edits::new_pair(scene, pair), |n| scene.contact.pairs[n].clone());
     let table = entry.map_or_else(|| "contact.pair".to_owned(), |n| format!("contact.pair[{n}]"));
     let under = |key: &Key| number_under(scene, pair, key.name);
-    let look = Look { whose: text::OF_PAIR.as_str(), without: Without::Under(&under), ..form.look(&table) };
+    let look = Look { whose: text::WHOSE_PAIR.as_str(), without: Without::Under(&under), ..form.look(&table) };
     // Pairs without an entry have no place of their own in the file that could tell their lists apart.
     let own_id = ("pair", &pair.name);
     let own_rows = |ui: &mut Ui| rows(ui, &look, &mut own, &["between", "ends"]);

@@ -55,7 +55,7 @@ fn solver(ui: &mut Ui, form: Form<'_>, out: &mut Vec<Command>) {
 fn contact(ui: &mut Ui, form: Form<'_>, out: &mut Vec<Command>) {
     let mut new = form.scene.contact.clone();
     let elastic = |key: &Key| edits::elastic(form.scene, key.name);
-    let look = Look { whose: text::OF_ALL.as_str(), without: Without::Reckoned(&elastic), ..form.look("contact") };
+    let look = Look { whose: text::WHOSE_ALL.as_str(), without: Without::Reckoned(&elastic), ..form.look("contact") };
     let change = grid(ui, "all pairs", |ui| rows(ui, &look, &mut new, &[]));
     push(change, out, || edits::contact(new));
 }
