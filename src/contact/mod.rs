@@ -6,6 +6,7 @@
 
 pub mod calibration;
 mod constants;
+pub mod crossed_edges;
 pub mod friction;
 pub mod law;
 pub mod node_face;
@@ -13,6 +14,7 @@ pub mod normal;
 pub mod parameters;
 
 pub use calibration::{Calibration, NormalName, damping_ratio};
+pub use crossed_edges::Crossed;
 pub use law::{Breakaway, Forces, FrictionLaw, Law, Mode};
 pub use node_face::{Frame, Home, Local, Measured, gap, locate, measure, turned_by};
 pub use normal::{Normal, NormalLaw};

@@ -7,6 +7,7 @@
 use glam::{DMat3, DQuat, DVec2, DVec3};
 
 use super::constants::PLACED_ROUNDING;
+use super::crossed_edges::Crossed;
 use crate::geometry::Face;
 
 /// Pose and twist of a body, world axes.
@@ -110,6 +111,9 @@ pub struct Home {
     corner: DVec3,
     /// Whether the face is vertical and its first tangent horizontal.
     pub upright: bool,
+    /// Direction of the edge that the node is on, where the gap is the distance of its line from that of the first axis through
+    /// corner a, world axes \[–\]; 0 of a node before a face.
+    pub edge: DVec3,
 }
 
 impl Home {
@@ -133,10 +137,30 @@ impl Home {
         Self { axes, at: axes.transpose() * apart, apart, corner: self.corner + from, upright: false, ..*self }
     }
 
+    /// Geometry of the same node as a point of an edge in this direction, world axes as placed, across the first axis.
+    #[must_use]
+    pub fn across(&self, edge: DVec3) -> Self {
+        Self { edge, ..*self }
+    }
+
+    /// Outward normal of the contact, world axes: that of the face, or the common perpendicular of two edges.
+    pub fn normal(&self, node_body: &Frame, face_body: &Frame) -> DVec3 {
+        if self.edge == DVec3::ZERO {
+            return face_body.turn(self.axes.z_axis);
+        }
+        face_body.turn(self.axes * self.crossed(node_body, face_body).in_axes(DVec3::Z))
+    }
+
+    /// Turn of the normal from the third axis.
+    fn crossed(&self, node_body: &Frame, face_body: &Frame) -> Crossed {
+        let edge = node_body.turn(self.edge);
+        Crossed::of(self.axes.transpose() * (edge + face_body.turned.transpose() * edge))
+    }
+
     /// Geometry with the poses of `node_body` and `face_body`, at rest, in place of the placed ones.
     #[must_use]
     pub fn seen_from(&self, node_body: &Frame, face_body: &Frame) -> Self {
-        let Measured { here, arm, apart } = measure(self, node_body, face_body);
+        let Measured { here, arm, apart, .. } = measure(&Self { edge: DVec3::ZERO, ..*self }, node_body, face_body);
         let corner = face_body.turn(self.corner);
         Self {
             axes: face_body.rotation(&self.axes),
@@ -146,6 +170,7 @@ impl Home {
             lever: apart,
             corner,
             upright: self.upright && face_body.level,
+            edge: node_body.turn(self.edge),
         }
     }
 
@@ -161,7 +186,8 @@ impl Home {
         if at.z.abs() <= PLACED_ROUNDING * (lever.length() + face.corners[0].length()) {
             at.z = 0.0;
         }
-        Self { axes: axes * along, at, apart: lever - corner, arm, lever, corner, upright: face.is_upright() }
+        let upright = face.is_upright();
+        Self { axes: axes * along, at, apart: lever - corner, arm, lever, corner, upright, edge: DVec3::ZERO }
     }
 }
 
@@ -206,6 +232,8 @@ pub struct Measured {
     pub arm: DVec3,
     /// Node from the face body's G, world axes \[m\].
     pub apart: DVec3,
+    /// Turn of the axes in which the position is, from the face's.
+    pub crossed: Crossed,
 }
 
 /// Position and velocity of a node, a fixed point of one body, relative to a face of another.
@@ -251,6 +279,9 @@ fn measure_in_space(home: &Home, node_body: &Frame, face_body: &Frame) -> Measur
     };
     let in_face = |v: DVec3| DVec3::new(v.dot(home.axes.x_axis), v.dot(home.axes.y_axis), v.dot(home.axes.z_axis));
     let (way, rate) = (in_face(moved), in_face(velocity));
+    if home.edge != DVec3::ZERO {
+        return measure_across(home, [node_body, face_body], [arm, apart], [way, rate]);
+    }
     let here = Local {
         gap: home.at.z + way.z,
         gap_rate: rate.z,
@@ -259,7 +290,32 @@ fn measure_in_space(home: &Home, node_body: &Frame, face_body: &Frame) -> Measur
         rate: rate.truncate(),
         spin: in_face(spin),
     };
-    Measured { here, arm, apart }
+    Measured { here, arm, apart, crossed: Crossed::SQUARE }
+}
+
+/// Position and velocity of a point of an edge relative to the edge along the first axis, in axes turned about that one to the common
+/// perpendicular: the gap is the distance of the lines. Both reactions act at the node, so that its velocity is that relative to its own
+/// place in the face's body.
+fn measure_across(
+    home: &Home,
+    [node_body, face_body]: [&Frame; 2],
+    [arm, apart]: [DVec3; 2],
+    [way, rates]: [DVec3; 2],
+) -> Measured {
+    let in_face = |v: DVec3| home.axes.transpose() * (v + face_body.turned.transpose() * v);
+    let crossed = home.crossed(node_body, face_body);
+    let from = Crossed::of(home.axes.transpose() * home.edge).seen(home.at);
+    let at = crossed.seen(home.at + way);
+    let rates = crossed.rates(at, rates, in_face(node_body.spin - face_body.spin));
+    let here = Local {
+        gap: at.z,
+        gap_rate: rates.z,
+        at: at.truncate(),
+        way: (at - from).truncate(),
+        rate: rates.truncate(),
+        spin: DVec3::ZERO,
+    };
+    Measured { here, arm, apart, crossed }
 }
 
 /// The sums of [`measure`] without the terms that are 0 in plane motion: equal to the last bit, at a third of the
@@ -299,96 +355,8 @@ fn measure_in_plan(home: &Home, node_body: &Frame, face_body: &Frame) -> Measure
         rate: DVec2::new(along(velocity, first), 0.0),
         spin: DVec3::new(0.0, turning * second.z, 0.0),
     };
-    Measured { here, arm, apart }
+    Measured { here, arm, apart, crossed: Crossed::SQUARE }
 }
 
 #[cfg(test)]
-mod tests {
-    use super::*;
-
-    /// A body rotated by `turn` about the vertical since placed, in plane motion.
-    fn body(home: DVec3, turn: f64, spin: f64) -> Frame {
-        Frame {
-            shift: DVec3::new(0.013, -0.021, 0.0),
-            turned: turned_by(DQuat::from_rotation_z(turn)),
-            velocity: DVec3::new(0.3, -0.7, 0.0),
-            spin: DVec3::Z * spin,
-            ..Frame::fixed(home)
-        }
-    }
-
-    fn face() -> Face {
-        let quad = [(0.5, -0.4, -0.1), (0.7, 0.3, -0.1), (0.7, 0.3, 0.2), (0.5, -0.4, 0.2)];
-        Face::new(quad.map(DVec3::from), 1.0).expect("a rectangle")
-    }
-
-    const NODE: DVec3 = DVec3::new(-0.4, 0.31, 0.02);
-
-    #[test]
-    fn in_plan_every_number_is_that_of_space() {
-        let face = face();
-        assert!(face.is_upright(), "{face:?}");
-        for turn in [0.0, 0.1, -0.37, 1.9] {
-            let owner = body(DVec3::new(1.1, 0.2, 0.05), turn, 0.9);
-            let other = body(DVec3::ZERO, 0.7 * turn, -2.3);
-            let home = Home::of(NODE, (owner.home, DMat3::IDENTITY), &face, (other.home, DMat3::IDENTITY));
-            let (plan, space) = (measure_in_plan(&home, &owner, &other), measure_in_space(&home, &owner, &other));
-            assert_eq!(plan, space, "turned by {turn}");
-        }
-    }
-
-    #[test]
-    fn counted_from_home_a_node_is_where_it_is() {
-        let face = face();
-        for (heading, turn) in [(0.3, 1e-9), (-1.2, 0.4), (2.9, -2.0)] {
-            let owner = body(DVec3::new(1.1, 0.2, 0.05), turn, 0.9);
-            let other = body(DVec3::new(0.1, -0.3, 0.0), 0.7 * turn, -2.3);
-            let [node_axes, face_axes] = [heading, 1.7 * heading].map(DMat3::from_rotation_z);
-            let home = Home::of(NODE, (owner.home, node_axes), &face, (other.home, face_axes));
-            let there = measure(&home, &owner, &other);
-            let [turned, facing] = [owner.rotation(&node_axes), other.rotation(&face_axes)];
-            let place = owner.origin() + turned * NODE;
-            let apart = place - (other.origin() + facing * face.corners[0]);
-            let axes = [face.tangent, face.bitangent, face.normal].map(|axis| facing * axis);
-            let plain = DVec3::from_array(axes.map(|axis| apart.dot(axis)));
-            let found = there.here.at.extend(there.here.gap);
-            assert!((found - plain).length() < 1e-14, "{found} against {plain}");
-            assert!((there.apart - (place - other.origin())).length() < 1e-14, "its levers");
-            let speed = owner.velocity_at(there.arm) - other.velocity_at(there.apart);
-            let rates = there.here.rate.extend(there.here.gap_rate);
-            assert!((rates - DVec3::from_array(axes.map(|axis| speed.dot(axis)))).length() < 1e-14, "its rates");
-        }
-    }
-
-    #[test]
-    fn what_is_placed_on_a_face_is_on_it() {
-        // 0.1 + 0.2 is not 0.3 in round-off: two girders end to end.
-        let quad = [(0.0, -1.0, -1.0), (0.0, 1.0, -1.0), (0.0, 1.0, 1.0), (0.0, -1.0, 1.0)];
-        let face = Face::new(quad.map(|(x, y, z)| DVec3::new(0.3 + x, y, z)), 1.0).expect("a square");
-        let axes = DMat3::IDENTITY;
-        let gap = |x: f64| Home::of(DVec3::X * 0.2, (DVec3::X * x, axes), &face, (DVec3::ZERO, axes)).gap();
-        assert_ne!(0.1 + 0.2, 0.3, "rounding is there");
-        assert_eq!(gap(0.1), 0.0, "and is no gap");
-        assert!((gap(0.1 + 1e-14) - 1e-14).abs() < 1e-16, "a small gap is one: {:e}", gap(0.1 + 1e-14));
-    }
-
-    #[test]
-    fn a_small_motion_moves_the_gap_by_its_own_last_digit() {
-        // With positions of the size of the bodies, a sum would have a round-off of 1e-16 m.
-        let face = face();
-        let still = Frame::fixed(DVec3::ZERO);
-        let placed = Frame::fixed(DVec3::new(9.0, 0.4, 0.0));
-        let home = Home::of(NODE, (placed.home, DMat3::IDENTITY), &face, (still.home, DMat3::IDENTITY));
-        let shift = 1e-12;
-        let before = Home { at: DVec3::ZERO, ..home };
-        let moved = Frame { shift: face.normal * shift, ..placed };
-        let step = locate(&before, &moved, &still).gap;
-        assert!((step - shift).abs() < 4e-16 * shift, "{step:e}");
-        let turn = 1e-11;
-        let turned = turned_by(DQuat::from_xyzw(0.0, 0.0, 0.5 * turn, 1.0));
-        let spun = Frame { turned, ..placed };
-        let step = locate(&before, &spun, &still).gap;
-        let swung = turn * DVec3::Z.cross(NODE).dot(face.normal);
-        assert!((step - swung).abs() < 1e-10 * swung.abs(), "{step:e} against {swung:e}, to second order");
-    }
-}
+mod tests;

@@ -91,7 +91,10 @@ impl History {
         let forces = &action.forces;
         let point = node.origin() + action.node_arm;
         let placed = site.home_at(&closed.place);
-        let world = |v: glam::DVec2| to_world(&placed, &face, v, 0.0);
+        let world = |v: glam::DVec2| {
+            let along = action.crossed.in_axes(v.extend(0.0));
+            to_world(&placed, &face, along.truncate(), along.z)
+        };
         Some(ContactNow {
             contact,
             pair: site.pair,
@@ -101,7 +104,7 @@ impl History {
             },
             point,
             anchor: face.origin() + action.face_arm,
-            normal: face.turn(placed.axes.z_axis),
+            normal: placed.normal(&node, &face),
             penetration: action.here.penetration(),
             normal_velocity: forces.normal_velocity,
             sliding: world(forces.sliding),

@@ -164,7 +164,8 @@ impl AtInstant<'_> {
     pub(in crate::dynamics) fn normal(&self, contact: usize) -> DVec3 {
         let track = &self.world.contacts[contact];
         let home = self.world.model.contacts[track.site].home_at(&track.place);
-        self.side(contact, 1, &self.now.frames).turn(home.axes.z_axis)
+        let [node, face] = self.sides(contact);
+        home.normal(&node, &face)
     }
 
     /// Whether the node is in contact with another of its faces; a node touches one face at a time.

@@ -230,7 +230,6 @@ impl Transitions<'_> {
     pub(in crate::dynamics) fn change(&mut self, contact: usize, reason: Reason) {
         let Some(closed) = self.world.contacts[contact].state.closed().copied() else { return };
         match reason {
-            Reason::Opening if self.stays_across(contact, closed) => {}
             Reason::Opening => self.open(contact, &closed, EventKind::Opened),
             Reason::Edge if self.follow(contact, closed) => {}
             Reason::Edge => self.leave(contact, closed),

@@ -4,11 +4,11 @@
 
 use glam::DVec2;
 
-use crate::contact::{Local, Mode, NormalLaw, locate};
+use crate::contact::{Local, Mode, NormalLaw};
 use crate::dynamics::ContactSite;
 use crate::dynamics::contact_model::contact_law;
 use crate::dynamics::contact_model::transitions::Transitions;
-use crate::dynamics::model::edge_node::{Edge, NodePlace};
+use crate::dynamics::model::edge_node::NodePlace;
 use crate::dynamics::penalty3d::contact_force::to_world;
 use crate::dynamics::penalty3d::contact_state::{ClosedContact, Contact};
 use crate::dynamics::record::event::EventKind;
@@ -39,52 +39,15 @@ impl Transitions<'_> {
         if !slid {
             return false;
         }
-        let Some(place) = self.present_place(contact, &closed) else { return false };
-        let across = self.across(contact, &place);
-        if across.is_some_and(|depth| depth <= 0.0) {
-            self.open(contact, &closed, EventKind::Opened);
-            return true;
-        }
-        if across.is_some_and(|depth| !self.at().parts_along(contact, &place, depth)) {
-            return false;
-        }
-        self.go_on_at(contact, closed, (place, across.unwrap_or(here.penetration())));
-        true
-    }
-
-    /// Goes on with an edge node of bodies that have met that is open by the normal of its last move, while the edges are across each
-    /// other by the present one; whether they are.
-    pub(super) fn stays_across(&mut self, contact: usize, closed: ClosedContact) -> bool {
-        let Some(place) = self.present_place(contact, &closed) else { return false };
-        let least = self.at().edge(contact).map_or(0.0, Edge::tolerance);
-        let Some(depth) = self.across(contact, &place).filter(|depth| *depth > least) else { return false };
+        let kept = closed.place.overhang;
+        let Some(place) = self.crossing(contact, kept) else { return false };
+        let (place, depth) = (NodePlace { overhang: place.overhang.max(kept), ..place }, here.penetration());
         if !self.at().parts_along(contact, &place, depth) {
             return false;
         }
-        self.go_on_at(contact, closed, (place, depth));
-        true
-    }
-
-    /// The present place of an edge node in state `closed`.
-    fn present_place(&self, contact: usize, closed: &ClosedContact) -> Option<NodePlace> {
-        let kept = closed.place.overhang;
-        let place = self.crossing(contact, kept)?;
-        Some(NodePlace { overhang: place.overhang.max(kept), ..place })
-    }
-
-    /// How deep the edges are across each other at a place, along their common perpendicular there \[m\]; `None` for a node of facing
-    /// ends, which keeps its penetration.
-    fn across(&self, contact: usize, place: &NodePlace) -> Option<f64> {
-        self.at().edge(contact).filter(|edge| edge.is_of_met())?;
-        let [node, face] = self.at().sides(contact);
-        Some(locate(&self.site(contact).home_at(place), &node, &face).penetration())
-    }
-
-    /// Goes on with an edge node at another place, in another penetration \[m\].
-    fn go_on_at(&mut self, contact: usize, closed: ClosedContact, (place, depth): (NodePlace, f64)) {
-        let here = self.here(contact);
-        let before = closed.law.strain(&here, &closed.forces(&here));
+        let before = self.strain(contact, &closed);
         self.enter(contact, (closed, EventKind::Moved), (place, depth, stretch(&closed, &here)), before);
+        true
     }
 
     /// Hands the part of a vertex in K and C that a node has left over an edge, in state `closed`, to the nodes that

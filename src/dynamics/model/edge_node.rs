@@ -345,7 +345,8 @@ impl Edge {
         }
         let along = self.along();
         let axes = DMat3::from_cols(along, place.normal.cross(along), place.normal);
-        node.before(node.axes * self.from.extend(0.0), axes)
+        let node = node.before(node.axes * self.from.extend(0.0), axes);
+        if self.is_of_met() { node.across(self.span / self.length()) } else { node }
     }
 
     /// Positive where a node of the edge is too far from the side or beyond its ends \[m\]; its projection is its place

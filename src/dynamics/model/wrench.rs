@@ -18,4 +18,11 @@ impl Wrench {
         self.force += force;
         self.moment += arm.cross(force);
     }
+
+    /// Adds a force that acts at `arm` from G, and a couple.
+    #[inline]
+    pub fn push_with(&mut self, force: DVec3, arm: DVec3, couple: DVec3) {
+        self.push(force, arm);
+        self.moment += couple;
+    }
 }

@@ -206,7 +206,7 @@ impl Touch {
         let (node, face): (Frame, Frame) = (frame(active.node), frame(active.face));
         let normal = active.home.axes.z_axis;
         let square = normal[axis].abs() == 1.0 && normal[1 - axis] == 0.0 && site.face.is_upright();
-        let Measured { here, arm, apart } = measure(&active.home, &node, &face);
+        let Measured { here, arm, apart, .. } = measure(&active.home, &node, &face);
         let (closed, law) = (&active.closed, &active.closed.law);
         let still = match closed.mode {
             Mode::Stick { anchor } => anchor == here.way,

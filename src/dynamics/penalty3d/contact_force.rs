@@ -5,7 +5,7 @@
 
 use glam::{DMat3, DVec2, DVec3};
 
-use crate::contact::{Forces, Frame, Home, Local, Measured, Mode, measure};
+use crate::contact::{Crossed, Forces, Frame, Home, Local, Measured, Mode, measure};
 use crate::dynamics::ContactSite;
 use crate::dynamics::penalty3d::contact_state::ClosedContact;
 
@@ -22,6 +22,10 @@ pub struct Action {
     pub node_arm: DVec3,
     /// Point of action on the face's body from its G \[m\].
     pub face_arm: DVec3,
+    /// Couple on the node's body besides, the opposite one on the face's: of two edges across each other \[N·m\].
+    pub couple: DVec3,
+    /// Turn of the axes of [`here`](Self::here) and [`forces`](Self::forces) from the face's.
+    pub crossed: Crossed,
 }
 
 /// Forces of a closed contact, poses relative to the placed poses.
@@ -33,12 +37,30 @@ pub fn act(site: &ContactSite, closed: &ClosedContact, node: &Frame, face: &Fram
 /// Forces of a closed contact in the mode `mode`, poses relative to those of `home`.
 #[inline]
 pub fn act_in(home: &Home, closed: &ClosedContact, mode: &Mode, node: &Frame, face: &Frame) -> Action {
-    let Measured { here, arm, apart } = measure(home, node, face);
+    let Measured { here, arm, apart, crossed } = measure(home, node, face);
     let forces = closed.forces_in(mode, &here);
+    if home.edge != DVec3::ZERO {
+        return act_across(home, face, (here, forces, crossed), [arm, apart]);
+    }
     let force = to_world(home, face, forces.tangential_total(), forces.normal_total());
     let offset =
         if closed.law.normal.is_along_stretch() { to_world(home, face, forces.stretch, here.gap) } else { DVec3::ZERO };
-    Action { here, forces, force, node_arm: arm, face_arm: apart - offset }
+    Action { here, forces, force, node_arm: arm, face_arm: apart - offset, couple: DVec3::ZERO, crossed }
+}
+
+/// Forces of two edges across each other: at the node on both bodies, with the couple by which the normal force acts along the common
+/// perpendicular.
+fn act_across(
+    home: &Home,
+    face: &Frame,
+    (here, forces, crossed): (Local, Forces, Crossed),
+    [node_arm, face_arm]: [DVec3; 2],
+) -> Action {
+    let total = forces.tangential_total().extend(forces.normal_total());
+    let in_world = |v: DVec3| to_world(home, face, v.truncate(), v.z);
+    let force = in_world(crossed.in_axes(total));
+    let couple = in_world(crossed.couple(here.at.extend(here.gap), total));
+    Action { here, forces, force, node_arm, face_arm, couple, crossed }
 }
 
 /// World components of a vector given by its components along and normal to the face.

@@ -61,10 +61,10 @@ fn add_contacts(model: &Model, system: &CoupledSystem, y: &[f64], workspace: &mu
         let mode = active.angle.map_or(closed.mode, |at| Mode::Slip { direction: direction(y[at]) });
         let action = contact_force::act_in(&active.home, closed, &mode, node, face);
         if active.node.is_some() {
-            workspace.wrenches[active.sections[0]].push(action.force, action.node_arm);
+            workspace.wrenches[active.sections[0]].push_with(action.force, action.node_arm, action.couple);
         }
         if active.face.is_some() {
-            workspace.wrenches[active.sections[1]].push(-action.force, action.face_arm);
+            workspace.wrenches[active.sections[1]].push_with(-action.force, action.face_arm, -action.couple);
         }
         if let (Some(at), Mode::Slip { direction }) = (active.angle, mode) {
             let length = closed.law.slip_stretch(&action.here) + closed.solver.regularisation;

@@ -119,7 +119,7 @@ mod tests {
     use glam::DVec3;
 
     use crate::contact::normal::Linear;
-    use crate::contact::{FrictionLaw, Law, Local, Normal};
+    use crate::contact::{Crossed, FrictionLaw, Law, Local, Normal};
     use crate::dynamics::penalty3d::active_contact::direction;
     use crate::dynamics::penalty3d::example::{closed, wall};
 
@@ -156,7 +156,16 @@ mod tests {
         let (angle, rate) = (0.3, DVec2::new(0.05, 0.02));
         let (closed, here) = (slider(FrictionLaw::ReturnMapping, direction(angle)), pressed(rate));
         let forces = closed.forces(&here);
-        let action = Action { here, forces, force: DVec3::ZERO, node_arm: DVec3::ZERO, face_arm: DVec3::ZERO };
+        let zero = DVec3::ZERO;
+        let action = Action {
+            here,
+            forces,
+            force: zero,
+            node_arm: zero,
+            face_arm: zero,
+            couple: zero,
+            crossed: Crossed::SQUARE,
+        };
         let length = closed.law.slip_stretch(&here) + closed.solver.regularisation;
         let mut sliding = Sliding::default();
         sliding.follows([0, 0], &closed, direction(angle), &action, length);

@@ -66,10 +66,10 @@ impl Contacts {
         for (number, site) in model.contacts.iter().enumerate() {
             let Some(action) = self.action(model, number, frames) else { continue };
             if let Some(body) = site.node_body {
-                wrenches[body].push(action.force, action.node_arm);
+                wrenches[body].push_with(action.force, action.node_arm, action.couple);
             }
             if let Some(body) = site.face_body {
-                wrenches[body].push(-action.force, action.face_arm);
+                wrenches[body].push_with(-action.force, action.face_arm, -action.couple);
             }
         }
     }

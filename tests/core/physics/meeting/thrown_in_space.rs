@@ -2,7 +2,7 @@
 //! momentum stay, and the mirror image of a scene has the mirrored answer.
 
 use girderbench::scene::Scene;
-use girderbench::sim::History;
+use girderbench::sim::{EventKind, History};
 use girderbench::study::stability::family;
 use glam::DVec3;
 
@@ -64,6 +64,20 @@ fn forces_along_the_normals_keep_angular_momentum() {
         // Of one metre; it follows the tolerance.
         within(&format!("angular momentum, seed {seed}"), gained.length() / scale(&history), 1e-9);
     }
+}
+
+#[test]
+fn an_edge_that_slides_along_another_gains_no_energy() {
+    let mut moves = 0;
+    for seed in 0..SEEDS {
+        let history = run(&thrown(seed));
+        let energy = history.ledger(0.0).scale;
+        for event in history.events().iter().filter(|event| event.kind == EventKind::Moved) {
+            within(&format!("seed {seed} at {} s", event.t), event.released / energy, 1e-13);
+            moves += 1;
+        }
+    }
+    assert!(moves > 100, "edges slide: {moves} moves");
 }
 
 /// The mirror image of a scene, y to −y.

@@ -1,0 +1,118 @@
+//! Two straight edges across each other: the distance of their lines, and what acts between them
+//! (`docs/physics.md#edge-nodes`).
+//!
+//! In the axes `(t1, t2, n)` of a face with one edge along `t1` through the origin, the other edge has the direction
+//! `u` and a point at `(x, y, z)`. The common perpendicular is `n` turned about `t1` by the angle φ of `(u₂, u₃)`; in the turned
+//! axes that point is at
+//!
+//! ```text
+//! y' = y cos φ + z sin φ,   D = z cos φ − y sin φ,   φ̇ = a·Ω,   a = t1 − (u₁/h) t2',   h = ±√(u₂² + u₃²)
+//! ```
+//!
+//! with `D` the distance of the lines, whichever point is looked at, and Ω the angular velocity relative to the face. From
+//! `Ḋ = ż cos φ − ẏ sin φ − φ̇ y'` and `ẏ' = ẏ cos φ + ż sin φ + φ̇ D` follows what a normal force N and a tangential force T do to
+//! the bodies: both act at the point, and the couple `(T₂ D − N y') a` acts on the body of the edge, the opposite one on that of
+//! the face. The work of N is that of the distance: its line of action is the common perpendicular. `h` has the sign of `u₂`.
+
+use glam::DVec3;
+
+/// Turn of the common perpendicular of two edges about the first axis, from the third.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Crossed {
+    /// Cosine and sine of φ \[–\].
+    cos: f64,
+    sin: f64,
+    /// `u₁/h` \[–\].
+    shear: f64,
+}
+
+impl Crossed {
+    /// Edges that are not turned against the axes: a node before a face.
+    pub const SQUARE: Self = Self { cos: 1.0, sin: 0.0, shear: 0.0 };
+
+    /// Of an edge with this direction in the axes, which is not along the first one.
+    #[inline]
+    pub(super) fn of(edge: DVec3) -> Self {
+        let h = edge.y.hypot(edge.z).copysign(edge.y);
+        Self { cos: edge.y / h, sin: edge.z / h, shear: edge.x / h }
+    }
+
+    /// Components in the turned axes of a vector given in the axes.
+    #[inline]
+    pub(super) fn seen(self, v: DVec3) -> DVec3 {
+        DVec3::new(v.x, self.cos * v.y + self.sin * v.z, self.cos * v.z - self.sin * v.y)
+    }
+
+    /// Components in the axes of a vector given in the turned ones.
+    #[inline]
+    pub fn in_axes(self, v: DVec3) -> DVec3 {
+        DVec3::new(v.x, self.cos * v.y - self.sin * v.z, self.sin * v.y + self.cos * v.z)
+    }
+
+    /// The vector `a`, in the axes.
+    fn lever(self) -> DVec3 {
+        DVec3::new(1.0, -self.shear * self.cos, -self.shear * self.sin)
+    }
+
+    /// Rates of `(x, y', D)`, of a point `at` in the turned axes, from the rates of `(x, y, z)` and the angular velocity relative to
+    /// the face, both in the axes.
+    #[inline]
+    pub(super) fn rates(self, at: DVec3, rates: DVec3, spin: DVec3) -> DVec3 {
+        let turning = self.lever().dot(spin);
+        self.seen(rates) + turning * DVec3::new(0.0, at.z, -at.y)
+    }
+
+    /// Couple on the body of the edge besides the force at the point, of a point `at` and a force in the turned axes; in the axes
+    /// \[N·m\].
+    #[inline]
+    pub fn couple(self, at: DVec3, force: DVec3) -> DVec3 {
+        self.lever() * (force.y * at.z - force.z * at.y)
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    const EDGE: DVec3 = DVec3::new(0.3, -0.8, 0.25);
+    const AT: DVec3 = DVec3::new(0.7, 0.02, -0.03);
+
+    /// `(x, y', D)` of the point on the edge after a small motion.
+    fn after(spin: DVec3, rates: DVec3, dt: f64) -> DVec3 {
+        Crossed::of(EDGE + spin.cross(EDGE) * dt).seen(AT + rates * dt)
+    }
+
+    #[test]
+    fn the_distance_is_that_of_the_two_lines() {
+        let across = DVec3::X.cross(EDGE).normalize();
+        let along = AT.dot(across);
+        let found = Crossed::of(EDGE).seen(AT);
+        assert!((found.z.abs() - along.abs()).abs() < 1e-16, "{} m is not {along} m", found.z);
+        let other = Crossed::of(EDGE).seen(AT + 0.4 * EDGE);
+        assert!((other.z - found.z).abs() < 1e-16, "whichever point of the edge: {} m", other.z);
+        assert!(Crossed::of(EDGE).in_axes(DVec3::Z).z > 0.0, "outward");
+        assert!((Crossed::of(EDGE).in_axes(found) - AT).length() < 1e-16, "and back");
+    }
+
+    #[test]
+    fn rates_are_derivatives_and_the_forces_do_their_work() {
+        let (spin, rates) = (DVec3::new(0.9, -1.3, 0.4), DVec3::new(0.2, -0.5, 0.3));
+        let crossed = Crossed::of(EDGE);
+        let h = 1e-6;
+        let difference = (after(spin, rates, h) - after(spin, rates, -h)) / (2.0 * h);
+        let found = crossed.rates(crossed.seen(AT), rates, spin);
+        assert!((difference - found).length() < 1e-9, "{found} is not {difference}");
+        let force = DVec3::new(3.0, -5.0, 11.0);
+        let power = force.dot(found);
+        let couple = crossed.couple(crossed.seen(AT), force);
+        let done = crossed.in_axes(force).dot(rates) + couple.dot(spin);
+        assert!((power - done).abs() < 1e-13 * power.abs(), "{done} W is not {power} W");
+    }
+
+    #[test]
+    fn square_edges_are_a_node_before_a_face() {
+        let square = Crossed::of(DVec3::Y);
+        assert_eq!(square, Crossed::SQUARE);
+        assert_eq!([square.seen(AT), square.in_axes(AT)], [AT, AT]);
+    }
+}
