@@ -29,6 +29,8 @@ pub struct LinkNow {
     pub line: Vec<DVec3>,
     /// Force on the first point, world axes; the second feels its opposite \[N\].
     pub force: DVec3,
+    /// The same with the rest of the bearing that it is a part of, world axes \[N\].
+    pub reaction: DVec3,
     /// Distance to the beginning of its force; less the deformation while the force acts \[m\].
     pub gap: f64,
     /// Stored energy \[J\].
@@ -68,18 +70,33 @@ impl History {
         let device = &link.device;
         let (acts, [gap, _]) = (device.acts(&phase), device.gap(&phase, &motion));
         let ends = [0, 1].map(|i| frames[i].origin() + frames[i].turn(link.arms[i]));
-        let (force, stored, dissipated) = if acts {
-            let force = link.force(&phase, &motion, &frames[1]);
-            (force, device.stored_energy(&phase, &motion), device.dissipated_power(&phase, &motion))
+        let stored = device.stored_energy(&phase, &motion);
+        let (force, reaction, dissipated) = if acts {
+            let [force, reaction] = [Link::force, Link::reaction].map(|of| of(link, &phase, &motion, &frames[1]));
+            (force, reaction, device.dissipated_power(&phase, &motion))
         } else {
-            (DVec3::ZERO, device.stored_energy(&phase, &motion), 0.0)
+            (DVec3::ZERO, DVec3::ZERO, 0.0)
         };
         let follows_line = link.kinematics == Kinematics::Points && motion.placed.length() > 0.0;
         let own = if acts { device.force(&phase, &motion) } else { DVec3::ZERO };
         let along = Loop::of(&motion, own, follows_line);
         let (state, strength) = (device.state(&phase), device.strength());
         let line = device.centre_line(&phase, ends);
-        Some(LinkNow { link: number, phase, acts, state, strength, along, ends, line, force, gap, stored, dissipated })
+        Some(LinkNow {
+            link: number,
+            phase,
+            acts,
+            state,
+            strength,
+            along,
+            ends,
+            line,
+            force,
+            reaction,
+            gap,
+            stored,
+            dissipated,
+        })
     }
 
     /// Devices at `t`, in the order of their numbers.

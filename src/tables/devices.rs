@@ -58,7 +58,7 @@ pub(super) fn reports(history: &History) -> Vec<DeviceReport> {
 }
 
 /// The table: one row a change of phase, in order of time, the first phase of each link among them. Force on the first point in the new
-/// phase; deformation and gap as in that phase \[N, m\].
+/// phase, of a slider that of the whole bearing; deformation and gap as in that phase \[N, m\].
 ///
 /// # Errors
 /// What the writer says.
@@ -70,7 +70,7 @@ pub fn devices(history: &History, out: &mut dyn Write) -> std::io::Result<()> {
     changes.sort_by(|a, b| a.0.total_cmp(&b.0).then(a.1.cmp(&b.1)).then(a.2.cmp(&b.2)));
     let row = |(t, link, change): (f64, usize, usize)| {
         let now = history.link_in(link, history.link_phases(link)[change].1, t)?;
-        let [fx, fy, fz] = xyz(now.force);
+        let [fx, fy, fz] = xyz(now.reaction);
         let (name, state) =
             (history.model().links[link].name.clone(), Language::English.within(|| now.state.to_string()));
         let [deformation, gap] = [now.along.deformation[0], now.gap].map(number);

@@ -156,6 +156,7 @@ mod tests {
             ends: [DVec3::ZERO, DVec3::X * 2.0],
             line: Vec::new(),
             force: DVec3::ZERO,
+            reaction: DVec3::ZERO,
             gap,
             stored: 0.0,
             dissipated: 0.0,

@@ -50,6 +50,11 @@ pub trait Device: Connection<State = Phase, Motion = Separation> + std::fmt::Deb
         Text::new(if self.acts(phase) { "state-acts" } else { "state-open" })
     }
 
+    /// Force on the first point of what it is a part of: the whole bearing, where the device changes what another part of it has \[N\].
+    fn reaction(&self, phase: &Phase, motion: &Separation) -> DVec3 {
+        self.force(phase, motion)
+    }
+
     /// Force at which it first yields, or breaks where it does not yield \[N\]; none where it does neither.
     fn strength(&self) -> Option<f64> {
         None

@@ -89,6 +89,11 @@ impl Link {
         self.kinematics.in_world(&self.axes, second, self.device.force(phase, motion))
     }
 
+    /// Force of what its device is a part of on the first point, world axes \[N\].
+    pub fn reaction(&self, phase: &Phase, motion: &Separation, second: &Frame) -> DVec3 {
+        self.kinematics.in_world(&self.axes, second, self.device.reaction(phase, motion))
+    }
+
     /// Size that its coordinates round with \[m\].
     pub(in crate::dynamics) fn size(&self) -> f64 {
         self.placed().length() + self.arms.iter().map(|arm| arm.length()).sum::<f64>()

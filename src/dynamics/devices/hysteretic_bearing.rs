@@ -129,9 +129,17 @@ impl Device for Hysteresis {
         matches!(self, Hysteresis::PerAxis(_))
     }
 
-    /// Elastic, its hysteretic part at rest as placed.
-    fn initial(&self, _: &Separation) -> Phase {
-        Phase::default()
+    /// Its hysteretic part at rest as placed, and displaced from there in a straight line: elastic, with no more than Q.
+    fn initial(&self, motion: &Separation) -> Phase {
+        let moved = motion.moved.truncate();
+        let z = match *self {
+            Hysteresis::Circle(Play { stiffness, force }) => (moved * stiffness).clamp_length_max(force),
+            Hysteresis::PerAxis([x, y]) => DVec2::new(
+                (moved.x * x.stiffness).clamp(-x.force, x.force),
+                (moved.y * y.stiffness).clamp(-y.force, y.force),
+            ),
+        };
+        self.going_on(0, z, motion)
     }
 
     fn acts(&self, _: &Phase) -> bool {

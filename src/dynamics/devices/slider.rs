@@ -2,7 +2,8 @@
 //! (`docs/physics.md#sliders-in-space`). Its link has the ground as its second end and the girder's axes as placed; the vertical
 //! spring `k_z`, dashpot and preload P are the girder's bearing, as are horizontal springs and dashpots beside, which lift with it.
 //!
-//! In a dish of radius R the point rises by `h = u²/2R`: `N = P − k_z (w − h)`, the horizontal force is `−(N/R) u − z`. Friction:
+//! In a dish of radius R the point rises by `h = u²/2R`: spring and dashpot see `w − h`. With `N = P − k_z (w − h)` and
+//! `D = −c_z (ẇ − ḣ)` the vertical force is `N + D`, the horizontal one `−((N + D)/R) u − z`. Friction, of N without D:
 //! elastic `ż = k_t u̇`, `k_t` = `μP/u_y` constant, up to `Q = μN`; sliding, `z = Q (cos φ, sin φ)` with
 //! `φ̇ = (k_t/Q)(−sin φ u̇_x + cos φ u̇_y)` until `k_t n·u̇ − Q̇` turns. Where N falls to 0 the bearing is lifted: no force at all until
 //! it lands.
@@ -63,10 +64,25 @@ impl Slider {
         0.5 * moved.dot(self.beside[0] * moved)
     }
 
-    /// Its rate \[N/s\].
+    /// ḣ \[m/s\].
+    fn rising(&self, motion: &Separation) -> f64 {
+        self.curvature * motion.moved.truncate().dot(motion.rate.truncate())
+    }
+
+    /// Rate of N \[N/s\].
     fn normal_rate(&self, motion: &Separation) -> f64 {
-        let rising = self.curvature * motion.moved.truncate().dot(motion.rate.truncate());
-        -self.stiffness * (motion.rate.z - rising)
+        -self.stiffness * (motion.rate.z - self.rising(motion))
+    }
+
+    /// D \[N\].
+    fn damping_force(&self, motion: &Separation) -> f64 {
+        -self.damping * (motion.rate.z - self.rising(motion))
+    }
+
+    /// Horizontal force of a bearing that carries \[N\].
+    fn horizontal(&self, phase: &Phase, motion: &Separation) -> DVec2 {
+        let pressing = self.normal(motion) + self.damping_force(motion);
+        -motion.moved.truncate() * (self.curvature * pressing) - self.friction_force(phase, motion)
     }
 
     /// Q \[N\].
@@ -113,8 +129,8 @@ impl Connection for Slider {
             let across = springs * motion.moved.truncate() + dashpots * motion.rate.truncate();
             return across.extend(self.stiffness * w + self.damping * rate - self.load);
         }
-        let pendulum = motion.moved.truncate() * (self.curvature * self.normal(motion));
-        (-pendulum - self.friction_force(phase, motion)).extend(self.stiffness * self.rise(motion))
+        let upwards = self.stiffness * self.rise(motion) + self.damping * self.rising(motion);
+        self.horizontal(phase, motion).extend(upwards)
     }
 
     /// Beside the girder's bearing `k_z w²/2 − P w`: `h (P − k_z w + k_z h/2) + z²/(2 k_t)`; lifted, what leaves nothing of it
@@ -130,14 +146,14 @@ impl Connection for Slider {
     }
 
     fn dissipated_power(&self, phase: &Phase, motion: &Separation) -> f64 {
-        match phase.law {
-            SLIDING => self.limit(motion) * self.slip_rate(phase, motion),
-            LIFTED => {
-                let rate = motion.rate;
-                -rate.dot(self.beside[1].extend(self.damping) * rate)
-            }
-            _ => 0.0,
+        if phase.law == LIFTED {
+            let rate = motion.rate;
+            return -rate.dot(self.beside[1].extend(self.damping) * rate);
         }
+        let sliding = if phase.law == SLIDING { self.limit(motion) * self.slip_rate(phase, motion) } else { 0.0 };
+        // c_z (ẇ − ḣ)² less the c_z ẇ² of the girder's bearing.
+        let rising = self.rising(motion);
+        sliding + self.damping * rising * (rising - 2.0 * motion.rate.z)
     }
 
     fn stiffness_bound(&self, _: &Phase) -> f64 {
@@ -145,14 +161,33 @@ impl Connection for Slider {
     }
 
     fn damping_bound(&self, phase: &Phase) -> f64 {
-        if phase.law == LIFTED { self.damping.max(self.beside[1].max_element()) } else { 0.0 }
+        if phase.law == LIFTED {
+            self.damping.max(self.beside[1].max_element())
+        } else if self.curvature > 0.0 {
+            self.damping
+        } else {
+            0.0
+        }
     }
 }
 
 impl Device for Slider {
-    /// At rest as placed under its preload.
+    /// Without friction as placed under its preload, and displaced from there in a straight line.
     fn initial(&self, motion: &Separation) -> Phase {
-        if self.normal(motion) > 0.0 { Phase::default() } else { Phase { law: LIFTED, ..Phase::default() } }
+        if self.normal(motion) > 0.0 {
+            let spring = motion.moved.truncate() * self.tangential();
+            self.elastic(spring.clamp_length_max(self.limit(motion)), motion)
+        } else {
+            Phase { law: LIFTED, ..Phase::default() }
+        }
+    }
+
+    /// Of the bearing beside as well: N + D, and nothing where it is lifted.
+    fn reaction(&self, phase: &Phase, motion: &Separation) -> DVec3 {
+        if phase.law == LIFTED {
+            return DVec3::ZERO;
+        }
+        self.horizontal(phase, motion).extend(self.normal(motion) + self.damping_force(motion))
     }
 
     fn acts(&self, _: &Phase) -> bool {

@@ -114,6 +114,11 @@ impl Device for Support {
         self.law.as_ref().and_then(|law| law.strength())
     }
 
+    /// Nothing of a bearing that is lost.
+    fn reaction(&self, phase: &Phase, motion: &Separation) -> DVec3 {
+        self.standing(phase).map_or(DVec3::ZERO, |law| law.reaction(phase, motion))
+    }
+
     fn is_lost(&self, phase: &Phase) -> bool {
         phase.law == LOST
     }

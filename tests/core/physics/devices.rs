@@ -287,6 +287,32 @@ fn a_mass_on_a_bearing_that_yields_keeps_to_its_closed_form() {
 }
 
 #[test]
+fn a_bearing_that_starts_displaced_beyond_its_yield_starts_with_its_yield_force() {
+    // Let go at rest at u₀ = 0.2 m: k₁ unloads to z = 0 where u₀ − u = Q/(k₁ − k₂), and no energy comes from nothing.
+    for per_axis in [false, true] {
+        let words = format!(
+            "initial = {{ displacement_m = [0.2, 0.0] }}\nbearings = [{{ at_m = [0.0, 0.0], \
+             stiffness_n_per_m = [10.0, 10.0], damping_n_s_per_m = [0.0, 0.0], yield_force_n = 0.55, \
+             yield_displacement_m = 0.01, yields_per_axis = {per_axis} }}]"
+        );
+        let history = run(&girder(90.0, &words, [0.0, 1.0, 0.0], 0.6), Vec::new());
+        let books = history.ledger(0.6);
+        within("ledger", books.residual / books.scale, 1e-12);
+        within(
+            "energy at the start",
+            history.ledger(0.0).scale - (0.5 * 10.0 * 0.04 + 0.55 * 0.55 / (2.0 * 55.0)),
+            1e-13,
+        );
+        within("force at the start", history.link(0, 0.0).expect("a link").force.x + 0.55, 1e-13);
+        // m = 2 kg: u = u₀ − (k₂ u₀ + Q)/k₁ (1 − cos ωt), ω² = k₁/m.
+        let (force, omega) = (10.0 * 0.2 + 0.55, (65.0f64 / 2.0).sqrt());
+        let t = 0.05;
+        let expected = 0.2 - force / 65.0 * (1.0 - (omega * t).cos());
+        within("unloads with k₁", history.motion(0, t).displacement.x - expected, 1e-11);
+    }
+}
+
+#[test]
 fn a_cable_that_yields_catches_a_mass_as_in_closed_form() {
     let cable = Restrainer {
         length: 0.1,

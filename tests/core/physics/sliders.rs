@@ -233,6 +233,22 @@ fn a_pendulum_in_space_rises_in_its_dish_and_keeps_its_energy() {
 }
 
 #[test]
+fn the_vertical_dashpot_of_a_pendulum_does_not_brake_its_swing() {
+    // u²/2R is 45 mm: a dashpot on the rate of w would take four fifths of the energy at a damping of 0.3.
+    let amplitude = |damping: f64| {
+        let words = format!("initial = {{ displacement_m = [0.3, 0.0, 0.045] }}\n{}", deck_sliders(1e-4, 1.0, damping));
+        let history = run(&in_space(&words, 0.0, 1.6));
+        balanced(&history, 1e-9);
+        let least = (0..=160).map(|i| history.motion(0, 0.01 * f64::from(i)).displacement.x).fold(0.0, f64::min);
+        -least
+    };
+    for damping in [0.0, 0.02, 0.1, 0.3] {
+        // μ = 1e-4 takes 2 μ R.
+        within(&format!("amplitude at {damping}"), amplitude(damping) - (0.3 - 2e-4), 3e-4);
+    }
+}
+
+#[test]
 fn sliders_in_space_without_vertical_motion_are_those_in_plan() {
     let legs = "[[4, 1.5], [4, -1.5], [-4, 1.5], [-4, -1.5]]";
     let bearings = |more: &str| {
