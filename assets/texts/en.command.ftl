@@ -20,10 +20,17 @@ run-ledger = ledger residual
 run-time-taken = run time
 run-digest = digest
 run-overlap = overlap
+run-uplift = uplift
+run-tilt = largest tilt
+run-total = force of two bodies
 run-gave-up-at = at { $t } s, { $place }: { $reason }
+run-lifts-at = { $bearing } carries nothing at { $t } s: it lifts
+run-pulls-at = { $bearing } carries nothing at { $t } s and then pulls, by up to { $pull } at { $tp } s: no uplift is in its law
+run-total-at = { $force } at { $t } s, all contacts between two bodies together
+run-pair-total = , { $total } of all contacts together
 run-lost-at = { $bearing } at { $t } s, at ({ $x }, { $y }) m: later samples are without it
 run-pier-yields = ; it yields from { $t } s on
-run-pier-numbers = T { $along } s along, { $across } s across; drift { $drift } mm at { $td } s, base shear { $shear } at { $ts } s{ $yielded }
+run-pier-numbers = alone T { $along } s along, { $across } s across; drift { $drift } mm at { $td } s, base shear { $shear } at { $ts } s{ $yielded }
 run-pier = pier { $name }
 run-overlap-of = { $one } and { $other }, without contact: from { $t } s, { $depth } mm deep at { $td } s
 run-overlap-more = { $more } more
@@ -37,7 +44,7 @@ run-no-contact = no contact
 run-impulse-at = { $impulse } N·s at { $t } s
 run-hits-of = { $hits } ({ $touches } touches of single contacts)
 run-stick-slip-of = { $stick } s, { $slip } s, summed over contacts
-run-pair-of = law { $law }, { $touches } touches, peak { $peak }
+run-pair-of = law { $law }, { $touches } touches, peak { $peak } of a corner{ $total }
 run-pair = pair { $name }
 run-soil-of = pushed { $push } mm at { $t } s with { $force }, { $share } % of its ultimate force; a gap of { $gap } mm stays
 run-soil = soil { $name }
@@ -145,6 +152,9 @@ check-seats = seats: { $given }{ $wider }
 check-no-bearings = no bearings
 check-bearings = { $count } bearings: ω_x, ω_y, ω_θ = { $omega } rad/s ({ $hertz } Hz); h_x, h_y, h_θ = { $damping }
 check-bearings-b = eccentricities of stiffness ε_x, ε_y = { $stiffness }, of dashpots η_x, η_y = { $dashpots }
+check-density = its mass is { $density } kg/m³ of its size, concrete has 2500, steel 7850: is mass_kg in kg?
+check-tips = its bearings cannot carry its weight without a moment, as on one line beside or under G: it tips over as soon as it is free to
+check-pulled = bearing { $number } is pulled by { $pull } kN at rest: it holds the girder down
 check-vertical = vertical: ω_z = { $omega } rad/s ({ $hertz } Hz), h_z = { $ratio }
 check-can-rotate = it can rotate
 check-cannot-rotate = it cannot rotate by itself

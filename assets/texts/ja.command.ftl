@@ -20,10 +20,17 @@ run-ledger = 収支の残差
 run-time-taken = 計算時間
 run-digest = ダイジェスト
 run-overlap = 重なり
+run-uplift = 浮き上がり
+run-tilt = 最大傾斜角
+run-total = 二物体間の力
 run-gave-up-at = { $t } s、{ $place }：{ $reason }
+run-lifts-at = { $bearing } は { $t } s に荷重が零となり、浮き上がる
+run-pulls-at = { $bearing } は { $t } s に荷重が零となり、その後最大 { $pull } で引く（{ $tp } s）：この支承の則に浮き上がりはない
+run-total-at = { $force }（{ $t } s）、二物体間の全接触の和
+run-pair-total = 、全接触の和は { $total }
 run-lost-at = { $bearing }：{ $t } s、({ $x }, { $y }) m。以後の値はこの支承なし
 run-pier-yields = 。{ $t } s から降伏
-run-pier-numbers = T 橋軸 { $along } s、直角 { $across } s。変位 { $drift } mm（{ $td } s）、基部せん断力 { $shear }（{ $ts } s）{ $yielded }
+run-pier-numbers = 単独で T 橋軸 { $along } s、直角 { $across } s。変位 { $drift } mm（{ $td } s）、基部せん断力 { $shear }（{ $ts } s）{ $yielded }
 run-pier = 橋脚 { $name }
 run-overlap-of = { $one } と { $other }、接触なし：{ $t } s から、最大 { $depth } mm（{ $td } s）
 run-overlap-more = ほか { $more } 件
@@ -37,7 +44,7 @@ run-no-contact = 接触なし
 run-impulse-at = { $impulse } N·s（{ $t } s）
 run-hits-of = { $hits } 回（接触点ごとには { $touches } 回）
 run-stick-slip-of = { $stick } s、{ $slip } s（全接触の和）
-run-pair-of = 摩擦則は{ $law }、接触 { $touches } 回、最大 { $peak }
+run-pair-of = 摩擦則は{ $law }、接触 { $touches } 回、一隅の最大 { $peak }{ $total }
 run-pair = 組 { $name }
 run-soil-of = { $t } s に { $push } mm 押され { $force }、終局の力の { $share } %。{ $gap } mm の隙間が残る
 run-soil = 背面土 { $name }
@@ -145,6 +152,9 @@ check-seats = 桁かかり：{ $given }{ $wider }
 check-no-bearings = 支承なし
 check-bearings = 支承 { $count } 個：ω_x, ω_y, ω_θ = { $omega } rad/s（{ $hertz } Hz）、h_x, h_y, h_θ = { $damping }
 check-bearings-b = 偏心：剛性 ε_x, ε_y = { $stiffness }、ダッシュポット η_x, η_y = { $dashpots }
+check-density = 質量は寸法に対して { $density } kg/m³（コンクリート 2500、鋼 7850）：mass_kg の単位は kg か
+check-tips = 支承だけでは自重をモーメントなしに支えられない（一直線上、または重心の片側）：自由になると傾いて転倒する
+check-pulled = 支承 { $number } は静止時に { $pull } kN で引かれ、桁を押さえている
 check-vertical = 鉛直：ω_z = { $omega } rad/s（{ $hertz } Hz）、h_z = { $ratio }
 check-can-rotate = 回転しうる
 check-cannot-rotate = 自らは回転しない

@@ -114,12 +114,12 @@ fn turning(seat: &SeatReport) -> Option<String> {
     ))
 }
 
-fn row(DemandReport { demand, met, .. }: &DemandReport) -> String {
+fn row(DemandReport { demand, .. }: &DemandReport) -> String {
     let assumed = demand.inputs.iter().any(|input| input.source == Source::Assumed);
     let marks =
         [(!demand.confirmed, "*"), (assumed, "°")].map(|(marked, mark)| if marked { mark } else { "" }).concat();
     let [needed, there, used] = [demand.required, demand.provided, demand.used].map(|metres| 1e3 * metres);
-    let verdict = if *met { String::new() } else { format!("  {}", Text::new("too-short")) };
+    let verdict = if demand.holds() { String::new() } else { format!("  {}", demand.verdict()) };
     let rule = left(&format!("{} {marks}", demand.rule), 39);
     format!("    {rule} {needed:>8.1} {there:>8.1} {used:>8.1}{verdict}\n")
 }

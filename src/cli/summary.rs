@@ -8,7 +8,8 @@ use crate::scene::keys::word_told;
 use crate::scene::shown::{escaped, shown};
 use crate::sim::moving_ground::MovedSupport;
 use crate::tables::{
-    DeviceReport, LostReport, OutsideReport, OverlapReport, PassedReport, PierReport, Report, VerdictReport,
+    DeviceReport, LostReport, OutsideReport, OverlapReport, PassedReport, PierReport, Report, UpliftReport,
+    VerdictReport,
 };
 
 /// So many quantities outside the domain, and as many overlaps, are listed; `summary.json` has all.
@@ -56,12 +57,14 @@ fn head(report: &Report) -> Vec<Line> {
         )
     });
     let lost = report.lost_supports.iter().take(MOST_LISTED).map(lost);
+    let uplifts = report.uplifts.iter().take(MOST_LISTED).map(uplift);
     let moves = |support: &MovedSupport| line(Text::new("run-ground-under"), moved::words(support));
     model
         .into_iter()
         .chain(report.moved_supports.iter().take(MOST_LISTED).map(moves))
         .chain(gave_up)
         .chain(lost)
+        .chain(uplifts)
         .chain(outside)
         .chain(overlaps(&report.overlaps))
         .chain(law_sense(report))
@@ -71,7 +74,7 @@ fn head(report: &Report) -> Vec<Line> {
 
 /// A limit of the scene that was passed.
 fn limit(passed: &PassedReport) -> Line {
-    let (t, reached) = (format!("{:.4}", passed.t), format!("{:.6}", passed.reached));
+    let (t, reached) = (format!("{:.4}", passed.t), passed.reached());
     let whose = escaped(&passed.whose);
     line(
         Text::new("run-limit"),
@@ -92,6 +95,18 @@ fn lost(lost: &LostReport) -> Line {
             "y" => format!("{y:.4}")
         ),
     )
+}
+
+/// A bearing that stopped carrying.
+fn uplift(uplift: &UpliftReport) -> Line {
+    let UpliftReport { bearing, t, pull, pull_t, .. } = uplift;
+    let (bearing, t) = (escaped(bearing), format!("{t:.4}"));
+    let value = if *pull > 0.0 {
+        said!("run-pulls-at", "bearing" => bearing, "t" => t, "pull" => force(*pull), "tp" => format!("{pull_t:.4}"))
+    } else {
+        said!("run-lifts-at", "bearing" => bearing, "t" => t)
+    };
+    line(Text::new("run-uplift"), value)
 }
 
 /// What the run did to a pier.
@@ -226,6 +241,13 @@ fn answer(report: &Report) -> Vec<Line> {
         line(Text::new("run-rotation"), format!("{:.4}°", n.max_rotation.to_degrees())),
         line(Text::new("run-force"), peak),
     ];
+    if let Some(tilt) = report.max_tilt {
+        lines.insert(2, line(Text::new("run-tilt"), format!("{:.4}°", tilt.to_degrees())));
+    }
+    if let Some(t) = n.peak_total_time {
+        let total = said!("run-total-at", "force" => force(n.peak_total), "t" => format!("{t:.6}"));
+        lines.push(line(Text::new("run-total"), total));
+    }
     if let (Some(impulse), Some(t)) = (n.peak_impulse, n.peak_time) {
         lines.push(line(
             Text::new("run-impulse"),
@@ -241,7 +263,8 @@ fn answer(report: &Report) -> Vec<Line> {
     ]);
     lines.extend(report.pairs.iter().map(|pair| {
         let law = word_told(FrictionLaw::WORDS, pair.law);
-        let value = said!("run-pair-of", "law" => law, "touches" => pair.touches, "peak" => force(pair.peak_force));
+        let total = pair.peak_total.map_or(String::new(), |total| said!("run-pair-total", "total" => force(total)));
+        let value = said!("run-pair-of", "law" => law, "touches" => pair.touches, "peak" => force(pair.peak_force), "total" => total);
         line(said!("run-pair", "name" => pair.name.as_str()), value)
     }));
     lines.extend(report.backfill.iter().map(|soil| {

@@ -112,6 +112,20 @@ impl Demand {
     pub fn is_met(&self) -> bool {
         self.provided >= self.required
     }
+
+    /// Whether it is, and the run did not use it up: a code's number is no more than a demand.
+    pub fn holds(&self) -> bool {
+        self.is_met() && self.used < self.provided
+    }
+
+    /// The same in a word.
+    pub fn verdict(&self) -> Text {
+        match (self.is_met(), self.holds()) {
+            (false, _) => Text::new("too-short"),
+            (true, false) => Text::new("used-up"),
+            (true, true) => Text::new("long-enough"),
+        }
+    }
 }
 
 impl Case<'_> {

@@ -17,10 +17,18 @@ use std::ops::Range;
 pub use demand::{Case, Demand, Input, Source};
 pub use rotation::{RotationCondition, rotation_to_zero};
 
-use crate::scene::{Codes, Scene};
+use crate::scene::{Codes, Scene, Support};
 use crate::sim::History;
 use crate::sim::seats::{self, Seat};
 use demand::Code;
+
+/// Length of a seat square to its edge that codes ask for whatever a run gives, of a span \[m\] with a skew angle \[degrees\]: `S_EM` and,
+/// where it is skewed, `S_Eθ` of JRA, and the least of Caltrans at an abutment \[m\].
+pub fn least_seat(span: f64, skew_deg: f64) -> f64 {
+    let angle = skew_deg.min(180.0 - skew_deg).to_radians();
+    let turned = if skew_deg == 90.0 { 0.0 } else { jra::of_rotation(span, angle, jra::ROTATION_DEG.to_radians()) };
+    jra::least(span).max(caltrans::seat_width(0.0, Support::Abutment)).max(turned)
+}
 
 /// Every code, in the order of the tables.
 const ALL: [&dyn Code; 5] =

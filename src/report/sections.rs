@@ -76,6 +76,7 @@ pub(super) fn headline(report: &Report) -> String {
         fact(Text::new("report-computed"), computed),
         fact(Text::new("report-max-displacement"), format!("{:.2} mm", 1e3 * n.max_displacement)),
         fact(Text::new("report-max-rotation"), format!("{:.4}°", n.max_rotation.to_degrees())),
+        fact(Text::new("report-max-total"), format!("{:.1} kN", n.peak_total / 1e3)),
         fact(Text::new("report-max-force"), format!("{:.1} kN", n.peak_force / 1e3)),
         fact(Text::new("report-hits"), format!("{}", n.hits)),
     ])
@@ -238,7 +239,7 @@ pub(super) fn limits(history: &History, report: &Report) -> String {
             "whose" => passed.whose.as_str(),
             "limit" => passed.limit,
             "t" => format!("{:.4}", passed.t),
-            "reached" => trimmed(passed.reached)
+            "reached" => passed.reached()
         );
         let _ = writeln!(html, "<p class=\"no\">{}</p>", escape(&words));
     }
@@ -308,7 +309,7 @@ fn input_words(input: &Input) -> String {
     format!("{} = {}{space}{}", escape(input.symbol), trimmed(input.value), input.unit)
 }
 
-fn demand_row(DemandReport { demand, met, ratio }: &DemandReport) -> String {
+fn demand_row(DemandReport { demand, ratio, .. }: &DemandReport) -> String {
     let inputs: Vec<String> = demand
         .inputs
         .iter()
@@ -317,8 +318,8 @@ fn demand_row(DemandReport { demand, met, ratio }: &DemandReport) -> String {
             format!("{} <span class=\"{class}\">({})</span>", input_words(input), source(input.source))
         })
         .collect();
-    let (class, words) = if *met { ("yes", Text::new("long-enough")) } else { ("no", Text::new("too-short")) };
-    let verdict = format!("<span class=\"{class}\">{words}</span>");
+    let class = if demand.holds() { "yes" } else { "no" };
+    let verdict = format!("<span class=\"{class}\">{}</span>", demand.verdict());
     let doubt = || format!(" <b class=\"part\">{}</b>", Text::new("report-not-confirmed"));
     let confirmed = if demand.confirmed { String::new() } else { doubt() };
     format!(

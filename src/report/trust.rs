@@ -6,7 +6,8 @@ use crate::language::{Text, said};
 use crate::study::plot::draw::escape;
 use crate::tables::Report;
 
-/// Where the answer does not hold, a line each: bodies inside each other without a contact, contacts beyond the sense of their law.
+/// Where the answer does not hold or a designer must look, a line each: bearings that lift or pull, bodies inside each other without a
+/// contact, contacts beyond the sense of their law.
 pub(super) fn departures(report: &Report) -> String {
     let millimetres = |metres: f64| format!("{:.3} mm", 1e3 * metres);
     let time = |t: f64| format!("{t:.4}");
@@ -24,8 +25,17 @@ pub(super) fn departures(report: &Report) -> String {
         let (node, face, share) = (dropped.node.as_str(), dropped.face.as_str(), trimmed(100.0 * dropped.share));
         said!("dropped", "node" => node, "face" => face, "t" => time(dropped.t), "share" => share)
     });
+    let kilonewtons = |newtons: f64| format!("{:.1} kN", newtons / 1e3);
+    let uplifts = report.uplifts.iter().map(|uplift| {
+        let (bearing, t) = (uplift.bearing.as_str(), time(uplift.t));
+        if uplift.pull > 0.0 {
+            said!("bearing-pulls", "bearing" => bearing, "t" => t, "pull" => kilonewtons(uplift.pull))
+        } else {
+            said!("bearing-lifts", "bearing" => bearing, "t" => t)
+        }
+    });
     let line = |words: String| format!("<p class=\"no\">{}</p>\n", escape(&words));
-    overlaps.chain(deep).chain(dropped).map(line).collect()
+    uplifts.chain(overlaps).chain(deep).chain(dropped).map(line).collect()
 }
 
 /// Error, ledger, versions and digest.

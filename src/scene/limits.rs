@@ -16,7 +16,9 @@ table! {
         drift: Option<f64> = "drift_m" as "field-drift-limit", Range::NotNegative, NONE,
             "largest distance of any corner in plan from where it was placed, m";
         remaining_seat: Option<f64> = "remaining_seat_m" as "field-seat-to-remain", Range::NotNegative, NONE,
-            "least seat that remains under every end that has one (seat_m), m";
-        force: Option<f64> = "force_n" as "field-force-limit", Range::NotNegative, NONE, "largest force of any contact, N";
+            "least seat that remains under every end that has one (seat_m), square to its edge, m";
+        force: Option<f64> = "force_n" as "field-force-limit", Range::NotNegative, NONE, "largest force of any contact, a single corner, N";
+        total_force: Option<f64> = "total_force_n" as "field-total-force-limit", Range::NotNegative, NONE,
+            "largest force between any two bodies, all their contacts together, N";
     }
 }

@@ -27,6 +27,7 @@ pub mod quantity;
 pub mod readings;
 mod recent_steps;
 mod report;
+mod resultants;
 pub mod seat_on;
 pub mod seats;
 pub mod section_field;
@@ -36,6 +37,7 @@ pub mod spectra;
 mod summary;
 mod supports;
 mod touches;
+mod uplift;
 pub mod verdict;
 
 pub use backfill::{BackfillReading, SoilNow, WallNow};
@@ -56,5 +58,6 @@ pub use section_quantity::OfSection;
 pub use session::{Reached, Session};
 pub use summary::Summary;
 pub use supports::LostSupport;
+pub use uplift::Uplift;
 
 pub use crate::dynamics::impact2d::{Hit, LastingInterval, Record, Row, State, Transition};

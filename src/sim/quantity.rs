@@ -80,6 +80,8 @@ pub enum OfCorner {
 pub enum OfPair {
     /// Largest `|R_k|` of its contacts.
     Force,
+    /// |Σ `R_k`| of all contacts between its two bodies.
+    Total,
     /// Least gap of its nodes; negative in contact.
     Gap,
 }
@@ -128,7 +130,7 @@ pub enum Quantity {
     Girder(usize, OfGirder),
     /// Of a girder's corner in plan, by both numbers.
     Corner(usize, usize, OfCorner),
-    /// What remains of a seat under the end of a girder, along the axis; of a seat without length, how far the end has moved off, negative.
+    /// What remains of a seat under the end of a girder, square to its edge; of a seat without length, how far the end has moved off, negative.
     Seat(usize, End),
     /// Of a pier, by its number.
     Pier(usize, OfPier),
@@ -159,7 +161,7 @@ const OF_GIRDER: [(&str, OfGirder); 7] = [
 ];
 const OF_PIER: [(&str, OfPier); 2] = [("drift", OfPier::Drift), ("shear", OfPier::Shear)];
 const OF_CORNER: [(&str, OfCorner); 3] = [("x", OfCorner::X), ("y", OfCorner::Y), ("drift", OfCorner::Drift)];
-const OF_PAIR: [(&str, OfPair); 2] = [("force", OfPair::Force), ("gap", OfPair::Gap)];
+const OF_PAIR: [(&str, OfPair); 3] = [("force", OfPair::Force), ("total", OfPair::Total), ("gap", OfPair::Gap)];
 const OF_CONTACT: [(&str, OfContact); 7] = [
     ("normal", OfContact::Normal),
     ("tangential", OfContact::Tangential),
@@ -273,7 +275,7 @@ impl Quantity {
             Self::Section(_, _, OfSection::Moment | OfSection::VerticalMoment | OfSection::Torque) => Unit::NewtonMetre,
             Self::Section(_, _, OfSection::Stress) => Unit::Pascal,
             Self::Section(..)
-            | Self::Pair(_, P::Force)
+            | Self::Pair(_, P::Force | P::Total)
             | Self::Pier(_, OfPier::Shear)
             | Self::Contact(_, C::Normal | C::Tangential | C::Force)
             | Self::Bearing(_, _, OfBearing::Force(_))
@@ -297,7 +299,7 @@ impl Quantity {
                     OfCorner::Drift => way.truncate().length(),
                 }
             }
-            Self::Seat(i, end) if i < model.bodies.len() => seats::remaining_along_axis(history, i, end, t),
+            Self::Seat(i, end) if i < model.bodies.len() => seats::remaining(history, i, end, t),
             Self::Pier(i, what) => history.pier(i, t).map_or(0.0, |now| {
                 let vector = if what == OfPier::Drift { now.displacement } else { now.shear };
                 vector.truncate().length()
@@ -305,6 +307,7 @@ impl Quantity {
             Self::Section(i, station, what) => section_quantity::at(history, i, station, what, t),
             Self::Pair(i, what) if i < model.pairs.len() => match what {
                 OfPair::Gap => readings::gap(history, i, t),
+                OfPair::Total => history.resultant(i, t).length(),
                 OfPair::Force => model.pairs[i]
                     .nodes()
                     .filter_map(|c| history.contact_at(c, t))

@@ -24,6 +24,8 @@ pub struct Reading {
     pub gap: Option<Extreme>,
     /// Largest `|R_k|` of its pairs; nothing where it touched nobody \[N\].
     pub force: Option<Extreme>,
+    /// When it has tipped in space, and its largest tilt \[s, rad\]; nothing where it stays upright.
+    pub tipped: Option<(f64, f64)>,
 }
 
 /// A limit that was passed.
@@ -98,6 +100,7 @@ pub fn reading(history: &History, girder: usize) -> Reading {
         seats: seats::of_girder(history, girder),
         gap: gaps.reduce(|a, b| if b.value < a.value { b } else { a }),
         force: hardest.map(|touch| Extreme { value: touch.peak_force, t: touch.peak_time }),
+        tipped: history.tipped(girder),
     }
 }
 
@@ -127,7 +130,7 @@ pub(super) fn largest_of_each<const N: usize>(times: &[f64], values: impl Fn(f64
 }
 
 /// When a function first rises above 0, to a part in a thousand million of the run \[s\].
-fn first(times: &[f64], end: f64, value: impl Fn(f64) -> f64) -> Option<f64> {
+pub(super) fn first(times: &[f64], end: f64, value: impl Fn(f64) -> f64) -> Option<f64> {
     let seen = times.iter().position(|&t| value(t) > 0.0)?;
     let (mut below, mut above) = (times[seen.saturating_sub(1)], times[seen]);
     while above - below > 1e-9 * end {
@@ -154,6 +157,9 @@ pub fn passed(history: &History) -> Vec<Passed> {
     if let Some(limit) = limits.force {
         all.extend(of_forces(history, limit));
     }
+    if let Some(limit) = limits.total_force {
+        all.extend(of_resultants(history, limit));
+    }
     all.sort_by(|a, b| a.t.total_cmp(&b.t));
     all
 }
@@ -179,9 +185,22 @@ fn of_girder(history: &History, girder: usize, name: &str, all: &mut Vec<Passed>
     }
     for end in End::BOTH {
         if let Some(least) = limits.remaining_seat.filter(|_| seats::length(history, girder, end).is_some()) {
-            watch("remaining_seat_m", least, -1.0, &|t| seats::remaining_along_axis(history, girder, end, t));
+            watch("remaining_seat_m", least, -1.0, &|t| seats::remaining(history, girder, end, t));
         }
     }
+}
+
+/// Every two bodies whose force passes a limit, all contacts between them together: when it first does so.
+fn of_resultants(history: &History, limit: f64) -> Vec<Passed> {
+    let passed = |(pair, hits): (usize, Vec<(f64, Extreme)>)| {
+        let mut over = hits.iter().filter(|(_, most)| most.value > limit);
+        let &(start, most) = over.next()?;
+        let force = |t: f64| history.resultant(pair, t).length() - limit;
+        let t = first(&[start, most.t], history.end(), force).unwrap_or(most.t);
+        let reached = over.map(|(_, most)| most.value).fold(most.value, f64::max);
+        Some(Passed { limit: "total_force_n", whose: history.model().pairs[pair].name.clone(), t, reached })
+    };
+    history.hits_between().into_iter().filter_map(passed).collect()
 }
 
 /// The first touch of each pair whose force passes a limit, when its force does so.

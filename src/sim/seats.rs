@@ -152,13 +152,13 @@ pub(super) fn length(history: &History, girder: usize, end: End) -> Option<f64> 
     history.scene().girders.get(girder)?.seat.length(end)
 }
 
-/// What remains of a seat along the axis at its worse corner; of a seat without length how far the end has moved off, negative
+/// What remains of a seat at its worse corner, square to its edge; of a seat without length how far the end has moved off, negative
 /// \[m\].
-pub(super) fn remaining_along_axis(history: &History, girder: usize, end: End, t: f64) -> f64 {
+pub(super) fn remaining(history: &History, girder: usize, end: End, t: f64) -> f64 {
     let ledge = Ledge::of(history, girder, end).unwrap_or_else(|| Ledge::without_length(history, girder, end));
     let over = Over::at(history, girder, &ledge, t);
     let remaining = Prism::end_corners(end).map(|corner| ledge.remaining(over.shift(history, corner)));
-    remaining[0].min(remaining[1]) / ledge.sine
+    remaining[0].min(remaining[1])
 }
 
 /// What remains at both corners of an end, square to the edge, and where they are along it, at a time \[m\].

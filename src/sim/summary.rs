@@ -12,6 +12,10 @@ pub struct Summary {
     pub max_rotation: f64,
     /// Largest |`R_k`| of any contact \[N\].
     pub peak_force: f64,
+    /// Largest force between two bodies, of all their contacts together \[N\].
+    pub peak_total: f64,
+    /// When \[s\].
+    pub peak_total_time: Option<f64>,
     /// Largest impulse of a hit; nothing under the contact model \[N·s\].
     #[serde(skip_serializing_if = "Option::is_none")]
     pub peak_impulse: Option<f64>,
@@ -32,10 +36,14 @@ impl History {
     pub fn summary(&self) -> Summary {
         let touches = self.touches();
         let hardest = self.hardest();
+        let totals = self.largest_resultants().into_iter().map(|(_, most)| most);
+        let total = totals.reduce(|a, b| if b.value > a.value { b } else { a });
         Summary {
             max_displacement: self.largest_displacement(),
             max_rotation: self.largest_rotation(),
             peak_force: self.largest_force(),
+            peak_total: total.map_or(0.0, |most| most.value),
+            peak_total_time: total.map(|most| most.t),
             peak_impulse: self.largest_impulse(),
             peak_time: hardest.map(|touch| touch.peak_time),
             touches: touches.len(),

@@ -36,6 +36,17 @@ pub enum Verdict {
         /// The seat as placed, square to the front edge \[m\].
         placed: f64,
     },
+    /// The girder tips over in space: what remains of a seat in plan says nothing then.
+    Tipped {
+        /// When \[s\].
+        t: f64,
+        /// Its largest tilt \[rad\].
+        tilt: f64,
+        /// The end with the least left.
+        end: End,
+        /// Its corner with the least left, by its number in plan.
+        corner: usize,
+    },
     /// A corner comes off, and its end is not lost.
     CornerOff {
         /// Which end.
@@ -64,12 +75,18 @@ pub enum Verdict {
 
 /// The verdict on a girder; none where the scene gives it no seats.
 pub fn verdict(history: &History, girder: usize) -> Option<Verdict> {
-    of_seats(&seats::of_girder(history, girder), history.first_lost_bearing(girder))
+    of_seats(&seats::of_girder(history, girder), history.first_lost_bearing(girder), history.tipped(girder))
 }
 
-/// The verdict on the seats of one girder, of which a bearing has lost its support, number and time \[s\]; none without seats.
-pub fn of_seats(seats: &[Seat], bearing: Option<(usize, f64)>) -> Option<Verdict> {
-    lost(seats).or_else(|| corner_off(seats)).or_else(|| stays(seats)).map(|verdict| match (verdict, bearing) {
+/// The verdict on the seats of one girder, of which a bearing has lost its support, number and time \[s\], or which has tipped, time and
+/// largest tilt \[s, rad\]; none without seats.
+pub fn of_seats(seats: &[Seat], bearing: Option<(usize, f64)>, tipped: Option<(f64, f64)>) -> Option<Verdict> {
+    let verdict = lost(seats).or_else(|| corner_off(seats)).or_else(|| stays(seats))?;
+    Some(match (verdict, bearing) {
+        (Verdict::Stays { end, corner, .. }, _) if tipped.is_some() => {
+            let (t, tilt) = tipped.unwrap_or_default();
+            Verdict::Tipped { t, tilt, end, corner }
+        }
         (Verdict::Stays { end, corner, least, placed }, Some((bearing, t))) => {
             Verdict::SupportLost { bearing, t, end, corner, least, placed }
         }
@@ -119,7 +136,9 @@ impl Verdict {
     pub fn t(&self) -> f64 {
         match self {
             Self::Stays { least, .. } => least.t,
-            Self::CornerOff { t, .. } | Self::Lost { t, .. } | Self::SupportLost { t, .. } => *t,
+            Self::CornerOff { t, .. } | Self::Lost { t, .. } | Self::SupportLost { t, .. } | Self::Tipped { t, .. } => {
+                *t
+            }
         }
     }
 
@@ -128,6 +147,7 @@ impl Verdict {
         match self {
             Self::Stays { corner, .. }
             | Self::SupportLost { corner, .. }
+            | Self::Tipped { corner, .. }
             | Self::CornerOff { corner, .. }
             | Self::Lost { corner, .. } => *corner,
         }
@@ -137,15 +157,19 @@ impl Verdict {
     pub fn words(&self) -> String {
         match self {
             Self::Stays { end, least, placed, .. } => {
-                let [left, placed] = [least.value, *placed].map(length);
+                let [left, placed] = lengths(least.value, *placed);
                 let values = values!["left" => left, "placed" => placed, "end" => end.label(), "t" => seconds(least.t)];
                 Text::new("verdict-stays").with(&values)
             }
             Self::SupportLost { bearing, t, end, least, placed, .. } => {
-                let ([left, placed], t) = ([least.value, *placed].map(length), seconds(*t));
+                let ([left, placed], t) = (lengths(least.value, *placed), seconds(*t));
                 let (bearing, end) = (bearing + 1, end.label());
                 let values = values!["bearing" => bearing, "t" => t, "left" => left, "placed" => placed, "end" => end];
                 Text::new("verdict-support-lost").with(&values)
+            }
+            Self::Tipped { t, tilt, .. } => {
+                let values = values!["t" => seconds(*t), "tilt" => format!("{:.0}", tilt.to_degrees())];
+                Text::new("verdict-tipped").with(&values)
             }
             Self::CornerOff { end, corner, t, side: true, .. } => {
                 let values = values!["corner" => corner + 1, "end" => end.label(), "t" => seconds(*t)];
@@ -168,6 +192,11 @@ impl Verdict {
 /// A time as it is read.
 fn seconds(t: f64) -> String {
     format!("{t:.2}")
+}
+
+/// A part of a length and the whole, in one unit.
+fn lengths(part: f64, whole: f64) -> [String; 2] {
+    if whole.abs() >= 0.5 { [part, whole].map(|metres| format!("{metres:.2} m")) } else { [part, whole].map(length) }
 }
 
 /// A length as it is read: metres from half a metre on, millimetres below.
@@ -210,14 +239,14 @@ mod tests {
         match off {
             Verdict::CornerOff { t, .. } => assert_eq!(t, first, "when the first corner does"),
             Verdict::Lost { first: corner, .. } => assert!(corner >= first, "no sooner than the first corner"),
-            Verdict::Stays { .. } | Verdict::SupportLost { .. } => panic!("{off:?}"),
+            Verdict::Stays { .. } | Verdict::SupportLost { .. } | Verdict::Tipped { .. } => panic!("{off:?}"),
         }
     }
 
     #[test]
     fn a_girder_that_loses_a_bearing_does_not_stay_though_its_corners_do() {
         let seats = seats::of_girder(&with_seats(0.2, None), 0);
-        let lost = of_seats(&seats, Some((2, 1.5))).expect("seats");
+        let lost = of_seats(&seats, Some((2, 1.5)), None).expect("seats");
         assert_eq!((lost.stays(), lost.t()), (false, 1.5));
         assert!(lost.words().starts_with("loses a support: bearing 3 at 1.50 s; at worst "), "{}", lost.words());
     }
@@ -237,5 +266,6 @@ mod tests {
     #[test]
     fn lengths_read_well() {
         assert_eq!([1.3649, 0.034, 0.001_23].map(length), ["1.36 m", "34 mm", "1.23 mm"], "in their unit");
+        assert_eq!([lengths(0.474, 0.606), lengths(0.034, 0.2)], [["0.47 m", "0.61 m"], ["34 mm", "200 mm"]], "in one");
     }
 }

@@ -6,6 +6,7 @@
 
 pub mod compare;
 mod contacts;
+mod departures;
 mod devices;
 mod events;
 mod flexible;
@@ -18,16 +19,16 @@ mod trajectory;
 mod verdicts;
 
 pub use contacts::{contact_cells, contacts};
+pub use departures::{
+    DroppedReport, LostReport, OutsideReport, OverlapReport, PassedReport, TooDeepReport, UpliftReport,
+};
 pub use devices::{DeviceReport, devices};
 pub use events::events;
 pub use flexible::{FlexibleReport, FlexibleRun};
 pub use impact::{hits, transitions};
 pub use quantities::quantities;
 pub use seats::{CornerReport, DemandReport, SeatReport, corner_angle};
-pub use summary::{
-    BackfillReport, DroppedReport, LostReport, OutsideReport, OverlapReport, PairReport, PassedReport, PierReport,
-    Report, TooDeepReport, Versions,
-};
+pub use summary::{BackfillReport, PairReport, PierReport, Report, Versions};
 pub use trajectory::{trajectory, trajectory_columns};
 pub use verdicts::VerdictReport;
 

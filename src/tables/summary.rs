@@ -3,17 +3,17 @@
 use serde::Serialize;
 
 use super::TableOptions;
+use super::departures::{
+    self, DroppedReport, LostReport, OutsideReport, OverlapReport, PassedReport, TooDeepReport, UpliftReport,
+};
 use super::devices::{self, DeviceReport};
 use super::events::law_of;
 use super::flexible::{self, FlexibleReport};
 use super::seats::{self, SeatReport};
 use super::verdicts::{self, VerdictReport};
-use crate::language::Text;
-use crate::scene::{Kind, Scene, domain};
+use crate::scene::Kind;
 use crate::sim::moving_ground::{MovedSupport, moved_supports};
-use crate::sim::{
-    BackfillReading, DegreeCheck, History, Ledger, LostSupport, Overlap, PierReading, Stop, Summary, TooDeep, readings,
-};
+use crate::sim::{BackfillReading, DegreeCheck, History, Ledger, PierReading, Stop, Summary};
 
 /// Everything a summary says, SI.
 #[derive(Clone, Debug, PartialEq, Serialize)]
@@ -33,6 +33,9 @@ pub struct Report {
     /// The headline numbers.
     #[serde(flatten)]
     pub numbers: Summary,
+    /// Largest angle of any girder's vertical axis from the vertical; nothing in a planar scene \[rad\].
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub max_tilt: Option<f64>,
     /// Facing pairs and the law each used.
     pub pairs: Vec<PairReport>,
     /// Whether each girder that has seats stays on them, in words.
@@ -42,6 +45,9 @@ pub struct Report {
     /// Bearings that lost their support, the earliest first: every later sample is without them.
     #[serde(skip_serializing_if = "Vec::is_empty")]
     pub lost_supports: Vec<LostReport>,
+    /// Bearings in space that stopped carrying: sliders that lifted, others that held their girder down; the earliest first.
+    #[serde(skip_serializing_if = "Vec::is_empty")]
+    pub uplifts: Vec<UpliftReport>,
     /// Supports whose ground moves otherwise than that of `[motion]`.
     #[serde(skip_serializing_if = "Vec::is_empty")]
     pub moved_supports: Vec<MovedSupport>,
@@ -104,30 +110,9 @@ pub struct PairReport {
     pub touches: usize,
     /// Largest force of one contact \[N\].
     pub peak_force: f64,
-}
-
-/// A limit that was passed, in short.
-#[derive(Clone, Debug, PartialEq, Serialize)]
-pub struct PassedReport {
-    /// Its key in the scene's `[limits]`.
-    pub limit: &'static str,
-    /// The girder or pair.
-    pub whose: String,
-    /// When for the first time \[s\].
-    pub t: f64,
-    /// How far at the most, in the unit of the limit.
-    pub reached: f64,
-}
-
-/// A bearing that lost its support.
-#[derive(Clone, Debug, PartialEq, Serialize)]
-pub struct LostReport {
-    /// `deck.bearing1`.
-    pub bearing: String,
-    /// When \[s\].
-    pub t: f64,
-    /// Where its point of the girder was, world \[m\].
-    pub place: [f64; 3],
+    /// Largest force between its two bodies, of all their contacts together; by the first of their pairs \[N\].
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub peak_total: Option<f64>,
 }
 
 /// Soil behind one backwall.
@@ -170,74 +155,6 @@ pub struct PierReport {
     pub yielded_at: Option<f64>,
 }
 
-/// An overlap that no contact carries, in short.
-#[derive(Clone, Debug, PartialEq, Serialize)]
-pub struct OverlapReport {
-    /// Names of the two bodies.
-    pub bodies: [String; 2],
-    /// When it was seen first \[s\].
-    pub t: f64,
-    /// From when to when it was there, in order of time \[s\].
-    pub intervals: Vec<[f64; 2]>,
-    /// Its greatest depth beyond what contacts carry, the shortest way out \[m\].
-    pub depth: f64,
-    /// When it was deepest \[s\].
-    pub deepest_at: f64,
-    /// Where it was deepest, world \[m\].
-    pub place: [f64; 3],
-}
-
-/// A contact pressed deeper than its law has a sense, in short.
-#[derive(Clone, Debug, PartialEq, Serialize)]
-pub struct TooDeepReport {
-    /// The node.
-    pub node: String,
-    /// The face.
-    pub face: String,
-    /// Its largest penetration \[m\].
-    pub depth: f64,
-    /// When \[s\].
-    pub t: f64,
-    /// What it may be: a tenth of the shortest side of either girder \[m\].
-    pub allowed: f64,
-}
-
-/// Contacts that left a face while their springs held energy, in short.
-#[derive(Clone, Debug, PartialEq, Serialize)]
-pub struct DroppedReport {
-    /// How many times.
-    pub count: usize,
-    /// Energy of all of them \[J\].
-    pub energy: f64,
-    /// The same in parts of the largest energy in play.
-    pub share: f64,
-    /// The node that held most.
-    pub node: String,
-    /// The face that it left.
-    pub face: String,
-    /// When \[s\].
-    pub t: f64,
-}
-
-/// A quantity outside the domain, in short.
-#[derive(Clone, Debug, PartialEq, Serialize)]
-pub struct OutsideReport {
-    /// The key of the scene that it comes from.
-    pub place: String,
-    /// The facing pair that it belongs to, if to one.
-    pub pair: Option<String>,
-    /// What it is called.
-    pub quantity: Text,
-    /// Its unit.
-    pub unit: &'static str,
-    /// What it is.
-    pub value: f64,
-    /// The end of the domain that it lies beyond.
-    pub bound: f64,
-    /// What is to be expected.
-    pub consequence: Text,
-}
-
 /// Versions that an answer depends on.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Serialize)]
 pub struct Versions {
@@ -259,21 +176,23 @@ impl Report {
             end: history.end(),
             gave_up: history.stop().cloned(),
             numbers: history.summary(),
+            max_tilt: tilt(history),
             pairs: pairs(history),
             verdicts: verdicts::of(history),
             seats: seats::of(history),
-            lost_supports: lost(history),
+            lost_supports: departures::lost(history),
+            uplifts: departures::uplifts(history),
             moved_supports: moved_supports(scene, history.model()),
             backfill: backfill(history),
             piers: piers(history),
             devices: devices::reports(history),
             flexible: flexible::of(history),
             degree_check: options.degree_check,
-            limits_passed: passed(history),
-            overlaps: overlaps(history),
-            too_deep: too_deep(history),
-            dropped: dropped(history),
-            outside_domain: outside(scene),
+            limits_passed: departures::passed(history),
+            overlaps: departures::overlaps(history),
+            too_deep: departures::too_deep(history),
+            dropped: departures::dropped(history),
+            outside_domain: departures::outside(scene),
             assumed: scene.assumed_numbers().into_iter().map(|(path, _)| path).collect(),
             tolerance: scene.solver.tolerance,
             estimated_error: options.estimated_error,
@@ -299,6 +218,7 @@ impl Report {
 }
 
 fn pairs(history: &History) -> Vec<PairReport> {
+    let totals = history.largest_resultants();
     let of_pair = |number: usize| {
         let touches: Vec<_> = history.touches().iter().filter(|touch| touch.pair == number).collect();
         PairReport {
@@ -306,14 +226,10 @@ fn pairs(history: &History) -> Vec<PairReport> {
             law: law_of(history, number),
             touches: touches.len(),
             peak_force: touches.iter().map(|touch| touch.peak_force).fold(0.0, f64::max),
+            peak_total: totals.iter().find(|(pair, _)| *pair == number).map(|(_, most)| most.value),
         }
     };
     history.listed_pairs().into_iter().map(of_pair).collect()
-}
-
-fn lost(history: &History) -> Vec<LostReport> {
-    let report = |lost: LostSupport| LostReport { bearing: lost.name, t: lost.t, place: lost.place.to_array() };
-    history.lost_supports(history.end()).into_iter().map(report).collect()
 }
 
 fn backfill(history: &History) -> Vec<BackfillReport> {
@@ -339,58 +255,7 @@ fn piers(history: &History) -> Vec<PierReport> {
     history.piers().into_iter().map(report).collect()
 }
 
-/// Limits of the scene that were passed.
-fn passed(history: &History) -> Vec<PassedReport> {
-    let passed = readings::passed(history).into_iter();
-    passed.map(|p| PassedReport { limit: p.limit, whose: p.whose, t: p.t, reached: p.reached }).collect()
-}
-
-/// Overlaps that no contact carries.
-fn overlaps(history: &History) -> Vec<OverlapReport> {
-    let of = |o: &Overlap| OverlapReport {
-        bodies: o.bodies.map(|body| body.name(history.scene()).to_owned()),
-        t: o.first(),
-        intervals: o.intervals.clone(),
-        depth: o.depth.value,
-        deepest_at: o.depth.t,
-        place: o.place.to_array(),
-    };
-    history.overlaps().iter().map(of).collect()
-}
-
-/// Node and face of a contact.
-fn names(history: &History, contact: usize) -> [String; 2] {
-    let site = &history.model().contacts[contact];
-    [site.node.clone(), site.face_name.to_string()]
-}
-
-/// Contacts pressed deeper than their law has a sense.
-fn too_deep(history: &History) -> Vec<TooDeepReport> {
-    let of = |deep: TooDeep| {
-        let [node, face] = names(history, deep.contact);
-        TooDeepReport { node, face, depth: deep.depth.value, t: deep.depth.t, allowed: deep.allowed }
-    };
-    history.too_deep().into_iter().map(of).collect()
-}
-
-/// Contacts that left a face while their springs held energy.
-fn dropped(history: &History) -> Option<DroppedReport> {
-    let dropped = history.dropped()?;
-    let [node, face] = names(history, dropped.contact);
-    Some(DroppedReport { count: dropped.count, energy: dropped.energy, share: dropped.share, node, face, t: dropped.t })
-}
-
-/// Quantities of the scene that lie outside the domain.
-fn outside(scene: &Scene) -> Vec<OutsideReport> {
-    let departures = domain::outside(scene).into_iter();
-    let of = |d: domain::Departure| OutsideReport {
-        quantity: d.limit.quantity,
-        unit: d.limit.unit,
-        value: d.value,
-        bound: d.bound(),
-        consequence: d.consequence(),
-        place: d.place,
-        pair: d.pair,
-    };
-    departures.map(of).collect()
+fn tilt(history: &History) -> Option<f64> {
+    let all = (0..history.model().girders().len()).filter_map(|girder| history.tilt(girder));
+    all.map(|most| most.value).reduce(f64::max)
 }

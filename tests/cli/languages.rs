@@ -90,7 +90,7 @@ fn what_the_other_commands_print_is_in_the_language_that_is_asked_for() {
         (vec!["run", "deck-30m", "--until", "0.1"], ["道示 V、S_E ", "道示 V、S_Eθ", "必要"]),
         (
             vec!["run", "viaduct-5", "--set", "model.kind=impact"],
-            ["衝撃モデルは装置、橋脚、降伏する支承", "扱わない", "中断"],
+            ["衝撃モデルは装置、橋脚、降伏・滑り", "扱わない", "model.kind"],
         ),
         (
             vec!["sweep", "skew45-abutment", "--vary", "motion.angle_deg=0,45", "--measure", "foo", "--out", &laws],

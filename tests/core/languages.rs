@@ -7,10 +7,11 @@ use std::collections::{BTreeMap, BTreeSet};
 use std::fs;
 use std::path::Path;
 
+use girderbench::dynamics::Model;
 use girderbench::language::{Language, Text};
 use girderbench::motion::format::{self, Supplement};
-use girderbench::scene::{overrides, presets};
-use girderbench::sim::History;
+use girderbench::scene::{ModelKind, presets};
+use girderbench::sim::Session;
 
 /// The tables that every language has: of the window, of complaints, of the command line.
 const TABLES: [&str; 3] = ["", ".complaints", ".command"];
@@ -122,9 +123,12 @@ fn has_english(text: &str) -> bool {
 
 #[test]
 fn why_a_run_ends_is_told_in_the_language_of_its_reader_and_in_english_in_files() {
-    let scene = presets::load("viaduct-5").expect("a preset");
-    let scene = overrides::apply(&scene, "model.kind=impact").expect("a scene");
-    let history = History::of(&scene).expect("it runs");
+    let mut scene = presets::load("viaduct-5").expect("a preset");
+    let model = Model::compile(&scene).expect("a model");
+    scene.model.kind = ModelKind::Impact;
+    let mut session = Session::of_model(&scene, model);
+    session.advance(scene.duration, &mut |_| true);
+    let history = session.finish();
     let stop = history.stop().expect("it gives up");
     assert!(stop.reason.to_string().contains("the impact model knows no devices, no piers"), "{stop:?}");
     Language::Japanese.within(|| {

@@ -88,4 +88,5 @@ mod tables {
     mod mutations;
     mod readings;
     mod seats;
+    mod uplift;
 }

@@ -5,6 +5,7 @@
 use std::fmt::Write as _;
 
 use crate::app::command::BridgeDraft;
+use crate::codes::least_seat;
 use crate::files::SceneSource;
 use crate::scene::{Scene, SceneErrors, format};
 
@@ -30,7 +31,7 @@ pub(in crate::app) struct Assumed {
     pub(in crate::app) mass: f64,
     /// Every gap \[m\].
     pub(in crate::app) gap: f64,
-    /// Length of every seat: 0.7 m and 5 mm a metre of span \[m\].
+    /// Length of every seat along the axis: at least what codes ask for square to its edge whatever a run gives \[m\].
     pub(in crate::app) seat: f64,
     /// Of a contact \[N/m\].
     pub(in crate::app) stiffness: f64,
@@ -55,17 +56,26 @@ pub(in crate::app) fn sound(draft: BridgeDraft) -> BridgeDraft {
 
 /// What is assumed of a bridge of these numbers.
 pub(in crate::app) fn assumed(draft: BridgeDraft) -> Assumed {
-    let BridgeDraft { span, width, .. } = sound(draft);
+    let BridgeDraft { span, width, skew_deg, .. } = sound(draft);
     let to = |value: f64, step: f64| (value / step).round().max(1.0) * step;
     let thickness = tidy(to(span / 20.0, 0.05));
     Assumed {
         thickness,
         mass: to(MASS_PER_AREA * span * width, 1000.0),
         gap: tidy(to(span / 600.0, 0.005)),
-        seat: tidy(0.7 + to(0.005 * span, 0.01)),
+        seat: seat(span, skew_deg),
         stiffness: to(STIFFNESS * width * thickness / span, 1e7),
         frequency: BEARING_FREQUENCY,
     }
+}
+
+/// Largest part of a span that a seat takes under one end \[–\] (chosen).
+const MOST_SEAT: f64 = 0.2;
+
+/// Length of a seat along the axis that has the least lengths of codes square to its edge \[m\].
+fn seat(span: f64, skew_deg: f64) -> f64 {
+    let along = least_seat(span, skew_deg) / skew_deg.to_radians().sin();
+    tidy((100.0 * along.min(MOST_SEAT * span)).ceil() / 100.0)
 }
 
 /// To whole millimetres \[m\].
@@ -160,6 +170,11 @@ mod tests {
             assert_eq!(pairs.len(), scene.girders.len() + 1, "a gap at every end: {draft:?}");
             let gap = assumed(draft).gap;
             assert!(pairs.iter().all(|pair| (pair.gap - gap).abs() < 2e-3), "as assumed: {pairs:?}");
+            let Assumed { seat, .. } = assumed(draft);
+            let BridgeDraft { span, skew_deg, .. } = sound(draft);
+            let square = seat * skew_deg.to_radians().sin();
+            assert!(square >= least_seat(span, skew_deg) - 1e-12 || seat >= 0.2 * span, "as codes ask: {draft:?}");
+            assert!(seat < 0.25 * span, "and not the whole span: {draft:?}");
             scene.duration = 0.1;
             assert!(History::of(&scene).is_ok(), "runs: {draft:?}");
             assert!(scene.assumed.len() > 8, "each is said to be assumed");

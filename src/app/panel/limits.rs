@@ -36,6 +36,7 @@ fn first_limit(key: &str, scene: &Scene, summary: Option<&Summary>) -> f64 {
         "drift_m" => length * 0.05,
         "remaining_seat_m" => length * 0.01,
         "force_n" => two_digits(summary.map_or(1.0, |s| s.peak_force.max(1.0))),
+        "total_force_n" => two_digits(summary.map_or(1.0, |s| s.peak_total.max(1.0))),
         "rotation_deg" => two_digits(summary.map_or(1.0, |s| s.max_rotation.to_degrees())),
         _ => 1.0,
     }

@@ -15,7 +15,6 @@ use crate::language::Text;
 use crate::scene::{DeviceId, Girder};
 use crate::sim::quantity::{OfPair, Quantity};
 use crate::sim::readings::{Extreme, Reading};
-use crate::sim::seats::Seat;
 use crate::sim::verdict::of_seats;
 use crate::sim::{ContactNow, History, Touch};
 use crate::view::contact_state;
@@ -54,15 +53,15 @@ pub(in crate::app) fn show_girder(
     if let Some((answer, reading)) = answer.and_then(|a| Some((a, a.reading(i)?))) {
         ui.add_space(4.0);
         ui.label(RichText::new(text::READINGS).strong());
-        verdict(ui, (i, &girder.name), (answer, &reading.seats), out);
+        verdict(ui, (i, &girder.name), (answer, reading), out);
         links(ui, "readings", readings(&answer.history, i, reading), out);
         show_seats(ui, answer, i, t);
     }
 }
 
 /// Whether the girder stays on its seats, in a sentence that leads to the moment that decides it.
-fn verdict(ui: &mut Ui, (girder, name): (usize, &str), (answer, seats): (&Answer, &[Seat]), out: &mut Vec<Command>) {
-    let Some(verdict) = of_seats(seats, answer.history.first_lost_bearing(girder)) else {
+fn verdict(ui: &mut Ui, (girder, name): (usize, &str), (answer, reading): (&Answer, &Reading), out: &mut Vec<Command>) {
+    let Some(verdict) = of_seats(&reading.seats, answer.history.first_lost_bearing(girder), reading.tipped) else {
         ui.add(egui::Label::new(RichText::new(text::NO_SEATS).weak()).wrap());
         return;
     };
@@ -90,7 +89,7 @@ pub(in crate::app) fn show_verdicts(ui: &mut Ui, answer: Option<&Answer>, out: &
     ui.label(RichText::new(text::VERDICTS).strong());
     for (i, girder) in listed {
         if let Some(reading) = answer.reading(i) {
-            verdict(ui, (i, &girder.name), (answer, &reading.seats), out);
+            verdict(ui, (i, &girder.name), (answer, reading), out);
         }
     }
     let more = seated.count();

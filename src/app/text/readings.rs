@@ -42,13 +42,12 @@ pub(in crate::app) fn seat_at(end: End) -> &'static str {
 /// What a code requires, what there is, and what the run used, square to the edge.
 pub(in crate::app) fn demand(demand: &Demand) -> String {
     let [needed, there, used] = [demand.required, demand.provided, demand.used].map(length);
-    let verdict = if demand.is_met() { Text::new("long-enough") } else { Text::new("too-short") };
     let doubt = if demand.confirmed { "" } else { Text::new("from-memory").as_str() };
     let values = values![
         "needed" => needed,
         "there" => there,
         "used" => used,
-        "verdict" => verdict.as_str(),
+        "verdict" => demand.verdict().as_str(),
         "doubt" => doubt
     ];
     Text::new("demand").with(&values)
@@ -150,6 +149,7 @@ pub(in crate::app) fn passed(flag: &Passed) -> String {
         "rotation_deg" => Text::new("passed-turns").with(&values!["value" => short(flag.reached)]),
         "drift_m" => Text::new("passed-drifts").with(&values!["value" => length(flag.reached)]),
         "remaining_seat_m" => Text::new("passed-seat").with(&values!["value" => length(flag.reached)]),
+        "total_force_n" => Text::new("passed-total").with(&values!["value" => force(flag.reached)]),
         _ => Text::new("passed-force").with(&values!["value" => force(flag.reached)]),
     };
     let t = format!("{:.4}", flag.t);

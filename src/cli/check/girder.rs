@@ -26,6 +26,7 @@ pub(super) fn text(scene: &Scene, girder: &Girder, body: &Body) -> String {
     [shape, place, start(&girder.initial), push(&girder.push), held(&girder.held), seats(girder.seat)]
         .into_iter()
         .chain([
+            plausible(girder),
             bearings(&BearingQuantities::of(&own, body.mass, body.gyration2), own.len()),
             on_supports(scene, girder),
             supports::text(girder, setting),
@@ -60,6 +61,20 @@ fn shape(girder: &Girder, body: &Body) -> String {
             "gyration" => gyration
         )
     )
+}
+
+/// Densities \[kg/m³\] beyond which a mass is not that of its girder's size: below a hollow box of steel, above solid steel with what
+/// lies on it. Chosen.
+const DENSITIES: [f64; 2] = [50.0, 2e4];
+
+/// A word on a mass that does not fit the girder's size.
+fn plausible(girder: &Girder) -> String {
+    let density = girder.mass / (girder.length * girder.width * girder.thickness);
+    if (DENSITIES[0]..=DENSITIES[1]).contains(&density) {
+        return String::new();
+    }
+    let density = format!("{density:.3e}");
+    format!("  {}\n", said!("check-density", "density" => density))
 }
 
 fn start(initial: &Initial) -> String {
@@ -182,8 +197,15 @@ fn vertical(body: &Body, bearings: &[Bearing], kind: Kind) -> String {
     let (stiffness, damping) = (sum(|b| b.stiffness.z), sum(|b| b.damping.z));
     let omega = (stiffness / body.mass).sqrt();
     let ratio = if omega > 0.0 { damping / (2.0 * body.mass * omega) } else { 0.0 };
+    let tips = body.standing.first_moment.truncate().length() > 0.0;
+    let tips = if tips { format!("  {}\n", Text::new("check-tips")) } else { String::new() };
+    let pulled = bearings.iter().enumerate().filter(|(_, bearing)| bearing.preload.z < 0.0).map(|(number, bearing)| {
+        let pull = format!("{:.1}", -bearing.preload.z / 1e3);
+        format!("  {}\n", said!("check-pulled", "number" => number + 1, "pull" => pull))
+    });
+    let warned: String = [tips].into_iter().chain(pulled).collect();
     format!(
-        "  {}\n",
+        "  {}\n{warned}",
         said!(
             "check-vertical",
             "omega" => format!("{omega:.5}"),

@@ -99,6 +99,7 @@ impl Model {
             model.add_supports(number, girder, scene.setting(), &scene.standing(girder));
         }
         model.add_devices(scene);
+        supports::known_to_impact(scene, &model)?;
         model.regroup();
         Ok(model)
     }

@@ -11,7 +11,8 @@ use crate::dynamics::model::body::Body;
 use crate::dynamics::model::compiled_model::Model;
 use crate::language::{Text, message};
 use crate::scene::{
-    AfterUnseating, Girder, Kind, ResolvedBearing, Scene, SceneError, SceneErrors, Setting, StandsOn, seating,
+    AfterUnseating, Girder, Kind, ModelKind, ResolvedBearing, Scene, SceneError, SceneErrors, Setting, StandsOn,
+    seating,
 };
 
 impl Model {
@@ -129,6 +130,20 @@ pub(super) fn pressed(scene: &Scene, bodies: &[Body]) -> Result<(), SceneErrors>
         }
     }
     if errors.is_empty() { Ok(()) } else { Err(SceneErrors(errors)) }
+}
+
+/// Refuses the impact model where something acts that it does not know.
+///
+/// # Errors
+/// The first link of the model: a device, a pier's column, a bearing that yields, slides or can be lost, a backwall that moves.
+pub(super) fn known_to_impact(scene: &Scene, model: &Model) -> Result<(), SceneErrors> {
+    let Some(link) = model.links.first().filter(|_| scene.model.kind != ModelKind::Contact) else { return Ok(()) };
+    Err(SceneErrors(vec![SceneError {
+        file: "scene".to_owned(),
+        place: "model.kind".to_owned().into(),
+        value: message!("found-model-links", "model" => scene.model.kind.label(), "name" => link.name.as_str()),
+        remedy: Text::new("wrong-impact-links").into(),
+    }]))
 }
 
 /// Spring and dashpot of a bearing that stands on a pier, or on ground that moves otherwise.

@@ -406,9 +406,6 @@ fn half_a_yield_of_a_bearing_is_refused_and_the_impact_model_says_that_it_knows_
     }
     let mut whole = scene(&with("yield_force_n = 1.0, yield_displacement_m = 0.01"));
     whole.model.kind = ModelKind::Impact;
-    let mut session = Session::new(&whole).expect("a scene");
-    session.advance(whole.duration, &mut |_| true);
-    let history = session.finish();
-    let reason = history.stop().expect("refused").reason.to_string();
-    assert!(reason.contains("bearings that yield"), "{reason}");
+    let errors = Session::new(&whole).expect_err("refused").to_string();
+    assert!(errors.contains("model.kind") && errors.contains("bearings that yield"), "{errors}");
 }

@@ -143,12 +143,14 @@ fn what_contacts_carry_is_no_overlap() {
         let mut scene = presets::load(name).expect("a preset");
         for kind in [ModelKind::Contact, ModelKind::Impact] {
             scene.model.kind = kind;
-            let refused = !scene.piers.is_empty() || girderbench::scene::validate::validate(&scene).is_err();
-            if kind == ModelKind::Impact && refused {
-                continue;
-            }
             scene.contact.between = Between::Ends;
-            let history = History::of(&scene).expect("it runs");
+            let history = match History::of(&scene) {
+                Ok(history) => history,
+                Err(errors) => {
+                    assert!(kind == ModelKind::Impact && errors.to_string().contains("model.kind"), "{name}: {errors}");
+                    continue;
+                }
+            };
             if (name, kind) == ("row-of-5", ModelKind::Contact) {
                 expect_the_corner_of_the_row(&history);
             } else if name == "viaduct-5" {

@@ -269,7 +269,6 @@ fn in_space_a_deck_on_a_stiffer_and_stiffer_pier_comes_to_move_as_on_the_ground(
 fn the_impact_model_refuses_piers_in_words() {
     let mut scene = on_one_pier("", "");
     scene.model.kind = girderbench::scene::ModelKind::Impact;
-    let history = History::of(&scene).expect("a scene");
-    let stop = history.stop().expect("refused");
-    assert!(stop.reason.to_string().contains("no piers"), "{stop:?}");
+    let errors = History::of(&scene).expect_err("refused").to_string();
+    assert!(errors.contains("model.kind") && errors.contains("no piers"), "{errors}");
 }

@@ -246,9 +246,8 @@ fn the_impact_model_refuses_devices_in_words() {
     let mut scene =
         with("[[damper]]\nname = \"d\"\ngirder = \"west\"\nat_m = [0, 0]\nto_m = [9, 0]\ncoefficient = 1e5\n");
     scene.model.kind = ModelKind::Impact;
-    let mut session = Session::new(&scene).expect("a scene");
-    session.advance(scene.duration, &mut |_| true);
-    let history = session.finish();
-    let reason = history.stop().expect("refused").reason.to_string();
-    assert!(reason.contains("knows no devices"), "{reason}");
+    let errors = Session::new(&scene).expect_err("refused").to_string();
+    assert!(errors.contains("model.kind") && errors.contains("knows no devices"), "{errors}");
+    scene.model.kind = ModelKind::Both;
+    assert!(Session::new(&scene).is_err(), "beside the contact model too");
 }

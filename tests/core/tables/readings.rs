@@ -2,9 +2,11 @@
 //! by name.
 
 use girderbench::scene::{Limits, Motion, PlotSettings, PlotShows, Scene, Seat, format, presets};
-use girderbench::sim::quantity::{OfContact, Quantity, Unit};
+use girderbench::sim::quantity::{OfContact, OfPair, Quantity, Unit};
 use girderbench::sim::{ContactState, History, readings};
 use girderbench::tables::{devices, in_memory};
+
+use crate::support::scene;
 
 /// Start speed \[m/s\], angular frequency of the bearings \[rad/s\].
 const V: f64 = 0.02;
@@ -115,6 +117,49 @@ fn a_force_limit_is_passed_in_the_touch_that_reaches_it() {
     assert!(readings::passed(&History::of(&scene).expect("runs")).is_empty(), "just above the peak");
 }
 
+/// A girder of 600 t at 1 m/s against one of 300 t, in line or shifted sideways by a little \[m\].
+fn hit(kind: &str, aside: f64) -> History {
+    let deck = "length_m = 30.0\nwidth_m = 10.0\nthickness_m = 1.5\n";
+    let text = format!(
+        "name = \"hit\"\nkind = \"{kind}\"\nduration_s = 0.1\n{}[contact]\nstiffness_n_per_m = 1e9\nrestitution_normal = 0.5\n\
+         mu_static = 0.0\nmu_kinetic = 0.0\n[limits]\ntotal_force_n = 8e6\n\
+         [[girder]]\nname = \"a\"\n{deck}mass_kg = 6e5\nposition_m = [-15.01, 0, 0]\ninitial = {{ velocity_m_s = [1, 0] }}\n\
+         [[girder]]\nname = \"b\"\n{deck}mass_kg = 3e5\nposition_m = [15.01, {aside}, 0]\n",
+        if kind == "spatial" { "gravity_m_s2 = 0.0\n" } else { "" }
+    );
+    History::of(&scene(&text)).expect("runs")
+}
+
+#[test]
+fn the_force_between_two_bodies_does_not_depend_on_how_many_corners_share_it() {
+    let totals = [("planar", 0.0), ("planar", 1e-6), ("spatial", 0.0), ("spatial", 1e-6)].map(|(kind, aside)| {
+        let history = hit(kind, aside);
+        let summary = history.summary();
+        let [(pair, most)] = history.largest_resultants()[..] else { panic!("two bodies") };
+        assert_eq!((summary.peak_total, summary.peak_total_time), (most.value, Some(most.t)));
+        near(history.resultant(pair, most.t).length(), most.value, 1e-6, "at that time");
+        near(Quantity::Pair(pair, OfPair::Total).at(&history, most.t), most.value, 1e-6, "as a curve");
+        let [passed] = &readings::passed(&history)[..] else { panic!("one limit") };
+        assert_eq!((passed.limit, passed.reached), ("total_force_n", most.value));
+        near(history.resultant(pair, passed.t).length(), 8e6, 1e3, "when it is passed");
+        most.value
+    });
+    // Kelvin and Voigt: the largest of F = K δ + C δ̇ with M = 200 t and the damping of e = 0.5, found by hand.
+    let (mass, stiffness, speed): (f64, f64, f64) = (2e5, 1e9, 1.0);
+    let ratio = girderbench::contact::damping_ratio(0.5);
+    let (omega, c) = ((stiffness / mass).sqrt(), 2.0 * ratio * (stiffness * mass).sqrt());
+    let damped = omega * (1.0 - ratio * ratio).sqrt();
+    let force = |t: f64| {
+        let (sin, cos, fall) = ((damped * t).sin(), (damped * t).cos(), (-ratio * omega * t).exp());
+        let depth = speed / damped * fall * sin;
+        stiffness * depth + c * (speed * fall * cos - ratio * omega * depth)
+    };
+    let largest = (0..100_000).map(|i| force(1e-6 * f64::from(i))).fold(0.0, f64::max);
+    for total in totals {
+        near(total / largest, 1.0, 1e-6, "of all corners together");
+    }
+}
+
 #[test]
 fn every_quantity_has_a_name_of_its_own_and_a_finite_value() {
     for preset in ["row-of-5", "deck-30m", presets::OPENING] {
@@ -175,8 +220,13 @@ fn what_presets_plot_are_quantities_of_their_runs() {
 #[test]
 fn limits_and_plots_are_kept_in_the_file() {
     let mut scene = presets::load(presets::OPENING).expect("ships");
-    scene.limits =
-        Limits { rotation_deg: Some(1.0), drift: Some(0.01), remaining_seat: Some(0.002), force: Some(50.0) };
+    scene.limits = Limits {
+        rotation_deg: Some(1.0),
+        drift: Some(0.01),
+        remaining_seat: Some(0.002),
+        force: Some(50.0),
+        total_force: Some(90.0),
+    };
     scene.view.plots = vec![
         PlotSettings::over_time(vec!["energy.kinetic".into()]),
         PlotSettings { x: Some("deck.x".into()), ..PlotSettings::over_time(vec!["deck.y".into()]) },

@@ -1,0 +1,122 @@
+//! The vertical side of a girder in space: what its bearings carry, where they lift or pull, and how far it tilts.
+
+use super::History;
+use super::readings::{first, largest_of_each};
+use super::report::Extreme;
+use super::touches;
+use crate::contact::Frame;
+use crate::dynamics::Body;
+use crate::dynamics::connection::{Connection, Kinematics};
+use crate::scene::Kind;
+
+/// Part of the load at rest below which a bearing carries nothing \[–\]: of a slider that is lifted rounding is left.
+const NOTHING: f64 = 1e-9;
+/// Tilt from which a girder has tipped \[°\]. Chosen: a road falls to the side by less than 6°.
+const TIPPED: f64 = 10.0;
+
+/// A bearing that stopped carrying.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Uplift {
+    /// The bearing, `deck.bearing1`.
+    pub name: String,
+    /// When it carried nothing for the first time \[s\].
+    pub t: f64,
+    /// The most that it held the girder down with; 0 of one that lifts \[N\].
+    pub pull: Extreme,
+    /// Its load at rest \[N\].
+    pub load: f64,
+}
+
+impl History {
+    /// Vertical force of a bearing on its girder, upwards \[N\]; 0 in a planar scene.
+    pub fn bearing_load(&self, girder: usize, number: usize, t: f64) -> f64 {
+        if self.model().kind == Kind::Planar {
+            return 0.0;
+        }
+        let t = t.clamp(0.0, self.end());
+        self.load_of(girder, number, &self.links_of(girder, number), (t, &self.frame(girder, t)))
+    }
+
+    /// Numbers of the links that a bearing has in the model.
+    fn links_of(&self, girder: usize, number: usize) -> Vec<usize> {
+        let name = format!("{}.bearing{}", self.model().bodies[girder].name, number + 1);
+        (0..self.model().links.len()).filter(|&link| self.model().links[link].name == name).collect()
+    }
+
+    fn load_of(&self, girder: usize, number: usize, links: &[usize], (t, frame): (f64, &Frame)) -> f64 {
+        let body = &self.model().bodies[girder];
+        let bearing = &body.bearings[number];
+        let arm = body.axes * bearing.place;
+        let (mut motion, _) = Kinematics::Points.motion(
+            [frame, &Frame::fixed(body.home + arm)],
+            [arm, glam::DVec3::ZERO],
+            glam::DVec3::ZERO,
+            &body.axes,
+        );
+        let [bent, rate] = self.displaced(girder, bearing.place, t);
+        (motion.moved, motion.rate) = (motion.moved + bent, motion.rate + rate);
+        let of_links: f64 = links.iter().filter_map(|&link| Some(self.link(link, t)?.force.z)).sum();
+        bearing.preload.z + bearing.force(&(), &motion).z + of_links
+    }
+
+    /// Bearings that stopped carrying, and until a support was lost: linear ones and lead rubber hold the girder down then, sliders
+    /// lift. The earliest first; nothing in a planar scene.
+    pub fn uplifts(&self) -> Vec<Uplift> {
+        if self.model().kind == Kind::Planar {
+            return Vec::new();
+        }
+        let mut all: Vec<Uplift> =
+            (0..self.model().girders().len()).flat_map(|girder| self.uplifts_of(girder)).collect();
+        all.sort_by(|a, b| a.t.total_cmp(&b.t));
+        all
+    }
+
+    fn uplifts_of(&self, girder: usize) -> Vec<Uplift> {
+        let body = &self.model().bodies[girder];
+        let until = self.first_lost_bearing(girder).map_or(self.end(), |(_, t)| t);
+        let times: Vec<f64> = touches::looks(self, girder).into_iter().filter(|t| *t < until).collect();
+        if times.is_empty() {
+            return Vec::new();
+        }
+        let frames: Vec<Frame> = times.iter().map(|&t| self.frame(girder, t)).collect();
+        let of = |number: usize| {
+            let at_rest = body.bearings[number].preload.z;
+            if at_rest == 0.0 {
+                return None;
+            }
+            let links = self.links_of(girder, number);
+            let bound = NOTHING * at_rest.abs();
+            let load = |t: f64| self.load_of(girder, number, &links, (t, &self.frame(girder, t)));
+            let seen = times.iter().zip(&frames).map(|(&t, frame)| self.load_of(girder, number, &links, (t, frame)));
+            if seen.fold(f64::INFINITY, f64::min) > bound {
+                return None;
+            }
+            let t = first(&times, self.end(), |t| bound - load(t))?;
+            let [pull] = largest_of_each(&times, |t| [-load(t)]);
+            let pull = Extreme { value: if pull.value > bound { pull.value } else { 0.0 }, ..pull };
+            Some(Uplift { name: format!("{}.bearing{}", body.name, number + 1), t, pull, load: at_rest })
+        };
+        (0..body.bearings.len()).filter_map(of).collect()
+    }
+
+    /// Largest angle of a girder's vertical axis from the vertical \[rad\]; `None` in a planar scene.
+    pub fn tilt(&self, girder: usize) -> Option<Extreme> {
+        let body = self.model().girders().get(girder).filter(|_| self.model().kind == Kind::Spatial)?;
+        let [most] = largest_of_each(&touches::looks(self, girder), |t| [tilt_of(body, &self.frame(girder, t))]);
+        Some(most)
+    }
+
+    /// When a girder has tipped for the first time, and its largest tilt \[s, rad\]; `None` where it stays upright.
+    pub fn tipped(&self, girder: usize) -> Option<(f64, f64)> {
+        let most = self.tilt(girder).filter(|most| most.value > TIPPED.to_radians())?;
+        let body = &self.model().bodies[girder];
+        let beyond = |t: f64| tilt_of(body, &self.frame(girder, t)) - TIPPED.to_radians();
+        Some((first(&touches::looks(self, girder), self.end(), beyond)?, most.value))
+    }
+}
+
+/// Angle of the body's third axis from the vertical, placed upright \[rad\].
+fn tilt_of(body: &Body, frame: &Frame) -> f64 {
+    let up = frame.turn(body.axes.z_axis);
+    up.truncate().length().atan2(up.z)
+}

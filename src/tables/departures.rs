@@ -1,0 +1,199 @@
+//! Where an answer does not hold, or a designer must look: limits that were passed, supports that were lost, bearings that lift or pull,
+//! overlaps, contacts beyond the sense of their law, quantities outside the domain.
+
+use serde::Serialize;
+
+use crate::language::{Text, six};
+use crate::scene::{Scene, domain};
+use crate::sim::{History, LostSupport, Overlap, TooDeep, Uplift, readings};
+
+/// A limit that was passed, in short.
+#[derive(Clone, Debug, PartialEq, Serialize)]
+pub struct PassedReport {
+    /// Its key in the scene's `[limits]`.
+    pub limit: &'static str,
+    /// The girder or pair.
+    pub whose: String,
+    /// When for the first time \[s\].
+    pub t: f64,
+    /// How far at the most, in the unit of the limit.
+    pub reached: f64,
+}
+
+impl PassedReport {
+    /// How far at the most, with its unit.
+    pub fn reached(&self) -> String {
+        let unit = match self.limit {
+            "rotation_deg" => "°",
+            "force_n" | "total_force_n" => " N",
+            _ => " m",
+        };
+        format!("{}{unit}", six(self.reached))
+    }
+}
+
+/// A bearing that lost its support.
+#[derive(Clone, Debug, PartialEq, Serialize)]
+pub struct LostReport {
+    /// `deck.bearing1`.
+    pub bearing: String,
+    /// When \[s\].
+    pub t: f64,
+    /// Where its point of the girder was, world \[m\].
+    pub place: [f64; 3],
+}
+
+/// A bearing that stopped carrying.
+#[derive(Clone, Debug, PartialEq, Serialize)]
+pub struct UpliftReport {
+    /// `deck.bearing1`.
+    pub bearing: String,
+    /// When for the first time \[s\].
+    pub t: f64,
+    /// The most that it held the girder down with; 0 of one that lifted \[N\].
+    pub pull: f64,
+    /// When \[s\].
+    pub pull_t: f64,
+    /// Its load at rest \[N\].
+    pub load: f64,
+}
+
+/// An overlap that no contact carries, in short.
+#[derive(Clone, Debug, PartialEq, Serialize)]
+pub struct OverlapReport {
+    /// Names of the two bodies.
+    pub bodies: [String; 2],
+    /// When it was seen first \[s\].
+    pub t: f64,
+    /// From when to when it was there, in order of time \[s\].
+    pub intervals: Vec<[f64; 2]>,
+    /// Its greatest depth beyond what contacts carry, the shortest way out \[m\].
+    pub depth: f64,
+    /// When it was deepest \[s\].
+    pub deepest_at: f64,
+    /// Where it was deepest, world \[m\].
+    pub place: [f64; 3],
+}
+
+/// A contact pressed deeper than its law has a sense, in short.
+#[derive(Clone, Debug, PartialEq, Serialize)]
+pub struct TooDeepReport {
+    /// The node.
+    pub node: String,
+    /// The face.
+    pub face: String,
+    /// Its largest penetration \[m\].
+    pub depth: f64,
+    /// When \[s\].
+    pub t: f64,
+    /// What it may be: a tenth of the shortest side of either girder \[m\].
+    pub allowed: f64,
+}
+
+/// Contacts that left a face while their springs held energy, in short.
+#[derive(Clone, Debug, PartialEq, Serialize)]
+pub struct DroppedReport {
+    /// How many times.
+    pub count: usize,
+    /// Energy of all of them \[J\].
+    pub energy: f64,
+    /// The same in parts of the largest energy in play.
+    pub share: f64,
+    /// The node that held most.
+    pub node: String,
+    /// The face that it left.
+    pub face: String,
+    /// When \[s\].
+    pub t: f64,
+}
+
+/// A quantity outside the domain, in short.
+#[derive(Clone, Debug, PartialEq, Serialize)]
+pub struct OutsideReport {
+    /// The key of the scene that it comes from.
+    pub place: String,
+    /// The facing pair that it belongs to, if to one.
+    pub pair: Option<String>,
+    /// What it is called.
+    pub quantity: Text,
+    /// Its unit.
+    pub unit: &'static str,
+    /// What it is.
+    pub value: f64,
+    /// The end of the domain that it lies beyond.
+    pub bound: f64,
+    /// What is to be expected.
+    pub consequence: Text,
+}
+
+/// Limits of the scene that were passed.
+pub(super) fn passed(history: &History) -> Vec<PassedReport> {
+    let passed = readings::passed(history).into_iter();
+    passed.map(|p| PassedReport { limit: p.limit, whose: p.whose, t: p.t, reached: p.reached }).collect()
+}
+
+pub(super) fn lost(history: &History) -> Vec<LostReport> {
+    let report = |lost: LostSupport| LostReport { bearing: lost.name, t: lost.t, place: lost.place.to_array() };
+    history.lost_supports(history.end()).into_iter().map(report).collect()
+}
+
+pub(super) fn uplifts(history: &History) -> Vec<UpliftReport> {
+    let report = |Uplift { name, t, pull, load }: Uplift| UpliftReport {
+        bearing: name,
+        t,
+        pull: pull.value,
+        pull_t: pull.t,
+        load,
+    };
+    history.uplifts().into_iter().map(report).collect()
+}
+
+/// Overlaps that no contact carries.
+pub(super) fn overlaps(history: &History) -> Vec<OverlapReport> {
+    let of = |o: &Overlap| OverlapReport {
+        bodies: o.bodies.map(|body| body.name(history.scene()).to_owned()),
+        t: o.first(),
+        intervals: o.intervals.clone(),
+        depth: o.depth.value,
+        deepest_at: o.depth.t,
+        place: o.place.to_array(),
+    };
+    history.overlaps().iter().map(of).collect()
+}
+
+/// Node and face of a contact.
+fn names(history: &History, contact: usize) -> [String; 2] {
+    let site = &history.model().contacts[contact];
+    [site.node.clone(), site.face_name.to_string()]
+}
+
+/// Contacts pressed deeper than their law has a sense.
+pub(super) fn too_deep(history: &History) -> Vec<TooDeepReport> {
+    let of = |deep: TooDeep| {
+        let [node, face] = names(history, deep.contact);
+        TooDeepReport { node, face, depth: deep.depth.value, t: deep.depth.t, allowed: deep.allowed }
+    };
+    history.too_deep().into_iter().map(of).collect()
+}
+
+/// Contacts that left a face while their springs held energy.
+pub(super) fn dropped(history: &History) -> Option<DroppedReport> {
+    let dropped = history.dropped()?;
+    let [node, face] = names(history, dropped.contact);
+    Some(DroppedReport { count: dropped.count, energy: dropped.energy, share: dropped.share, node, face, t: dropped.t })
+}
+
+/// Quantities of the scene that lie outside the domain.
+pub(super) fn outside(scene: &Scene) -> Vec<OutsideReport> {
+    let departures = domain::outside(scene).into_iter();
+    let of = |d: domain::Departure| OutsideReport {
+        quantity: d.limit.quantity,
+        unit: d.limit.unit,
+        value: d.value,
+        bound: d.bound(),
+        consequence: d.consequence(),
+        place: d.place,
+        pair: d.pair,
+    };
+    departures.map(of).collect()
+}
