@@ -58,6 +58,6 @@ pub use section_quantity::OfSection;
 pub use session::{Reached, Session};
 pub use summary::Summary;
 pub use supports::LostSupport;
-pub use uplift::Uplift;
+pub use uplift::{Uplift, Upright};
 
 pub use crate::dynamics::impact2d::{Hit, LastingInterval, Record, Row, State, Transition};

@@ -27,6 +27,15 @@ pub struct Uplift {
     pub load: f64,
 }
 
+/// How a girder in space stands.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Upright {
+    /// Largest angle of its vertical axis from the vertical \[rad\].
+    pub tilt: Extreme,
+    /// Its bearings that stopped carrying, the earliest first.
+    pub uplifts: Vec<Uplift>,
+}
+
 impl History {
     /// Vertical force of a bearing on its girder, upwards \[N\]; 0 in a planar scene.
     pub fn bearing_load(&self, girder: usize, number: usize, t: f64) -> f64 {
@@ -34,13 +43,13 @@ impl History {
             return 0.0;
         }
         let t = t.clamp(0.0, self.end());
-        self.load_of(girder, number, &self.links_of(girder, number), (t, &self.frame(girder, t)))
+        self.load_of(girder, number, self.links_of(girder, number), (t, &self.frame(girder, t)))
     }
 
     /// Numbers of the links that a bearing has in the model.
-    fn links_of(&self, girder: usize, number: usize) -> Vec<usize> {
-        let name = format!("{}.bearing{}", self.model().bodies[girder].name, number + 1);
-        (0..self.model().links.len()).filter(|&link| self.model().links[link].name == name).collect()
+    fn links_of(&self, girder: usize, number: usize) -> &[usize] {
+        let supports = self.model().supports.get(girder);
+        supports.and_then(|supports| supports.get(number)).map_or(&[], Vec::as_slice)
     }
 
     fn load_of(&self, girder: usize, number: usize, links: &[usize], (t, frame): (f64, &Frame)) -> f64 {
@@ -59,56 +68,50 @@ impl History {
         bearing.preload.z + bearing.force(&(), &motion).z + of_links
     }
 
-    /// Bearings that stopped carrying, and until a support was lost: linear ones and lead rubber hold the girder down then, sliders
-    /// lift. The earliest first; nothing in a planar scene.
-    pub fn uplifts(&self) -> Vec<Uplift> {
-        if self.model().kind == Kind::Planar {
-            return Vec::new();
-        }
-        let mut all: Vec<Uplift> =
-            (0..self.model().girders().len()).flat_map(|girder| self.uplifts_of(girder)).collect();
-        all.sort_by(|a, b| a.t.total_cmp(&b.t));
-        all
-    }
-
-    fn uplifts_of(&self, girder: usize) -> Vec<Uplift> {
-        let body = &self.model().bodies[girder];
-        let until = self.first_lost_bearing(girder).map_or(self.end(), |(_, t)| t);
-        let times: Vec<f64> = touches::looks(self, girder).into_iter().filter(|t| *t < until).collect();
-        if times.is_empty() {
-            return Vec::new();
-        }
-        let frames: Vec<Frame> = times.iter().map(|&t| self.frame(girder, t)).collect();
-        let of = |number: usize| {
-            let at_rest = body.bearings[number].preload.z;
-            if at_rest == 0.0 {
-                return None;
-            }
-            let links = self.links_of(girder, number);
-            let bound = NOTHING * at_rest.abs();
-            let load = |t: f64| self.load_of(girder, number, &links, (t, &self.frame(girder, t)));
-            let seen = times.iter().zip(&frames).map(|(&t, frame)| self.load_of(girder, number, &links, (t, frame)));
-            if seen.fold(f64::INFINITY, f64::min) > bound {
-                return None;
-            }
-            let t = first(&times, self.end(), |t| bound - load(t))?;
-            let [pull] = largest_of_each(&times, |t| [-load(t)]);
-            let pull = Extreme { value: if pull.value > bound { pull.value } else { 0.0 }, ..pull };
-            Some(Uplift { name: format!("{}.bearing{}", body.name, number + 1), t, pull, load: at_rest })
-        };
-        (0..body.bearings.len()).filter_map(of).collect()
-    }
-
-    /// Largest angle of a girder's vertical axis from the vertical \[rad\]; `None` in a planar scene.
-    pub fn tilt(&self, girder: usize) -> Option<Extreme> {
+    /// How upright a girder in space stays, and which of its bearings stopped carrying, until a support was lost: linear ones and lead
+    /// rubber hold the girder down then, sliders lift. `None` in a planar scene.
+    pub fn upright(&self, girder: usize) -> Option<Upright> {
         let body = self.model().girders().get(girder).filter(|_| self.model().kind == Kind::Spatial)?;
-        let [most] = largest_of_each(&touches::looks(self, girder), |t| [tilt_of(body, &self.frame(girder, t))]);
-        Some(most)
+        let times = touches::looks(self, girder);
+        let frames: Vec<Frame> = times.iter().map(|&t| self.frame(girder, t)).collect();
+        let tilts: Vec<f64> = frames.iter().map(|frame| tilt_of(body, frame)).collect();
+        let at = (0..times.len()).fold(0, |most, i| if tilts[i] > tilts[most] { i } else { most });
+        let around = &times[at.saturating_sub(1)..(at + 2).min(times.len())];
+        let [tilt] = largest_of_each(around, |t| [tilt_of(body, &self.frame(girder, t))]);
+        let until = self.first_lost_bearing(girder).map_or(f64::INFINITY, |(_, t)| t);
+        let standing = times.iter().take_while(|t| **t < until).count();
+        let looks = (&times[..standing], &frames[..standing]);
+        let mut uplifts: Vec<Uplift> =
+            (0..body.bearings.len()).filter_map(|number| self.uplift_of((girder, number), looks)).collect();
+        uplifts.sort_by(|a, b| a.t.total_cmp(&b.t));
+        Some(Upright { tilt, uplifts })
+    }
+
+    fn uplift_of(&self, (girder, number): (usize, usize), (times, frames): (&[f64], &[Frame])) -> Option<Uplift> {
+        let body = &self.model().bodies[girder];
+        let at_rest = body.bearings[number].preload.z;
+        if at_rest == 0.0 {
+            return None;
+        }
+        let links = self.links_of(girder, number);
+        let bound = NOTHING * at_rest.abs();
+        let load = |t: f64| self.load_of(girder, number, links, (t, &self.frame(girder, t)));
+        let seen = times.iter().zip(frames).map(|(&t, frame)| self.load_of(girder, number, links, (t, frame)));
+        if seen.fold(f64::INFINITY, f64::min) > bound {
+            return None;
+        }
+        let t = first(times, self.end(), |t| bound - load(t))?;
+        let [pull] = largest_of_each(times, |t| [-load(t)]);
+        let pull = Extreme { value: if pull.value > bound { pull.value } else { 0.0 }, ..pull };
+        Some(Uplift { name: format!("{}.bearing{}", body.name, number + 1), t, pull, load: at_rest })
     }
 
     /// When a girder has tipped for the first time, and its largest tilt \[s, rad\]; `None` where it stays upright.
     pub fn tipped(&self, girder: usize) -> Option<(f64, f64)> {
-        let most = self.tilt(girder).filter(|most| most.value > TIPPED.to_radians())?;
+        let most = self.upright(girder)?.tilt;
+        if most.value <= TIPPED.to_radians() {
+            return None;
+        }
         let body = &self.model().bodies[girder];
         let beyond = |t: f64| tilt_of(body, &self.frame(girder, t)) - TIPPED.to_radians();
         Some((first(&touches::looks(self, girder), self.end(), beyond)?, most.value))

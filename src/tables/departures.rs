@@ -5,7 +5,7 @@ use serde::Serialize;
 
 use crate::language::{Text, six};
 use crate::scene::{Scene, domain};
-use crate::sim::{History, LostSupport, Overlap, TooDeep, Uplift, readings};
+use crate::sim::{History, LostSupport, Overlap, TooDeep, Uplift, Upright, readings};
 
 /// A limit that was passed, in short.
 #[derive(Clone, Debug, PartialEq, Serialize)]
@@ -137,7 +137,8 @@ pub(super) fn lost(history: &History) -> Vec<LostReport> {
     history.lost_supports(history.end()).into_iter().map(report).collect()
 }
 
-pub(super) fn uplifts(history: &History) -> Vec<UpliftReport> {
+/// Bearings that stopped carrying, the earliest first.
+pub(super) fn uplifts(upright: Vec<Upright>) -> Vec<UpliftReport> {
     let report = |Uplift { name, t, pull, load }: Uplift| UpliftReport {
         bearing: name,
         t,
@@ -145,7 +146,9 @@ pub(super) fn uplifts(history: &History) -> Vec<UpliftReport> {
         pull_t: pull.t,
         load,
     };
-    history.uplifts().into_iter().map(report).collect()
+    let mut all: Vec<UpliftReport> = upright.into_iter().flat_map(|girder| girder.uplifts).map(report).collect();
+    all.sort_by(|a, b| a.t.total_cmp(&b.t));
+    all
 }
 
 /// Overlaps that no contact carries.

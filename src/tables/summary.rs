@@ -13,7 +13,7 @@ use super::seats::{self, SeatReport};
 use super::verdicts::{self, VerdictReport};
 use crate::scene::Kind;
 use crate::sim::moving_ground::{MovedSupport, moved_supports};
-use crate::sim::{BackfillReading, DegreeCheck, History, Ledger, PierReading, Stop, Summary};
+use crate::sim::{BackfillReading, DegreeCheck, History, Ledger, PierReading, Stop, Summary, Upright};
 
 /// Everything a summary says, SI.
 #[derive(Clone, Debug, PartialEq, Serialize)]
@@ -168,6 +168,8 @@ impl Report {
     /// Gathers the facts of an answer.
     pub fn of(history: &History, options: &TableOptions) -> Self {
         let (scene, ledger, balance) = (history.scene(), history.ledger(history.end()), history.balance());
+        let upright: Vec<Upright> =
+            (0..history.model().girders().len()).filter_map(|girder| history.upright(girder)).collect();
         Self {
             scene: scene.name.clone(),
             kind: scene.kind,
@@ -176,12 +178,12 @@ impl Report {
             end: history.end(),
             gave_up: history.stop().cloned(),
             numbers: history.summary(),
-            max_tilt: tilt(history),
+            max_tilt: upright.iter().map(|girder| girder.tilt.value).reduce(f64::max),
             pairs: pairs(history),
             verdicts: verdicts::of(history),
             seats: seats::of(history),
             lost_supports: departures::lost(history),
-            uplifts: departures::uplifts(history),
+            uplifts: departures::uplifts(upright),
             moved_supports: moved_supports(scene, history.model()),
             backfill: backfill(history),
             piers: piers(history),
@@ -253,9 +255,4 @@ fn piers(history: &History) -> Vec<PierReport> {
         yielded_at,
     };
     history.piers().into_iter().map(report).collect()
-}
-
-fn tilt(history: &History) -> Option<f64> {
-    let all = (0..history.model().girders().len()).filter_map(|girder| history.tilt(girder));
-    all.map(|most| most.value).reduce(f64::max)
 }

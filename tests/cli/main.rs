@@ -25,3 +25,4 @@ mod run;
 mod study;
 mod study_experiment;
 mod sweep;
+mod weight;

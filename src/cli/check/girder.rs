@@ -31,6 +31,7 @@ pub(super) fn text(scene: &Scene, girder: &Girder, body: &Body) -> String {
             on_supports(scene, girder),
             supports::text(girder, setting),
             vertical(body, &own, kind),
+            in_dish(girder, body, scene),
             rotation,
         ])
         .collect()
@@ -213,6 +214,26 @@ fn vertical(body: &Body, bearings: &[Bearing], kind: Kind) -> String {
             "ratio" => format!("{ratio:.5}")
         )
     )
+}
+
+/// Part of the load at rest by which that at the start may differ without a word \[–\]. Chosen.
+const DIFFERS: f64 = 0.5;
+
+/// Sliders in a dish that a girder displaced in plan does not stand on: they rise by u²/2R.
+fn in_dish(girder: &Girder, body: &Body, scene: &Scene) -> String {
+    let [x, y, w] = girder.initial.displacement;
+    if scene.kind == Kind::Planar || (x == 0.0 && y == 0.0) {
+        return String::new();
+    }
+    let supports = girder.supports(scene.setting());
+    let words = supports.iter().zip(&body.bearings).enumerate().filter_map(|(number, (support, bearing))| {
+        let rise = 0.5 * support.sliding?.curvature * (x * x + y * y);
+        let more = bearing.stiffness.z * (rise - w) / bearing.preload.z;
+        let (rise, part) = (format!("{rise:.4}"), format!("{:.1}", 1.0 + more));
+        let words = || said!("check-in-dish", "number" => number + 1, "rise" => rise, "part" => part);
+        (more.abs() > DIFFERS).then(|| format!("  {}\n", words()))
+    });
+    words.collect()
 }
 
 /// A length in mm to the micrometre; adding 0 turns −0 into 0.
