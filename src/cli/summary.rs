@@ -264,7 +264,8 @@ fn answer(report: &Report) -> Vec<Line> {
     lines.extend(report.pairs.iter().map(|pair| {
         let law = word_told(FrictionLaw::WORDS, pair.law);
         let total = pair.peak_total.map_or(String::new(), |total| said!("run-pair-total", "total" => force(total)));
-        let value = said!("run-pair-of", "law" => law, "touches" => pair.touches, "peak" => force(pair.peak_force), "total" => total);
+        let peak = force(pair.peak_force);
+        let value = said!("run-pair-of", "law" => law, "touches" => pair.touches, "peak" => peak, "total" => total);
         line(said!("run-pair", "name" => pair.name.as_str()), value)
     }));
     lines.extend(report.backfill.iter().map(|soil| {

@@ -30,10 +30,13 @@ impl Crossed {
     /// Edges that are not turned against the axes: a node before a face.
     pub const SQUARE: Self = Self { cos: 1.0, sin: 0.0, shear: 0.0 };
 
-    /// Of an edge with this direction in the axes, which is not along the first one.
+    /// Of an edge with this direction in the axes; one along the first axis has no common perpendicular, and keeps the third axis.
     #[inline]
     pub(super) fn of(edge: DVec3) -> Self {
         let h = edge.y.hypot(edge.z).copysign(edge.y);
+        if h == 0.0 {
+            return Self::SQUARE;
+        }
         Self { cos: edge.y / h, sin: edge.z / h, shear: edge.x / h }
     }
 
@@ -47,6 +50,13 @@ impl Crossed {
     #[inline]
     pub fn in_axes(self, v: DVec3) -> DVec3 {
         DVec3::new(v.x, self.cos * v.y - self.sin * v.z, self.sin * v.y + self.cos * v.z)
+    }
+
+    /// Where along the first axis the lines are nearest, of a point `at` of the edge in the turned axes \[m\]. Edges that turn parallel
+    /// send it beyond their ends.
+    #[inline]
+    pub(super) fn along(self, at: DVec3) -> f64 {
+        at.x - self.shear * at.y
     }
 
     /// The vector `a`, in the axes.
@@ -92,6 +102,10 @@ mod tests {
         assert!((other.z - found.z).abs() < 1e-16, "whichever point of the edge: {} m", other.z);
         assert!(Crossed::of(EDGE).in_axes(DVec3::Z).z > 0.0, "outward");
         assert!((Crossed::of(EDGE).in_axes(found) - AT).length() < 1e-16, "and back");
+        // The point of the first axis from which the other line is seen along the common perpendicular.
+        let seen = DVec3::X * Crossed::of(EDGE).along(found) + Crossed::of(EDGE).in_axes(DVec3::Z) * found.z;
+        assert!((seen - AT).cross(EDGE).length() < 1e-15, "on the edge");
+        assert_eq!(Crossed::of(DVec3::X), Crossed::SQUARE, "without a common perpendicular");
     }
 
     #[test]

@@ -294,8 +294,8 @@ fn measure_in_space(home: &Home, node_body: &Frame, face_body: &Frame) -> Measur
 }
 
 /// Position and velocity of a point of an edge relative to the edge along the first axis, in axes turned about that one to the common
-/// perpendicular: the gap is the distance of the lines. Both reactions act at the node, so that its velocity is that relative to its own
-/// place in the face's body.
+/// perpendicular: the gap is the distance of the lines, and the place that of their nearest points along the first axis, with the distance
+/// of the node from that axis. Both reactions act at the node, so that its velocity is that relative to its own place in the face's body.
 fn measure_across(
     home: &Home,
     [node_body, face_body]: [&Frame; 2],
@@ -310,7 +310,7 @@ fn measure_across(
     let here = Local {
         gap: at.z,
         gap_rate: rates.z,
-        at: at.truncate(),
+        at: DVec2::new(crossed.along(at), at.y),
         way: (at - from).truncate(),
         rate: rates.truncate(),
         spin: DVec3::ZERO,

@@ -19,8 +19,12 @@ impl History {
     pub fn resultant(&self, pair: usize, t: f64) -> DVec3 {
         let Some(own) = self.model().pairs.get(pair) else { return DVec3::ZERO };
         let solids = [own.first.solid(), own.second.solid()];
-        let contacts = self.contacts(t).into_iter();
-        contacts.filter_map(|now| Some(now.force * self.sign(now.contact, solids)?)).sum()
+        let between = self.model().pairs.iter().filter(|pair| {
+            let own = [pair.first.solid(), pair.second.solid()];
+            own == solids || own == [solids[1], solids[0]]
+        });
+        let closed = between.flat_map(|pair| pair.nodes()).filter_map(|contact| self.contact_at(contact, t));
+        closed.filter_map(|now| Some(now.force * self.sign(now.contact, solids)?)).sum()
     }
 
     /// 1 where a contact's node is on the first of two bodies and its face on the second, −1 the other way round; `None` where it is
@@ -40,12 +44,16 @@ impl History {
     }
 
     /// The largest |force| between any two bodies that touched, by a pair between them \[N\]; one entry for every two bodies, in the
-    /// order of their pairs.
+    /// order of their pairs; none where all touches are impulses.
     pub fn largest_resultants(&self) -> Vec<(usize, Extreme)> {
         let most = |hits: Vec<(f64, Extreme)>| {
             hits.into_iter().map(|(_, most)| most).reduce(|a, b| if b.value > a.value { b } else { a })
         };
-        self.hits_between().into_iter().filter_map(|(pair, hits)| Some((pair, most(hits)?))).collect()
+        self.hits_between()
+            .into_iter()
+            .filter_map(|(pair, hits)| Some((pair, most(hits)?)))
+            .filter(|(_, most)| most.value > 0.0)
+            .collect()
     }
 
     /// Of every two bodies that touched a pair between them and their hits: when each begins \[s\], and the largest |force| in it \[N\].
