@@ -154,7 +154,7 @@ check-bearings = { $count } bearings: ω_x, ω_y, ω_θ = { $omega } rad/s ({ $h
 check-bearings-b = eccentricities of stiffness ε_x, ε_y = { $stiffness }, of dashpots η_x, η_y = { $dashpots }
 check-density = its mass is { $density } kg/m³ of its size, concrete has 2500, steel 7850: is mass_kg in kg?
 check-in-dish = bearing { $number } starts with { $part } times its load at rest: displaced so far in plan its dish rises by { $rise } m, which displacement_m does not
-check-tips = its bearings cannot carry its weight without a moment, as on one line beside or under G: it tips over as soon as it is free to
+check-tips = its bearings do not hold it upright, all on one side of G or too close to a line: it tips over as soon as it is free to
 check-pulled = bearing { $number } is pulled by { $pull } kN at rest: it holds the girder down
 check-vertical = vertical: ω_z = { $omega } rad/s ({ $hertz } Hz), h_z = { $ratio }
 check-can-rotate = it can rotate

@@ -154,7 +154,7 @@ check-bearings = 支承 { $count } 個：ω_x, ω_y, ω_θ = { $omega } rad/s（
 check-bearings-b = 偏心：剛性 ε_x, ε_y = { $stiffness }、ダッシュポット η_x, η_y = { $dashpots }
 check-density = 質量は寸法に対して { $density } kg/m³（コンクリート 2500、鋼 7850）：mass_kg の単位は kg か
 check-in-dish = 支承 { $number } は静止時の { $part } 倍の荷重で始まる：この水平変位で皿は { $rise } m 上がるが、displacement_m の鉛直成分はそうでない
-check-tips = 支承だけでは自重をモーメントなしに支えられない（一直線上、または重心の片側）：自由になると傾いて転倒する
+check-tips = 支承は桁を直立に保てない（重心の片側にあるか、一直線に近い）：自由になると傾いて転倒する
 check-pulled = 支承 { $number } は静止時に { $pull } kN で引かれ、桁を押さえている
 check-vertical = 鉛直：ω_z = { $omega } rad/s（{ $hertz } Hz）、h_z = { $ratio }
 check-can-rotate = 回転しうる

@@ -8,6 +8,7 @@ use glam::DVec3;
 use super::readings::largest;
 use super::report::Extreme;
 use super::{History, Touch};
+use crate::dynamics::model::pair::Pair;
 use crate::scene::facing::SolidId;
 
 /// Most instants of a hit, those of the largest forces of single contacts, at which the sum is looked at first. Chosen: contacts that
@@ -23,7 +24,7 @@ impl History {
             let own = [pair.first.solid(), pair.second.solid()];
             own == solids || own == [solids[1], solids[0]]
         });
-        let closed = between.flat_map(|pair| pair.nodes()).filter_map(|contact| self.contact_at(contact, t));
+        let closed = between.flat_map(Pair::nodes).filter_map(|contact| self.contact_at(contact, t));
         closed.filter_map(|now| Some(now.force * self.sign(now.contact, solids)?)).sum()
     }
 

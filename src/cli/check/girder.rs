@@ -3,6 +3,8 @@
 use std::collections::BTreeSet;
 use std::f64::consts::TAU;
 
+use glam::DVec2;
+
 use super::supports;
 use crate::cli::digits::{list, six};
 use crate::codes::RotationCondition;
@@ -198,8 +200,9 @@ fn vertical(body: &Body, bearings: &[Bearing], kind: Kind) -> String {
     let (stiffness, damping) = (sum(|b| b.stiffness.z), sum(|b| b.damping.z));
     let omega = (stiffness / body.mass).sqrt();
     let ratio = if omega > 0.0 { damping / (2.0 * body.mass * omega) } else { 0.0 };
-    let tips = body.standing.first_moment.truncate().length() > 0.0;
-    let tips = if tips { format!("  {}\n", Text::new("check-tips")) } else { String::new() };
+    let tips = body.standing.first_moment.truncate().length() > 0.0 || is_unstable(bearings);
+    let tips =
+        if tips && (body.free[3] || body.free[4]) { format!("  {}\n", Text::new("check-tips")) } else { String::new() };
     let pulled = bearings.iter().enumerate().filter(|(_, bearing)| bearing.preload.z < 0.0).map(|(number, bearing)| {
         let pull = format!("{:.1}", -bearing.preload.z / 1e3);
         format!("  {}\n", said!("check-pulled", "number" => number + 1, "pull" => pull))
@@ -214,6 +217,20 @@ fn vertical(body: &Body, bearings: &[Bearing], kind: Kind) -> String {
             "ratio" => format!("{ratio:.5}")
         )
     )
+}
+
+/// Whether a girder tips over from rest: about some axis in plan the vertical springs of its bearings resist a turn by less than its
+/// weight W drives it, `Σ k_z s² < W h`, with s from the middle of the springs and h the height of G over the bearings.
+fn is_unstable(bearings: &[Bearing]) -> bool {
+    let stiffness: f64 = bearings.iter().map(|b| b.stiffness.z).sum();
+    let middle = bearings.iter().map(|b| b.place.truncate() * b.stiffness.z).sum::<DVec2>() / stiffness;
+    let of = |part: fn(DVec2) -> f64| {
+        bearings.iter().map(|b| b.stiffness.z * part(b.place.truncate() - middle)).sum::<f64>()
+    };
+    let [xx, yy, xy] = [of(|s| s.x * s.x), of(|s| s.y * s.y), of(|s| s.x * s.y)];
+    let least = 0.5 * (xx + yy) - (0.25 * (xx - yy) * (xx - yy) + xy * xy).sqrt();
+    // W h: every bearing carries its share at its own height.
+    least < -bearings.iter().map(|b| b.preload.z * b.place.z).sum::<f64>()
 }
 
 /// Part of the load at rest by which that at the start may differ without a word \[–\]. Chosen.
