@@ -840,7 +840,7 @@ ground-more = { $count } more
 ## verdicts on seats
 verdict-stays = stays on its seats: at worst { $left } of { $placed } left, end { $end }, { $t } s
 verdict-support-lost = loses a support: bearing { $bearing } at { $t } s; at worst { $left } of { $placed } of its seats left, end { $end }
-verdict-tipped = tips over: by more than 10° from { $t } s, by { $tilt }° at the most
+verdict-tipped = tips over: by more than { $limit }° from { $t } s, by { $tilt }° at the most
 verdict-over-side = comes off its seat: corner { $corner } over the side, end { $end }, { $t } s
 verdict-corner-off = comes off its seat: corner { $corner }, end { $end }, { $t } s; at worst { $beyond } beyond the edge, { $worst } s
 verdict-lost = comes off its seat: the whole end { $end } from { $t } s, its first corner at { $first } s

@@ -823,7 +823,7 @@ ground-more = ほか { $count } 成分
 ## 桁かかりの判定
 verdict-stays = 落橋しない：桁かかり長 { $placed } のうち最小で { $left } が残る（{ $end } 端、{ $t } s）
 verdict-support-lost = 支承 { $bearing } が { $t } s に支持を失う：桁かかり長 { $placed } のうち最小で { $left } が残る（{ $end } 端）
-verdict-tipped = { $t } s から 10° を超えて傾く（最大 { $tilt }°）
+verdict-tipped = { $t } s から { $limit }° を超えて傾く（最大 { $tilt }°）
 verdict-over-side = 桁かかりから外れる：隅角部 { $corner } が側方へ（{ $end } 端、{ $t } s）
 verdict-corner-off = 桁かかりから外れる：隅角部 { $corner }（{ $end } 端、{ $t } s）、最大で前縁から { $beyond }（{ $worst } s）
 verdict-lost = 落橋：{ $end } 端全体が { $t } s に外れる（最初の隅角部は { $first } s）

@@ -8,6 +8,7 @@ use glam::DVec3;
 use super::History;
 use crate::contact::Frame;
 use crate::dynamics::connection::{Connection, Kinematics, Separation};
+use crate::dynamics::model::bearing::Bearing;
 use crate::scene::Kind;
 
 /// Deformation and resistance along two axes.
@@ -44,18 +45,10 @@ impl History {
         let t = t.clamp(0.0, self.end());
         let body = self.model().girders().get(girder)?;
         let bearing = body.bearings.get(number)?;
-        let kinematics = if self.model().kind == Kind::Planar { Kinematics::Linear } else { Kinematics::Points };
-        let arm = body.axes * bearing.place;
-        let (frame, ground) = (self.frame(girder, t), Frame::fixed(body.home + arm));
-        let (mut motion, _) = kinematics.motion([&frame, &ground], [arm, DVec3::ZERO], DVec3::ZERO, &body.axes);
-        let [bent, rate] = self.displaced(girder, bearing.place, t);
-        motion.moved += bent;
-        motion.rate += rate;
-        let name = format!("{}.bearing{}", body.name, number + 1);
-        let own = self.model().links.iter().enumerate().filter(|(_, link)| link.name == name);
-        let (numbers, on_pier): (Vec<usize>, Vec<bool>) = own.map(|(n, link)| (n, link.bodies[1].is_some())).unzip();
+        let motion = self.bearing_motion((girder, bearing), (t, &self.frame(girder, t)));
+        let numbers = self.bearing_links(girder, number);
         let parts = || numbers.iter().filter_map(|link| self.link(*link, t));
-        if on_pier.contains(&true) {
+        if numbers.iter().any(|&link| self.model().links[link].bodies[1].is_some()) {
             // Links between girder and pier are all of it.
             let sum = |sum: Loop, part: Loop| Loop {
                 deformation: part.deformation,
@@ -66,6 +59,25 @@ impl History {
         let hysteretic: DVec3 = parts().map(|now| now.force).sum();
         let force = bearing.force(&(), &motion) + body.axes.transpose() * hysteretic;
         Some(Loop::of(&motion, force, false))
+    }
+
+    /// Motion of a bearing's point of its girder against the ground, along the girder's axes as placed, with the girder in a pose at `t`.
+    pub(super) fn bearing_motion(&self, (girder, bearing): (usize, &Bearing), (t, frame): (f64, &Frame)) -> Separation {
+        let body = &self.model().bodies[girder];
+        let kinematics = if self.model().kind == Kind::Planar { Kinematics::Linear } else { Kinematics::Points };
+        let arm = body.axes * bearing.place;
+        let ground = Frame::fixed(body.home + arm);
+        let (mut motion, _) = kinematics.motion([frame, &ground], [arm, DVec3::ZERO], DVec3::ZERO, &body.axes);
+        let [bent, rate] = self.displaced(girder, bearing.place, t);
+        motion.moved += bent;
+        motion.rate += rate;
+        motion
+    }
+
+    /// Numbers of the links that a girder's bearing has in the model.
+    pub(super) fn bearing_links(&self, girder: usize, number: usize) -> &[usize] {
+        let supports = self.model().supports.get(girder);
+        supports.and_then(|supports| supports.get(number)).map_or(&[], Vec::as_slice)
     }
 }
 

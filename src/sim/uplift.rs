@@ -6,13 +6,13 @@ use super::report::Extreme;
 use super::touches;
 use crate::contact::Frame;
 use crate::dynamics::Body;
-use crate::dynamics::connection::{Connection, Kinematics};
+use crate::dynamics::connection::Connection;
 use crate::scene::Kind;
 
 /// Part of the load at rest below which a bearing carries nothing \[–\]: of a slider that is lifted rounding is left.
 const NOTHING: f64 = 1e-9;
 /// Tilt from which a girder has tipped \[°\]. Chosen: a road falls to the side by less than 6°.
-const TIPPED: f64 = 10.0;
+pub(super) const TIPPED: f64 = 10.0;
 
 /// A bearing that stopped carrying.
 #[derive(Clone, Debug, PartialEq)]
@@ -43,28 +43,14 @@ impl History {
             return 0.0;
         }
         let t = t.clamp(0.0, self.end());
-        self.load_of(girder, number, self.links_of(girder, number), (t, &self.frame(girder, t)))
+        self.load_of(girder, number, (t, &self.frame(girder, t)))
     }
 
-    /// Numbers of the links that a bearing has in the model.
-    fn links_of(&self, girder: usize, number: usize) -> &[usize] {
-        let supports = self.model().supports.get(girder);
-        supports.and_then(|supports| supports.get(number)).map_or(&[], Vec::as_slice)
-    }
-
-    fn load_of(&self, girder: usize, number: usize, links: &[usize], (t, frame): (f64, &Frame)) -> f64 {
-        let body = &self.model().bodies[girder];
-        let bearing = &body.bearings[number];
-        let arm = body.axes * bearing.place;
-        let (mut motion, _) = Kinematics::Points.motion(
-            [frame, &Frame::fixed(body.home + arm)],
-            [arm, glam::DVec3::ZERO],
-            glam::DVec3::ZERO,
-            &body.axes,
-        );
-        let [bent, rate] = self.displaced(girder, bearing.place, t);
-        (motion.moved, motion.rate) = (motion.moved + bent, motion.rate + rate);
-        let of_links: f64 = links.iter().filter_map(|&link| Some(self.link(link, t)?.force.z)).sum();
+    fn load_of(&self, girder: usize, number: usize, (t, frame): (f64, &Frame)) -> f64 {
+        let bearing = &self.model().bodies[girder].bearings[number];
+        let motion = self.bearing_motion((girder, bearing), (t, frame));
+        let links = self.bearing_links(girder, number).iter();
+        let of_links: f64 = links.filter_map(|&link| Some(self.link(link, t)?.force.z)).sum();
         bearing.preload.z + bearing.force(&(), &motion).z + of_links
     }
 
@@ -93,10 +79,9 @@ impl History {
         if at_rest == 0.0 {
             return None;
         }
-        let links = self.links_of(girder, number);
         let bound = NOTHING * at_rest.abs();
-        let load = |t: f64| self.load_of(girder, number, links, (t, &self.frame(girder, t)));
-        let seen = times.iter().zip(frames).map(|(&t, frame)| self.load_of(girder, number, links, (t, frame)));
+        let load = |t: f64| self.load_of(girder, number, (t, &self.frame(girder, t)));
+        let seen = times.iter().zip(frames).map(|(&t, frame)| self.load_of(girder, number, (t, frame)));
         if seen.fold(f64::INFINITY, f64::min) > bound {
             return None;
         }

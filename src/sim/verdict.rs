@@ -4,6 +4,7 @@
 use super::History;
 use super::report::Extreme;
 use super::seats::{self, Seat};
+use super::uplift::TIPPED;
 use crate::geometry::End;
 use crate::language::{Text, values};
 
@@ -168,7 +169,8 @@ impl Verdict {
                 Text::new("verdict-support-lost").with(&values)
             }
             Self::Tipped { t, tilt, .. } => {
-                let values = values!["t" => seconds(*t), "tilt" => format!("{:.0}", tilt.to_degrees())];
+                let tilt = format!("{:.0}", tilt.to_degrees());
+                let values = values!["t" => seconds(*t), "tilt" => tilt, "limit" => format!("{TIPPED:.0}")];
                 Text::new("verdict-tipped").with(&values)
             }
             Self::CornerOff { end, corner, t, side: true, .. } => {

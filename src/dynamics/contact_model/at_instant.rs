@@ -189,7 +189,7 @@ impl AtInstant<'_> {
         for (which, arm) in [action.node_arm, action.face_arm].into_iter().enumerate() {
             if let Some(slot) = track.slots[which] {
                 let body = &self.world.model.bodies[self.world.bodies[slot].body];
-                let axes = [home.axes.x_axis, home.axes.y_axis].map(|axis| sides[1].turn(axis));
+                let axes = action.tangents(&home, &sides[1]);
                 let here = self.side(contact, which, &self.now.frames);
                 let along = |axis: DVec3| {
                     let there = body.acceleration(Point { section: track.sections[which], frame: &here, arm }, axis);

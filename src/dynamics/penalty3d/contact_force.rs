@@ -28,6 +28,13 @@ pub struct Action {
     pub crossed: Crossed,
 }
 
+impl Action {
+    /// The two tangents that the tangential force is along, world axes.
+    pub fn tangents(&self, home: &Home, face: &Frame) -> [DVec3; 2] {
+        [DVec3::X, DVec3::Y].map(|axis| face.turn(home.axes * self.crossed.in_axes(axis)))
+    }
+}
+
 /// Forces of a closed contact, poses relative to the placed poses.
 #[inline]
 pub fn act(site: &ContactSite, closed: &ClosedContact, node: &Frame, face: &Frame) -> Action {

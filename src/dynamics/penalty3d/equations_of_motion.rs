@@ -195,8 +195,7 @@ impl ImplicitSystem for EquationsOfMotion<'_> {
         let turned = active.turned(y);
         let action = contact_force::act_in(&active.home, &turned, &turned.mode, &frames[0], &frames[1]);
         let sides = [(active.node, action.node_arm, 1.0), (active.face, action.face_arm, -1.0)];
-        for (axis, along) in [active.home.axes.x_axis, active.home.axes.y_axis].into_iter().enumerate() {
-            let along = frames[1].turn(along);
+        for (axis, along) in action.tangents(&active.home, &frames[1]).into_iter().enumerate() {
             for (which, (side, arm, sign)) in sides.into_iter().enumerate() {
                 let Some(i) = side else { continue };
                 let body = &self.model.bodies[self.system.bodies[i]];
