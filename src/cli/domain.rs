@@ -41,11 +41,13 @@ pub(super) fn warn_of_balance(history: &History, console: &mut Console) {
 
 /// Warns of supports that the ends of records leave moving against the ground of reference, a line each.
 pub(super) fn warn_of_drift(supports: &[MovedSupport], console: &mut Console) {
-    let drifting = || supports.iter().filter_map(MovedSupport::drifting);
-    for words in drifting().take(MOST_WARNINGS) {
-        console.note(&said!("warning-drift", "words" => words));
+    // A backwall and the bearings before it stand on the ground of one abutment.
+    let mut drifting: Vec<String> = supports.iter().filter_map(MovedSupport::drifting).collect();
+    drifting.dedup();
+    for words in drifting.iter().take(MOST_WARNINGS) {
+        console.note(&said!("warning-drift", "words" => words.as_str()));
     }
-    if let Some(more) = drifting().count().checked_sub(MOST_WARNINGS).filter(|more| *more > 0) {
+    if let Some(more) = drifting.len().checked_sub(MOST_WARNINGS).filter(|more| *more > 0) {
         console.note(&said!("warning-more-drift", "more" => more));
     }
 }

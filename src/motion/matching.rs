@@ -59,6 +59,14 @@ pub fn matched(samples: &[f64], dt: f64, target: &[[f64; 2]]) -> Vec<f64> {
     best.1
 }
 
+/// The record with the amplitudes of periods `T` beyond `longest` \[s\] multiplied by `(longest / T)²`, both ends tapered, brought to rest
+/// where it began.
+pub fn without_drift(samples: &[f64], dt: f64, longest: f64) -> Vec<f64> {
+    let mut now = multiplied(samples, dt, &[[longest, 1.0]]);
+    at_rest(&mut now, dt);
+    now
+}
+
 /// Samples whose Fourier amplitudes are multiplied by the factor of their period.
 fn multiplied(samples: &[f64], dt: f64, factors: &[[f64; 2]]) -> Vec<f64> {
     // As long again in zeros: what a factor spreads beyond the end does not come in at the beginning.
@@ -178,6 +186,25 @@ mod tests {
             // Twice the displacement of the target at its longest period.
             let longest = 0.9375 * (4.0 / std::f64::consts::TAU).powi(2);
             assert!(farthest < 2.0 * longest, "seed {seed}: {farthest} m against {longest} m");
+        }
+    }
+
+    #[test]
+    fn without_drift_a_record_ends_where_it_began_and_shakes_short_periods_as_before() {
+        // Its velocity at the end is 1.2 m/s, its displacement tens of metres.
+        let raw = Earthquake { seed: 1, duration: 40.0, ..QUAKE }.samples();
+        let still = without_drift(&raw, 0.01, 10.0);
+        let (mut v, mut u, mut farthest) = (0.0, 0.0, 0.0_f64);
+        for pair in still.windows(2) {
+            u += 0.01 * v + 1e-4 * (pair[0] / 3.0 + pair[1] / 6.0);
+            v += 0.005 * (pair[0] + pair[1]);
+            farthest = farthest.max(f64::abs(u));
+        }
+        assert!(f64::abs(v) < 1e-10 && f64::abs(u) < 1e-9 && farthest < 2.0, "{v} m/s, {u} m, at most {farthest} m");
+        let of = |samples: &[f64]| spectrum(samples, 0.01, &periods([0.1, 2.0], 20), DESIGN_DAMPING);
+        for (before, after) in of(&raw).iter().zip(of(&still)) {
+            let ratio = after.pseudo_acceleration() / before.pseudo_acceleration();
+            assert!((ratio - 1.0).abs() < 0.03, "at {} s: {ratio}", before.period);
         }
     }
 

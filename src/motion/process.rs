@@ -80,6 +80,16 @@ pub fn taper(samples: &mut [f64], dt: f64, length: f64) {
     }
 }
 
+/// Multiplies all samples so that their largest magnitude is `peak`; samples of nothing but zeros stay.
+pub fn scale_to(samples: &mut [f64], peak: f64) {
+    let largest = samples.iter().fold(0.0_f64, |m, a| m.max(a.abs()));
+    if largest > 0.0 {
+        for a in samples {
+            *a *= peak / largest;
+        }
+    }
+}
+
 /// So many zeros before the first sample and after the last.
 pub fn pad(samples: &[f64], zeros: usize) -> Vec<f64> {
     let still = || std::iter::repeat_n(0.0, zeros);

@@ -115,6 +115,16 @@ impl RelativeMotion {
         Some(self.path.last_velocity()? * self.own.factor - self.reference.last_velocity()?)
     }
 
+    /// Velocity of the support's own ground at `t` \[m/s\].
+    pub fn own_velocity(&self, t: f64) -> DVec3 {
+        self.path.at(t - self.own.delay)[0] * self.own.factor
+    }
+
+    /// Velocity at which the support's own ground goes on once its record has ended \[m/s\]; none where that has no end.
+    pub fn own_last_velocity(&self) -> Option<DVec3> {
+        Some(self.path.last_velocity()? * self.own.factor)
+    }
+
     /// Acceleration at `t` of a stretch without a kink that begins at `since` \[m/s²\].
     pub fn acceleration(&self, since: f64, t: f64) -> DVec3 {
         let reference = &self.reference.ground;

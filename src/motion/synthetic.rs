@@ -6,6 +6,8 @@
 //! (Jennings, Housner & Tsai 1968); all is scaled to its peak. A sample of the noise is the sum of twelve uniform numbers of
 //! a linear congruence, so that a seed is the same record for ever.
 
+use super::process::scale_to;
+
 /// Most samples of a record.
 const MOST: f64 = 1e7;
 
@@ -41,12 +43,7 @@ impl Earthquake {
         let (mut x, mut v) = (0.0, 0.0);
         let sample = |i: usize| self.envelope(i as f64 * self.dt) * self.shaken(&mut x, &mut v, noise.next());
         let mut samples: Vec<f64> = (0..count).map(sample).collect();
-        let largest = samples.iter().fold(0.0_f64, |m, a| m.max(a.abs()));
-        if largest > 0.0 {
-            for a in &mut samples {
-                *a *= self.peak / largest;
-            }
-        }
+        scale_to(&mut samples, self.peak);
         samples
     }
 

@@ -13,6 +13,7 @@ mod trust;
 use std::fmt::Write as _;
 
 use crate::language::{Language, Text, said};
+use crate::scene::{Scene, format};
 use crate::sim::History;
 use crate::study::page;
 use crate::study::plot::draw::escape;
@@ -69,8 +70,16 @@ pub fn html(history: &History, options: &TableOptions) -> String {
     }
     heading(&mut page, Text::new("report-trust"));
     page.push_str(&trust::section(&report));
+    heading(&mut page, Text::new("report-file"));
+    page.push_str(&file(scene));
     page.push_str(page::END);
     page
+}
+
+/// The scene as a file: what a colleague runs to have this answer.
+fn file(scene: &Scene) -> String {
+    let (open, text) = (Text::new("report-file-open"), escape(&format::write(scene)));
+    format!("<details><summary>{open}</summary>\n<pre>{text}</pre></details>\n")
 }
 
 fn heading(page: &mut String, words: Text) {

@@ -65,6 +65,10 @@ pub(super) fn headline(report: &Report) -> String {
         let words = said!("report-gave-up", "t" => t, "place" => place, "reason" => reason);
         let _ = writeln!(html, "<p class=\"no\">{}</p>", escape(&words));
     }
+    for verdict in &report.verdicts {
+        let class = if verdict.stays { "" } else { " class=\"no\"" };
+        let _ = writeln!(html, "<p{class}>{} {}</p>", escape(&verdict.girder), escape(&verdict.told));
+    }
     let dimensions = match report.kind {
         Kind::Planar => Text::new("report-planar"),
         Kind::Spatial => Text::new("report-spatial"),

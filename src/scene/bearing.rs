@@ -9,7 +9,7 @@ use serde::{Deserialize, Deserializer, Serialize};
 
 use super::DeckBearings;
 use super::bearing_law::{BearingSlide, BearingYield, SLIDER_DISPLACEMENT};
-use super::keys::{Fallback, Keyed as _, Range, Stands, Stated, table};
+use super::keys::{Editable, Fallback, Keyed as _, Range, Stands, Stated, table};
 
 /// One number for both horizontal directions, or `[x, y]` along and across the girder as placed.
 #[derive(Clone, Copy, Debug, PartialEq, Serialize)]
@@ -41,6 +41,18 @@ impl Stands for PerDirection {
             Self::Both(number) => Stated::Number(*number),
             Self::Each(numbers) => Stated::Numbers(numbers),
         }
+    }
+
+    fn carry(&mut self, old: &Self, new: &Self) {
+        if old == new {
+            return;
+        }
+        let mut own = self.xy();
+        Stands::carry(&mut own, &old.xy(), &new.xy());
+        *self = match new {
+            Self::Both(_) if own[0] == own[1] => Self::Both(own[0]),
+            _ => Self::Each(own),
+        };
     }
 }
 
@@ -146,6 +158,56 @@ impl Stands for Bearings {
     /// No bearing; a girder without any has no such value.
     fn by_default(_: Fallback) -> Self {
         Self::Each(Vec::new())
+    }
+
+    /// Numbers go to bearings of the same form alone; those of another form are put on other ones where they stand.
+    fn carry(&mut self, old: &Self, new: &Self) {
+        match (self, old, new) {
+            (Self::Shared(own), Self::Shared(old), Self::Shared(new)) => Editable::carry(own, old, new),
+            (Self::Deck(own), Self::Deck(old), Self::Deck(new)) => Editable::carry(own, old, new),
+            (Self::Each(own), Self::Each(old), Self::Each(new)) => Stands::carry(own, old, new),
+            (own, Self::Shared(_), Self::Deck(new)) => *own = Self::Deck(new.clone()).where_stand(own),
+            (own, Self::Deck(_), Self::Shared(new)) => *own = Self::Shared(new.clone()).where_stand(own),
+            _ => {}
+        }
+    }
+}
+
+/// Where equal bearings stand: places, places before skewing, height, supports of the −x and the +x half, free travel.
+type Stand<'b> = (
+    &'b mut Option<Vec<[f64; 2]>>,
+    &'b mut Option<Vec<[f64; 2]>>,
+    &'b mut Option<f64>,
+    [&'b mut Option<String>; 2],
+    &'b mut Option<f64>,
+);
+
+impl Bearings {
+    /// Where they stand; `None` of single ones.
+    fn stand(&mut self) -> Option<Stand<'_>> {
+        match self {
+            Self::Shared(s) => {
+                Some((&mut s.at, &mut s.at_skewed, &mut s.height, [&mut s.on_minus_x, &mut s.on_plus_x], &mut s.travel))
+            }
+            Self::Deck(d) => {
+                Some((&mut d.at, &mut d.at_skewed, &mut d.height, [&mut d.on_minus_x, &mut d.on_plus_x], &mut d.travel))
+            }
+            Self::Each(_) => None,
+        }
+    }
+
+    /// These bearings at the places and on the supports of others, of which each place has one; single ones are left as they are.
+    #[must_use]
+    pub fn where_stand(mut self, others: &Self) -> Self {
+        let mut others = others.clone();
+        match (self.stand(), others.stand()) {
+            (Some((at, skewed, height, on, travel)), Some(theirs)) => {
+                (*at, *skewed, *height, *travel) = (theirs.0.take(), theirs.1.take(), *theirs.2, *theirs.4);
+                on.into_iter().zip(theirs.3).for_each(|(own, theirs)| *own = theirs.take());
+                self
+            }
+            _ => others,
+        }
     }
 }
 

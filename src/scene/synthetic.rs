@@ -7,7 +7,8 @@ use serde::{Deserialize, Serialize};
 use super::keys::{Fallback, Range, table};
 use super::motion::STANDARD_GRAVITY;
 use crate::language::Text;
-use crate::motion::matching::{deviation_from, matched};
+use crate::motion::matching::{deviation_from, matched, without_drift};
+use crate::motion::process::scale_to;
 use crate::motion::synthetic::Earthquake;
 
 /// Most samples of a synthetic record.
@@ -26,6 +27,8 @@ table! {
         rise: f64 = "rise_s" as "field-rise", Range::NotNegative, Fallback::Number(2.0), "time within which the envelope rises, as a parabola, s", slider [0.0, 10.0];
         strong: f64 = "strong_s" as "field-strong-motion", Range::NotNegative, Fallback::Number(10.0), "time for which it then is 1, s", slider [0.0, 40.0];
         decay: f64 = "decay_s" as "field-decay", Range::Positive, Fallback::Number(7.0), "time τ of its decay exp(−t/τ), s", slider [1.0, 20.0];
+        longest: Option<f64> = "longest_period_s" as "field-longest-period", Range::Positive, Fallback::Words("none: the ground may drift"),
+            "period beyond which amplitudes fall as its square, so that the ground comes to rest where it began; without target_psa_g, s", slider [1.0, 20.0];
         angle_deg: f64 = "angle_deg" as "field-angle", Range::Any, Fallback::Number(0.0), "excitation angle α, degrees", slider [-180.0, 180.0];
         across: f64 = "across" as "field-across", Range::Any, Fallback::Number(0.0), "multiplies an independent component square to the first in plan, of the next seed", slider [0.0, 1.5];
         target: Option<Vec<[f64; 2]>> = "target_psa_g", Range::Like("two or more pairs"), Fallback::Words("none"),
@@ -75,7 +78,12 @@ impl SyntheticMotion {
             until: self.rise + self.strong,
             decay: 1.0 / self.decay,
         };
-        let Some(target) = &self.target else { return quake.samples() };
+        let Some(target) = &self.target else {
+            let Some(longest) = self.longest else { return quake.samples() };
+            let mut samples = without_drift(&quake.samples(), quake.dt, longest);
+            scale_to(&mut samples, quake.peak);
+            return samples;
+        };
         let target: Vec<[f64; 2]> = target.iter().map(|[period, g]| [*period, g * STANDARD_GRAVITY]).collect();
         matched_once(quake, target)
     }
@@ -126,6 +134,9 @@ impl SyntheticMotion {
                 self.target.as_ref().map_or(0.0, |target| target.len() as f64),
                 Text::new("wrong-target"),
             )),
+            () if self.target.is_some() && self.longest.is_some() => {
+                Some(("longest_period_s", self.longest.unwrap_or_default(), Text::new("wrong-longest-of-target")))
+            }
             () if coarse => Some(("dt_s", self.dt, Text::new("wrong-quake-coarse"))),
             () => None,
         }

@@ -6,6 +6,7 @@ use super::books::Books;
 use super::impact::events;
 use super::recent_steps::RecentSteps;
 use super::report::Overlap;
+use super::resultants::Pounding;
 use super::{Event, Motion, Stop, Touch};
 use crate::contact::Frame;
 use crate::dynamics::Model;
@@ -59,6 +60,8 @@ pub struct History {
     pub(super) books: OnceLock<Books>,
     /// Found when they are first asked for.
     pub(super) overlaps: OnceLock<Vec<Overlap>>,
+    /// Found when they are first asked for.
+    pub(super) poundings: OnceLock<Vec<Pounding>>,
 }
 
 impl History {
@@ -121,6 +124,7 @@ impl History {
             touches,
             books,
             overlaps,
+            poundings: OnceLock::new(),
         }
     }
 
@@ -169,7 +173,7 @@ impl History {
         self.stop = self.stop.filter(|stop| stop.t <= t);
         self.events.retain(|event| event.t <= t);
         self.record = self.record.map(|record| Record::together(vec![record], t));
-        (self.touches, self.books, self.overlaps) = (OnceLock::new(), OnceLock::new(), OnceLock::new());
+        self.forget();
         self.beside = self.beside.map(|beside| Arc::new(Arc::unwrap_or_clone(beside).cut(t)));
         self
     }
@@ -188,8 +192,14 @@ impl History {
         self.stop = Some(Stop { cause: Cause::NoContact, t, place, reason });
         self.end = t;
         self.record = self.record.map(|record| Record::together(vec![record], t));
-        (self.touches, self.books, self.overlaps) = (OnceLock::new(), OnceLock::new(), OnceLock::new());
+        self.forget();
         self
+    }
+
+    /// Lets go of what was found of another answer.
+    fn forget(&mut self) {
+        (self.touches, self.books, self.overlaps) = (OnceLock::new(), OnceLock::new(), OnceLock::new());
+        self.poundings = OnceLock::new();
     }
 
     /// Why it stops before the scene's duration, if it does.

@@ -53,6 +53,7 @@ pub use overlap::{Unjoined, unjoined};
 pub use piers::{PierNow, PierReading};
 pub use quantity::Quantity;
 pub use report::{Cause, ContactNow, ContactState, Event, EventKind, Ledger, Motion, Overlap, SolidId, Stop, Touch};
+pub use resultants::{Pounding, PoundingHit};
 pub use section_field::SectionField;
 pub use section_quantity::OfSection;
 pub use session::{Reached, Session};

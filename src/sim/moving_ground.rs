@@ -33,13 +33,21 @@ pub struct MovedSupport {
     /// Speed at which it goes on against the ground of reference when the records of both have ended \[m/s\]; none where that is
     /// rounding beside the motion, or one has no end.
     pub drift: Option<f64>,
+    /// Speed at which its own ground goes on when its record has ended \[m/s\], where that is more than rounding and the ground of
+    /// reference goes on alike: a delay leaves the two apart by as much as one of them moves within it.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub left: Option<f64>,
 }
 
 impl MovedSupport {
     /// In words, that the ends of records leave it moving against the ground of reference, and the remedy.
     pub fn drifting(&self) -> Option<String> {
-        let [speed, last] = [self.drift?, self.last].map(six);
-        Some(said!("support-drifts", "name" => escaped(&self.name), "speed" => speed, "last" => last))
+        let (name, last) = (escaped(&self.name), six(self.last));
+        if let Some(speed) = self.drift.map(six) {
+            return Some(said!("support-drifts", "name" => name, "speed" => speed, "last" => last));
+        }
+        let speed = six(self.left.filter(|_| self.motion.delay > 0.0)?);
+        Some(said!("support-stays-apart", "name" => name, "speed" => speed, "last" => last))
     }
 }
 
@@ -61,7 +69,9 @@ pub fn moved_supports(scene: &Scene, model: &Model) -> Vec<MovedSupport> {
         let apart = |t: f64| relative.at(t)[1].length();
         let looks = || (0..=LOOKS).map(|look| model.duration * f64::from(look) / f64::from(LOOKS));
         let fastest = looks().map(|t| relative.at(t)[0].length()).fold(0.0, f64::max);
-        let left = relative.last_velocity().map(DVec3::length);
+        let drift = relative.last_velocity().map(DVec3::length).filter(|speed| *speed > LEFT * fastest);
+        let own_fastest = looks().map(|t| relative.own_velocity(t).length()).fold(0.0, f64::max);
+        let left = relative.own_last_velocity().map(DVec3::length);
         let ground = motion.ground.checked_sub(1).map(|number| scene.grounds[number].name.clone());
         Some(MovedSupport {
             name,
@@ -69,7 +79,8 @@ pub fn moved_supports(scene: &Scene, model: &Model) -> Vec<MovedSupport> {
             ground,
             largest: looks().map(apart).fold(0.0, f64::max),
             last: apart(model.duration),
-            drift: left.filter(|speed| *speed > LEFT * fastest),
+            drift,
+            left: left.filter(|speed| drift.is_none() && *speed > LEFT * own_fastest),
         })
     };
     abutments.chain(piers).chain(other).filter_map(moved).collect()

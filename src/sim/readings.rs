@@ -6,7 +6,7 @@
 use glam::DVec3;
 
 pub use super::report::Extreme;
-use super::{History, seats, touches};
+use super::{History, Pounding, seats, touches};
 use crate::contact::node_face::locate;
 use crate::dynamics::model::edge_node::NodePlace;
 use crate::geometry::{End, Prism};
@@ -192,15 +192,14 @@ fn of_girder(history: &History, girder: usize, name: &str, all: &mut Vec<Passed>
 
 /// Every two bodies whose force passes a limit, all contacts between them together: when it first does so.
 fn of_resultants(history: &History, limit: f64) -> Vec<Passed> {
-    let passed = |(pair, hits): (usize, Vec<(f64, Extreme)>)| {
-        let mut over = hits.iter().filter(|(_, most)| most.value > limit);
-        let &(start, most) = over.next()?;
-        let force = |t: f64| history.resultant(pair, t).length() - limit;
-        let t = first(&[start, most.t], history.end(), force).unwrap_or(most.t);
-        let reached = over.map(|(_, most)| most.value).fold(most.value, f64::max);
-        Some(Passed { limit: "total_force_n", whose: history.model().pairs[pair].name.clone(), t, reached })
+    let passed = |of: &Pounding| {
+        let hit = of.hits.iter().find(|hit| hit.peak.value > limit)?;
+        let force = |t: f64| history.resultant(of.pair, t).length() - limit;
+        let t = first(&[hit.start, hit.peak.t], history.end(), force).unwrap_or(hit.peak.t);
+        let whose = history.model().pairs[of.pair].name.clone();
+        Some(Passed { limit: "total_force_n", whose, t, reached: of.most()?.value })
     };
-    history.hits_between().into_iter().filter_map(passed).collect()
+    history.poundings().iter().filter_map(passed).collect()
 }
 
 /// The first touch of each pair whose force passes a limit, when its force does so.

@@ -15,6 +15,34 @@ use crate::scene::facing::SolidId;
 /// chatter under another one that stays closed are many, and their peaks alike.
 const MOST_LOOKS: usize = 64;
 
+/// The hits of two bodies.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Pounding {
+    /// A pair between the two, the one of the least number.
+    pub pair: usize,
+    /// In order of time; never empty.
+    pub hits: Vec<PoundingHit>,
+}
+
+/// A stretch of time in which a contact between two bodies is closed.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct PoundingHit {
+    /// From \[s\].
+    pub start: f64,
+    /// To \[s\].
+    pub end: f64,
+    /// The largest |force| between the two, of all contacts together \[N\]; 0 of an impulse.
+    pub peak: Extreme,
+}
+
+impl Pounding {
+    /// The hardest hit's largest |force| \[N\].
+    pub fn most(&self) -> Option<Extreme> {
+        let peaks = self.hits.iter().map(|hit| hit.peak);
+        peaks.reduce(|a, b| if b.value > a.value { b } else { a })
+    }
+}
+
 impl History {
     /// Force of the second body of a pair on its first, of all contacts between the two \[N\].
     pub fn resultant(&self, pair: usize, t: f64) -> DVec3 {
@@ -44,22 +72,46 @@ impl History {
         }
     }
 
+    /// The largest |force| between any two bodies at an instant \[N\].
+    pub fn largest_resultant(&self, t: f64) -> f64 {
+        let mut between: BTreeMap<[SolidId; 2], DVec3> = BTreeMap::new();
+        for now in self.contacts(t) {
+            let pair = &self.model().pairs[now.pair];
+            let mut solids = [pair.first.solid(), pair.second.solid()];
+            solids.sort_unstable();
+            *between.entry(solids).or_default() += now.force * self.sign(now.contact, solids).unwrap_or_default();
+        }
+        between.into_values().map(DVec3::length).fold(0.0, f64::max)
+    }
+
+    /// The hits of the two bodies with the largest force between them, and that force; none where all touches are impulses.
+    pub fn hardest_pounding(&self) -> Option<(&Pounding, Extreme)> {
+        let most = |of: &'_ Pounding| of.most().map_or(0.0, |most| most.value);
+        let hardest = self.poundings().iter().reduce(|a, b| if most(b) > most(a) { b } else { a })?;
+        hardest.most().filter(|most| most.value > 0.0).map(|most| (hardest, most))
+    }
+
+    /// The closed contact with the largest force between the bodies of a pair.
+    pub fn strongest_contact(&self, pair: usize, t: f64) -> Option<usize> {
+        let own = self.model().pairs.get(pair)?;
+        let solids = [own.first.solid(), own.second.solid()];
+        let closed = self.contacts(t).into_iter().filter(|now| self.sign(now.contact, solids).is_some());
+        closed.max_by(|a, b| a.force.length().total_cmp(&b.force.length())).map(|now| now.contact)
+    }
+
     /// The largest |force| between any two bodies that touched, by a pair between them \[N\]; one entry for every two bodies, in the
     /// order of their pairs; none where all touches are impulses.
     pub fn largest_resultants(&self) -> Vec<(usize, Extreme)> {
-        let most = |hits: Vec<(f64, Extreme)>| {
-            hits.into_iter().map(|(_, most)| most).reduce(|a, b| if b.value > a.value { b } else { a })
-        };
-        self.hits_between()
-            .into_iter()
-            .filter_map(|(pair, hits)| Some((pair, most(hits)?)))
-            .filter(|(_, most)| most.value > 0.0)
-            .collect()
+        let most = |of: &Pounding| Some((of.pair, of.most().filter(|most| most.value > 0.0)?));
+        self.poundings().iter().filter_map(most).collect()
     }
 
-    /// Of every two bodies that touched a pair between them and their hits: when each begins \[s\], and the largest |force| in it \[N\].
-    /// In the order of the pairs.
-    pub(super) fn hits_between(&self) -> Vec<(usize, Vec<(f64, Extreme)>)> {
+    /// The hits of every two bodies that touched, in the order of their pairs.
+    pub fn poundings(&self) -> &[Pounding] {
+        self.poundings.get_or_init(|| self.find_poundings())
+    }
+
+    fn find_poundings(&self) -> Vec<Pounding> {
         let mut between: BTreeMap<[SolidId; 2], Vec<&Touch>> = BTreeMap::new();
         // In order of their start.
         for touch in self.touches() {
@@ -68,13 +120,17 @@ impl History {
             solids.sort_unstable();
             between.entry(solids).or_default().push(touch);
         }
-        let mut all: Vec<(usize, Vec<(f64, Extreme)>)> = Vec::with_capacity(between.len());
+        let mut all: Vec<Pounding> = Vec::with_capacity(between.len());
         for (solids, touches) in between {
             let Some(pair) = touches.iter().map(|touch| touch.pair).min() else { continue };
-            let hits = together(&touches).into_iter().map(|hit| (hit[0].start, self.largest_of_hit(hit, solids)));
-            all.push((pair, hits.collect()));
+            let hits = together(&touches).into_iter().map(|hit| PoundingHit {
+                start: hit[0].start,
+                end: hit.iter().map(|touch| touch.end).fold(hit[0].end, f64::max),
+                peak: self.largest_of_hit(hit, solids),
+            });
+            all.push(Pounding { pair, hits: hits.collect() });
         }
-        all.sort_by_key(|(pair, _)| *pair);
+        all.sort_by_key(|of| of.pair);
         all
     }
 

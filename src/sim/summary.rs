@@ -36,8 +36,7 @@ impl History {
     pub fn summary(&self) -> Summary {
         let touches = self.touches();
         let hardest = self.hardest();
-        let totals = self.largest_resultants().into_iter().map(|(_, most)| most);
-        let total = totals.reduce(|a, b| if b.value > a.value { b } else { a });
+        let total = self.hardest_pounding().map(|(_, most)| most);
         Summary {
             max_displacement: self.largest_displacement(),
             max_rotation: self.largest_rotation(),

@@ -6,6 +6,7 @@ pub use crate::motion::Ground as Shaker;
 
 use super::plot::COLORS;
 use super::plot::chart::{Chart, Curve, Panel};
+use crate::language::Text;
 use crate::motion::format::Channel;
 use crate::motion::integrate::{Peak, StrongMotion, integrate};
 use crate::motion::spectrum::{DESIGN_DAMPING, Response, periods, response, spectrum};
@@ -81,14 +82,14 @@ impl<'a> Ground<'a> {
 
     /// Acceleration, velocity and displacement over time.
     pub fn history_panels(&self) -> Vec<Panel> {
-        let panel = |name: &str, color: usize, values: &[f64]| Panel {
-            name: name.to_owned(),
+        let panel = |(name, unit): (Text, &str), color: usize, values: &[f64]| Panel {
+            name: format!("{name} [{unit}]"),
             curves: vec![curve("ground", color, thinned(values, self.channel.dt))],
         };
         vec![
-            panel("acceleration [m/s²]", 0, &self.channel.samples),
-            panel("velocity [m/s]", 1, &self.velocity),
-            panel("displacement [m]", 2, &self.displacement),
+            panel((Text::new("motion-acceleration"), "m/s²"), 0, &self.channel.samples),
+            panel((Text::new("motion-velocity"), "m/s"), 1, &self.velocity),
+            panel((Text::new("motion-displacement"), "m"), 2, &self.displacement),
         ]
     }
 }
@@ -115,14 +116,14 @@ pub fn spectrum_chart(spectrum: &[Response], title: &str) -> String {
 /// Pseudo-acceleration, pseudo-velocity and displacement over the period.
 fn spectrum_panels(spectrum: &[Response]) -> Vec<Panel> {
     let drawn = || spectrum.iter().filter(|r| r.period <= DRAWN);
-    let panel = |name: &str, color: usize, value: fn(&Response) -> f64| Panel {
-        name: name.to_owned(),
+    let panel = |(name, unit): (Text, &str), color: usize, value: fn(&Response) -> f64| Panel {
+        name: format!("{name} [{unit}]"),
         curves: vec![curve("5 % damping", color, drawn().map(|r| [r.period, value(r)]).collect())],
     };
     vec![
-        panel("pseudo-acceleration [m/s²]", 0, Response::pseudo_acceleration),
-        panel("pseudo-velocity [m/s]", 1, Response::pseudo_velocity),
-        panel("displacement [m]", 2, |r| r.displacement),
+        panel((Text::new("motion-pseudo-acceleration"), "m/s²"), 0, Response::pseudo_acceleration),
+        panel((Text::new("motion-pseudo-velocity"), "m/s"), 1, Response::pseudo_velocity),
+        panel((Text::new("motion-displacement"), "m"), 2, |r| r.displacement),
     ]
 }
 
@@ -130,7 +131,7 @@ fn spectrum_panels(spectrum: &[Response]) -> Vec<Panel> {
 #[derive(Clone, Debug)]
 pub struct Component {
     /// `along`, or the world's axis.
-    pub name: &'static str,
+    pub name: Text,
     /// Peaks and duration.
     pub figures: Figures,
     /// Acceleration, velocity, displacement over time.
@@ -140,7 +141,7 @@ pub struct Component {
 }
 
 impl Component {
-    fn of(name: &'static str, dt: f64, samples: Vec<f64>) -> Self {
+    fn of(name: Text, dt: f64, samples: Vec<f64>) -> Self {
         let channel = Channel::plain(dt, samples);
         let ground = Ground::of(&channel);
         let (figures, histories) = (ground.figures(), ground.history_panels());
@@ -153,7 +154,7 @@ impl Component {
 pub fn components(ground: &Motion, end: f64) -> Vec<Component> {
     match ground {
         Motion::Record { dt, samples: Samples::Along { values, .. }, .. } => {
-            vec![Component::of("along the angle", *dt, values.to_vec())]
+            vec![Component::of(Text::new("motion-along-angle"), *dt, values.to_vec())]
         }
         Motion::Record { dt, samples: Samples::Components { values, .. }, .. } => {
             axes(*dt, |axis| values.iter().map(|a| a[axis]).collect())
@@ -176,7 +177,8 @@ const MOST_SAMPLES: f64 = 40_000.0;
 
 /// The world's axes along which anything moves.
 fn axes(dt: f64, samples: impl Fn(usize) -> Vec<f64>) -> Vec<Component> {
-    let named = ["along x", "along y", "upwards"].into_iter().enumerate();
+    let named =
+        [Text::new("motion-along-x"), Text::new("motion-along-y"), Text::new("motion-upwards")].into_iter().enumerate();
     let all = named.map(|(axis, name)| (name, samples(axis)));
     let moving = all.filter(|(_, samples)| samples.len() > 1 && samples.iter().any(|a| *a != 0.0));
     moving.map(|(name, samples)| Component::of(name, dt, samples)).collect()

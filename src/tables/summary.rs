@@ -1,5 +1,7 @@
 //! `summary.json`, and the same facts for whoever prints them: headline numbers, ledger, error, versions.
 
+use std::collections::BTreeMap;
+
 use serde::Serialize;
 
 use super::TableOptions;
@@ -13,6 +15,7 @@ use super::seats::{self, SeatReport};
 use super::verdicts::{self, VerdictReport};
 use crate::scene::Kind;
 use crate::sim::moving_ground::{MovedSupport, moved_supports};
+use crate::sim::readings::Extreme;
 use crate::sim::{BackfillReading, DegreeCheck, History, Ledger, PierReading, Stop, Summary, Upright};
 
 /// Everything a summary says, SI.
@@ -220,15 +223,20 @@ impl Report {
 }
 
 fn pairs(history: &History) -> Vec<PairReport> {
-    let totals = history.largest_resultants();
+    let totals: BTreeMap<usize, Extreme> = history.largest_resultants().into_iter().collect();
+    let mut touched: BTreeMap<usize, (usize, f64)> = BTreeMap::new();
+    for touch in history.touches() {
+        let (count, most) = touched.entry(touch.pair).or_default();
+        (*count, *most) = (*count + 1, most.max(touch.peak_force));
+    }
     let of_pair = |number: usize| {
-        let touches: Vec<_> = history.touches().iter().filter(|touch| touch.pair == number).collect();
+        let (touches, peak_force) = touched.get(&number).copied().unwrap_or_default();
         PairReport {
             name: history.model().pairs[number].name.clone(),
             law: law_of(history, number),
-            touches: touches.len(),
-            peak_force: touches.iter().map(|touch| touch.peak_force).fold(0.0, f64::max),
-            peak_total: totals.iter().find(|(pair, _)| *pair == number).map(|(_, most)| most.value),
+            touches,
+            peak_force,
+            peak_total: totals.get(&number).map(|most| most.value),
         }
     };
     history.listed_pairs().into_iter().map(of_pair).collect()

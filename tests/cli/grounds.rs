@@ -97,3 +97,15 @@ fn a_report_draws_every_ground_that_a_support_stands_on() {
         assert!(page.matches(name).count() >= 3, "{name}: {} times", page.matches(name).count());
     }
 }
+
+#[test]
+fn an_earthquake_that_drifts_is_warned_of_where_it_travels() {
+    let wave = ["check", "viaduct-5", "--set", "wave.speed_m_per_s=600"];
+    let drifts = call(&wave);
+    let words = "its record leaves it moving at ";
+    assert!(drifts.err.contains(words) && drifts.err.contains("longest_period_s"), "{}", drifts.err);
+    let still = call(&[&wave[..], &["--set", "motion.longest_period_s=10"]].concat());
+    assert!(still.status == Some(0) && !still.err.contains("ground under"), "{}", still.err);
+    let alone = call(&["check", "viaduct-5"]);
+    assert!(!alone.err.contains("ground under"), "one ground feels no drift: {}", alone.err);
+}

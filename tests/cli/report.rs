@@ -1,5 +1,7 @@
 //! `report`: one page with everything inside, of runs with and without seats.
 
+use girderbench::scene::{format, presets};
+
 use crate::program::call;
 
 /// The page of a preset's beginning with changes to it.
@@ -26,6 +28,7 @@ fn a_report_has_every_section_and_nothing_outside() {
         "Readings and limits",
         "Seats and codes",
         "How far to trust it",
+        "The scene file",
     ] {
         assert!(page.contains(&format!("<h2>{heading}</h2>")), "{heading}");
     }
@@ -36,6 +39,18 @@ fn a_report_has_every_section_and_nothing_outside() {
     assert!(page.contains("α_E = 5° <span class=\"part\">(assumed)</span>"), "an assumed one");
     assert!(page.contains("not confirmed: quoted from memory"), "what is not confirmed");
     assert!(page.contains("front edge of the seat"), "the orbit over the seat");
+    assert!(page.contains("<p>deck stays on its seats"), "the verdict");
+}
+
+#[test]
+fn the_scene_in_a_report_is_the_one_that_was_run() {
+    let page = page("two-components", &["motion.angle_deg=30"]);
+    let text = page.split_once("<pre>").and_then(|(_, rest)| rest.split_once("</pre>")).expect("a file").0;
+    let text = text.replace("&quot;", "\"").replace("&lt;", "<").replace("&gt;", ">").replace("&amp;", "&");
+    let scene = format::parse(&text, "report").unwrap_or_else(|errors| panic!("{errors}: {text}"));
+    let run = presets::load("two-components").expect("ships");
+    assert!(scene.motion != run.motion && scene.motion.angle_deg() == 30.0, "with what was set: {:?}", scene.motion);
+    assert_eq!((scene.girders, scene.contact, scene.duration), (run.girders, run.contact, 2.0), "and all the rest");
 }
 
 #[test]

@@ -56,7 +56,7 @@ fn the_worst_angle_is_filled_in_while_one_works_and_a_click_gives_it_to_the_scen
     assert_eq!(angle(&harness), 35.0);
     let answer = harness.state().replay.runner.answer().expect("run").clone();
     let turned = harness.state().angles.turned().expect("turned");
-    for (number, name) in ["max_rotation", "max_force"].into_iter().enumerate() {
+    for (number, name) in ["max_rotation", "max_total_force"].into_iter().enumerate() {
         let value = Measure::named(name).expect("known").of(&answer.history);
         assert_eq!(turned.row([42]).expect("out").values[number], value, "{name}: to the last bit");
     }

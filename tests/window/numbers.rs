@@ -1,12 +1,12 @@
 //! Every number of a scene in the inspector: bearings one by one, pairs, seats, pushes, the scene's own.
 
-use super::harness::{open, press, reach_as, settle, type_in};
+use super::harness::{choose, open, open_for, press, reach_as, settle, type_in};
 use egui::accesskit::Role;
 use egui::{Key, Modifiers};
 use egui_kittest::Harness;
 use egui_kittest::kittest::Queryable as _;
 use girderbench::app::{SelectCommand, Workbench};
-use girderbench::scene::{Bearings, Kind, presets};
+use girderbench::scene::{Bearings, Kind, PerDirection, presets};
 use girderbench::view::Target;
 
 type Window = Harness<'static, Workbench>;
@@ -65,8 +65,36 @@ fn a_girder_is_put_on_bearings_and_taken_off() {
         "four equal ones"
     );
     assert_eq!(harness.state().replay.runner.problems(), None, "and it runs");
+    let places = |h: &Window| match h.state().files.document.scene().girders[0].bearings.clone() {
+        Some(Bearings::Shared(shared)) => (false, shared.at_skewed),
+        Some(Bearings::Deck(deck)) => (true, deck.at_skewed),
+        other => panic!("equal ones, got {other:?}"),
+    };
+    let (_, before) = places(&harness);
+    button(&mut harness, "Put it on lead rubber");
+    assert_eq!(places(&harness), (true, before.clone()), "other bearings where those stood");
+    assert_eq!(harness.state().replay.runner.problems(), None, "and it runs");
+    button(&mut harness, "Put it on linear bearings");
+    assert_eq!(places(&harness), (false, before), "and back");
     button(&mut harness, "Take the bearings away");
     assert_eq!(harness.state().files.document.scene().girders[0].bearings, None, "none");
+}
+
+#[test]
+fn a_pier_has_round_columns_or_rectangular_ones() {
+    let mut harness = open_for("viaduct-5", 0.5);
+    harness.state_mut().apply(SelectCommand::Only(Some(Target::Pier(0))));
+    settle(&mut harness);
+    let column = |h: &Window| h.state().files.document.scene().piers[0].column.expect("columns");
+    let round = column(&harness);
+    assert!(matches!(round, PerDirection::Both(_)), "round to begin with");
+    choose(&mut harness, "Stiffness from", "rectangular columns");
+    assert_eq!(column(&harness), PerDirection::Each(round.xy()), "as wide");
+    type_in(&mut harness, "Column along", "2.5 m");
+    assert_eq!(column(&harness), PerDirection::Each([2.5, round.xy()[1]]), "of two sides");
+    choose(&mut harness, "Stiffness from", "round columns");
+    type_in(&mut harness, "Column diameter", "2.1 m");
+    assert_eq!(column(&harness), PerDirection::Both(2.1), "of one diameter");
 }
 
 #[test]

@@ -53,9 +53,9 @@ fn first_heading(record: &RecordMotion) -> Option<f64> {
     })
 }
 
-/// Rotation; peak force, or impulse where hits take no time; the least seat where there is one.
+/// Rotation; the largest force between two bodies, or impulse where hits take no time; the least seat where there is one.
 fn measures(scene: &Scene) -> Vec<String> {
-    let hit = if scene.model.kind == ModelKind::Impact { "max_impulse" } else { "max_force" };
+    let hit = if scene.model.kind == ModelKind::Impact { "max_impulse" } else { "max_total_force" };
     let seated = scene.girders.iter().any(|girder| girder.seat.plus.or(girder.seat.minus).is_some());
     let last = if seated { "least_seat" } else { "max_drift" };
     ["max_rotation", hit, last].map(str::to_owned).into()

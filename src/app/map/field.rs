@@ -216,7 +216,7 @@ fn said(map: &Map, [x, y]: [usize; 2], units: [Unit; 2]) -> String {
         None => text::MAP_NOT_YET.to_string(),
         Some(row) if row.status == Status::Complete => row.values[0].map_or(text::MAP_NO_VALUE.to_string(), |value| {
             let measure = map.measure(0);
-            text::measured(&measure.name.replace('_', " "), value * measure.drawn.1, measure.drawn.0)
+            text::measured(measure.label.as_str(), value * measure.drawn.1, measure.drawn.0)
         }),
         Some(row) => format!("{}: {}", row.status.word(), row.reason),
     };

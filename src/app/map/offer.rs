@@ -9,7 +9,10 @@ use crate::scene::{Bearings, Motion, Scene};
 use crate::study::sweep::own_value;
 
 /// Keys that are looked for first, each by the end of its path.
-const USUAL: [&str; 4] = [".skew_deg", "motion.angle_deg", ".gap_m", "motion.frequency_hz"];
+const USUAL: [&str; 4] = [SKEW, "motion.angle_deg", ".gap_m", "motion.frequency_hz"];
+
+/// That which turns the ends of one girder.
+const SKEW: &str = ".skew_deg";
 
 /// Values of a key that a map has at first.
 const CELLS: usize = 33;
@@ -101,7 +104,10 @@ pub(super) fn axis(laid: &Laid, path: &str) -> MapAxis {
 /// What a map of a scene shows at first; none where the scene has not two keys.
 pub(super) fn first(scene: &Scene) -> Option<MapDraft> {
     let (laid, keys) = (Laid::out(scene).ok()?, keys(scene));
-    let usual = USUAL.iter().filter_map(|end| keys.iter().find(|key| key.ends_with(end)));
+    // The end of one girder among several would turn into its neighbour.
+    let alone = scene.girders.len() == 1;
+    let fitting = USUAL.iter().filter(|end| alone || **end != SKEW);
+    let usual = fitting.filter_map(|end| keys.iter().find(|key| key.ends_with(end)));
     let mut chosen: Vec<&String> = usual.take(2).collect();
     chosen.extend(keys.iter().filter(|key| !chosen.contains(key)).take(2 - chosen.len()).collect::<Vec<_>>());
     let [x, y] = chosen[..] else { return None };
@@ -127,6 +133,13 @@ mod tests {
                 assert!(set.is_ok(), "{}: {key}: {set:?}", preset.name);
             }
         }
+    }
+
+    #[test]
+    fn a_map_of_several_girders_does_not_begin_with_the_skew_of_one() {
+        let scene = presets::load("viaduct-5").expect("ships");
+        let draft = first(&scene).expect("keys enough");
+        assert!(draft.axes.iter().all(|axis| !axis.key.ends_with(SKEW)), "{draft:?}");
     }
 
     #[test]

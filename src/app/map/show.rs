@@ -17,6 +17,11 @@ use crate::study::sweep::MEASURES;
 /// How many values of a key a map may have: powers of two and one, so that each grid lies in the next.
 const CELLS: [usize; 4] = [9, 17, 33, 65];
 
+/// A measure's name in words.
+fn in_words(measure: &str) -> &str {
+    MEASURES.iter().find(|known| known.name == measure).map_or(measure, |known| known.label.as_str())
+}
+
 /// Shows the window while it is open.
 pub(in crate::app) fn show(ui: &mut Ui, maps: &Maps, scene: &Scene, out: &mut Vec<Command>) {
     let Some(draft) = maps.draft() else { return };
@@ -55,11 +60,11 @@ fn above(ui: &mut Ui, scene: &Scene, draft: &mut MapDraft) {
     });
     ui.horizontal(|ui| {
         let label = ui.label(text::MAP_MEASURE);
-        let combo = ComboBox::from_id_salt("map measure").width(130.0).selected_text(draft.measure.replace('_', " "));
+        let combo = ComboBox::from_id_salt("map measure").width(130.0).selected_text(in_words(draft.measure));
         let combo = combo.show_ui(ui, |ui| {
             for measure in MEASURES {
-                let words = measure.name.replace('_', " ");
-                ui.selectable_value(&mut draft.measure, measure.name, words).on_hover_text(measure.meaning);
+                ui.selectable_value(&mut draft.measure, measure.name, measure.label.as_str())
+                    .on_hover_text(measure.meaning);
             }
         });
         combo.response.labelled_by(label.id);

@@ -60,7 +60,7 @@ fn table(ui: &mut Ui, pins: &[Pin], now: Option<&Answer>, out: &mut Vec<Command>
     let rows: [Row; 5] = [
         (text::MOVES.as_str(), |a| text::length(a.summary.max_displacement), Spot::farthest),
         (text::TURNS.as_str(), |a| format!("{}°", text::short(a.summary.max_rotation.to_degrees())), Spot::most_turned),
-        (text::PEAK.as_str(), |a| text::force(a.summary.peak_force), Spot::hardest),
+        (text::PEAK.as_str(), |a| text::force(a.summary.peak_total), Spot::hardest),
         (text::HITS.as_str(), |a| a.summary.hits.to_string(), Spot::first_touch),
         (text::LOST.as_str(), |a| text::energy(a.lost()), |_| None),
     ];

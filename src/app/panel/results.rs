@@ -133,10 +133,12 @@ fn readings(history: &History, girder: usize, reading: &Reading) -> Vec<(&'stati
     rows.extend(
         reading.gap.as_ref().map(|gap| (text::LEAST_GAP.as_str(), length(gap), Spot::gap(history, girder, gap.t))),
     );
+    let hardest = Spot::hardest_on(history, girder);
+    rows.extend(hardest.map(|(spot, most)| (text::PEAK_FORCE.as_str(), at(&text::force(most.value), &most), spot)));
     let force = reading.force.as_ref().and_then(|force| {
         let mut touches = history.touches().iter();
         let touch = touches.find(|touch| touch.peak_time == force.t && touch.peak_force == force.value)?;
-        Some((text::PEAK_FORCE.as_str(), at(&text::force(force.value), force), Spot::touch(touch)))
+        Some((text::PEAK_OF_CORNER.as_str(), at(&text::force(force.value), force), Spot::touch(touch)))
     });
     rows.extend(force);
     rows

@@ -125,7 +125,7 @@ fn numbers(ui: &mut Ui, answer: &Answer, out: &mut Vec<Command>) {
     let values = [
         text::length(s.max_displacement),
         format!("{}°", text::short(s.max_rotation.to_degrees())),
-        text::force(s.peak_force),
+        s.peak_impulse.map_or_else(|| text::force(s.peak_total), text::impulse),
         s.hits.to_string(),
         format!("{:.0e}", answer.balance.residual),
         error,

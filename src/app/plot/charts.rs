@@ -9,7 +9,6 @@ use crate::app::plot::sampled::Sampled;
 use crate::app::plot::source::Source;
 use crate::app::plot::traces::{Band, Curve, Traces};
 use crate::app::plot::value_axis::range;
-use crate::app::run::answer::Answer;
 use crate::app::style::theme::{OWN, PINS, Palette};
 use crate::app::text;
 
@@ -193,17 +192,13 @@ fn pin_style(color: usize) -> LineStyle {
 fn force<'a>(source: &Source<'_>, traces: &'a Traces, at: f64, palette: &Palette) -> Chart<'a> {
     let drawn =
         |curve| Drawn { curve: Cow::Borrowed(curve), color: palette.force, style: LineStyle::Solid, chosen: true };
-    let largest = |answer: &Answer| {
-        let contacts = answer.history.contacts(at);
-        contacts.iter().map(|c| c.force.length()).fold(0.0, f64::max)
-    };
-    let value = source.answer.map(|answer| largest(answer));
+    let value = source.answer.map(|answer| answer.history.largest_resultant(at));
     Chart {
         name: text::PLOT_FORCE.to_string(),
         unit: "N",
         curves: traces.force.iter().map(drawn).collect(),
         bands: Vec::new(),
-        entries: vec![Entry { name: "|R|".into(), color: palette.force, style: LineStyle::Solid, value }],
+        entries: vec![Entry { name: "|ΣR|".into(), color: palette.force, style: LineStyle::Solid, value }],
         filled: false,
         log: false,
     }

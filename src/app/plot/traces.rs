@@ -11,12 +11,12 @@ use std::sync::Arc;
 
 use crate::app::run::answer::Answer;
 use crate::app::run::comparison::Pin;
-use crate::sim::{History, Touch};
+use crate::sim::{History, Pounding, PoundingHit};
 
 /// A curve: `[t, value]`.
 pub(in crate::app) type Curve = Vec<[f64; 2]>;
 
-/// More girders or pairs than this are a crowd.
+/// More girders, or pairs of bodies that hit, than this are a crowd.
 pub(in crate::app) const CROWD: usize = 8;
 
 /// The room that many curves fill, time by time.
@@ -69,7 +69,7 @@ pub(in crate::app) struct Traces {
     pub(in crate::app) pins: Vec<Kept>,
     /// Whether those are by how much this run differs.
     pub(in crate::app) differences: bool,
-    /// Largest `|R_k|` of a contact, hit by hit of every pair, or of all pairs together \[N\].
+    /// |Force| between two bodies, all their contacts together, hit by hit of every two, or the largest of all \[N\].
     pub(in crate::app) force: Vec<Curve>,
     /// What x, y and θ of a crowd fill.
     pub(in crate::app) bands: Option<[Band; 3]>,
@@ -145,7 +145,6 @@ fn kept(pin: &Pin, girder: &str, (window, points): ([f64; 2], usize), less: Opti
 fn sample(answer: &Answer, window: [f64; 2], points: usize) -> Traces {
     let history = &answer.history;
     let girders = history.model().girders().len();
-    let pairs = history.listed_pairs();
     let mut traces = Traces {
         x: vec![Vec::with_capacity(points); girders],
         y: vec![Vec::with_capacity(points); girders],
@@ -171,8 +170,9 @@ fn sample(answer: &Answer, window: [f64; 2], points: usize) -> Traces {
         }
     }
     traces.bands = (girders > CROWD).then(|| [&traces.x, &traces.y, &traces.theta].map(|curves| Band::of(curves)));
-    traces.force = pairs.iter().flat_map(|&pair| force(answer, pair, window, points)).collect();
-    if pairs.len() > CROWD {
+    let poundings = history.poundings();
+    traces.force = poundings.iter().flat_map(|between| force(history, between, window, points)).collect();
+    if poundings.len() > CROWD {
         traces.force = vec![largest(&traces.force, window, points)];
     }
     traces
@@ -206,65 +206,27 @@ fn grid(window: [f64; 2], points: usize, end: f64) -> impl Iterator<Item = f64> 
     (0..points).map(move |i| window[0] + step * i as f64).filter(move |&t| t <= end * (1.0 + 1e-12))
 }
 
-/// One curve for every hit that can be told apart: a spike as high as its peak, or its shape.
-fn force(answer: &Answer, pair: usize, window: [f64; 2], points: usize) -> Vec<Curve> {
+/// One curve for every hit of two bodies that can be told apart: a spike as high as its peak, or its shape.
+fn force(history: &History, between: &Pounding, window: [f64; 2], points: usize) -> Vec<Curve> {
     let per_point = (window[1] - window[0]) / points as f64;
-    let hits = highest(hits(answer.history.touches(), pair, window), per_point);
-    let sites = answer.history.model().contacts.iter().enumerate();
-    let contacts: Vec<usize> = sites.filter(|(_, site)| site.pair == pair).map(|(contact, _)| contact).collect();
-    let curve = |hit: &Hit| {
+    let seen = between.hits.iter().filter(|hit| hit.start <= window[1] && hit.end >= window[0]);
+    let curve = |hit: PoundingHit| {
         if hit.end - hit.start < 4.0 * per_point {
-            vec![[hit.peak_time, 0.0], [hit.peak_time, hit.peak_force]]
+            vec![[hit.peak.t, 0.0], [hit.peak.t, hit.peak.value]]
         } else {
-            shape(answer, &contacts, hit, window, per_point)
+            shape((history, between.pair), &hit, window, per_point)
         }
     };
-    hits.iter().map(curve).collect()
-}
-
-/// A stretch in which a pair is closed, and its highest peak.
-#[derive(Clone, Debug, PartialEq)]
-struct Hit {
-    start: f64,
-    end: f64,
-    peak_time: f64,
-    peak_force: f64,
-    /// Peaks of all its touches \[s\].
-    peaks: Vec<f64>,
-}
-
-/// Merges the touches of a pair's contacts that reach into a window.
-fn hits(touches: &[Touch], pair: usize, window: [f64; 2]) -> Vec<Hit> {
-    let upto = touches.partition_point(|t| t.start <= window[1]);
-    let mut hits: Vec<Hit> = Vec::new();
-    for touch in touches[..upto].iter().filter(|t| t.pair == pair && t.end >= window[0]) {
-        match hits.last_mut() {
-            Some(hit) if touch.start <= hit.end => {
-                hit.end = hit.end.max(touch.end);
-                hit.peaks.push(touch.peak_time);
-                if touch.peak_force > hit.peak_force {
-                    (hit.peak_time, hit.peak_force) = (touch.peak_time, touch.peak_force);
-                }
-            }
-            _ => hits.push(Hit {
-                start: touch.start,
-                end: touch.end,
-                peak_time: touch.peak_time,
-                peak_force: touch.peak_force,
-                peaks: vec![touch.peak_time],
-            }),
-        }
-    }
-    hits
+    highest(seen.copied(), per_point).into_iter().map(curve).collect()
 }
 
 /// Of the hits that end within one point of each other, keeps the highest.
-fn highest(hits: Vec<Hit>, per_point: f64) -> Vec<Hit> {
-    let mut kept: Vec<Hit> = Vec::with_capacity(hits.len());
+fn highest(hits: impl Iterator<Item = PoundingHit>, per_point: f64) -> Vec<PoundingHit> {
+    let mut kept: Vec<PoundingHit> = Vec::new();
     for hit in hits {
         match kept.last_mut() {
             Some(last) if hit.end - last.start < per_point => {
-                if hit.peak_force > last.peak_force {
+                if hit.peak.value > last.peak.value {
                     *last = hit;
                 }
             }
@@ -274,46 +236,31 @@ fn highest(hits: Vec<Hit>, per_point: f64) -> Vec<Hit> {
     kept
 }
 
-/// Samples a hit that is wide enough to be seen, its peaks among the samples.
+/// Samples a hit that is wide enough to be seen, its peak among the samples.
 #[expect(clippy::cast_possible_truncation, clippy::cast_sign_loss, reason = "a count of samples, clamped")]
-fn shape(answer: &Answer, contacts: &[usize], hit: &Hit, window: [f64; 2], per_point: f64) -> Curve {
+fn shape((history, pair): (&History, usize), hit: &PoundingHit, window: [f64; 2], per_point: f64) -> Curve {
     let (from, to) = (hit.start.max(window[0]), hit.end.min(window[1]));
     let n = ((to - from) / per_point).ceil().clamp(4.0, 8000.0) as usize;
     let mut times: Vec<f64> = (0..=n).map(|i| from + (to - from) * i as f64 / n as f64).collect();
-    times.extend(hit.peaks.iter().filter(|&&t| t > from && t < to));
+    times.extend(Some(hit.peak.t).filter(|&t| t > from && t < to));
     times.sort_by(f64::total_cmp);
-    times.into_iter().map(|t| [t, at(answer, contacts, t)]).collect()
-}
-
-/// Largest `|R_k|` of a pair's contacts \[N\].
-fn at(answer: &Answer, contacts: &[usize], t: f64) -> f64 {
-    let closed = contacts.iter().filter_map(|contact| answer.history.contact_at(*contact, t));
-    closed.map(|now| now.force.length()).fold(0.0, f64::max)
+    times.into_iter().map(|t| [t, history.resultant(pair, t).length()]).collect()
 }
 
 #[cfg(test)]
 mod tests {
     use super::*;
+    use crate::sim::readings::Extreme;
 
-    fn touch(start: f64, end: f64, peak_force: f64) -> Touch {
-        let peak_time = start.midpoint(end);
-        Touch { pair: 0, contact: 0, start, end, peak_time, peak_force, impulse: 0.0, stick: 0.0, slip: end - start }
+    fn hit(start: f64, end: f64, peak: f64) -> PoundingHit {
+        PoundingHit { start, end, peak: Extreme { value: peak, t: start.midpoint(end) } }
     }
 
     #[test]
     fn no_peak_is_lost_where_hits_share_a_point() {
-        let touches = [touch(1.0, 1.01, 5.0), touch(1.02, 1.03, 50.0), touch(1.04, 1.05, 7.0), touch(3.0, 3.01, 2.0)];
-        let kept = highest(hits(&touches, 0, [0.0, 10.0]), 0.1);
-        let peaks: Vec<f64> = kept.iter().map(|h| h.peak_force).collect();
+        let hits = [hit(1.0, 1.01, 5.0), hit(1.02, 1.03, 50.0), hit(1.04, 1.05, 7.0), hit(3.0, 3.01, 2.0)];
+        let peaks: Vec<f64> = highest(hits.into_iter(), 0.1).iter().map(|hit| hit.peak.value).collect();
         assert_eq!(peaks, vec![50.0, 2.0], "the highest of the first three, and the last");
-    }
-
-    #[test]
-    fn corners_that_touch_together_are_one_hit() {
-        let touches = [touch(1.0, 1.01, 5.0), touch(1.005, 1.02, 9.0)];
-        let hits = hits(&touches, 0, [0.0, 10.0]);
-        assert_eq!(hits.len(), 1, "they overlap");
-        assert_eq!((hits[0].end, hits[0].peak_force), (1.02, 9.0), "to the last opening, with the higher peak");
     }
 
     #[test]

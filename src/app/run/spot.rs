@@ -3,6 +3,7 @@
 use crate::app::command::{Command, Look, SelectCommand, TimeCommand, ViewCommand};
 use crate::scene::facing::Side;
 use crate::sim::quantity::{OfPair, Quantity};
+use crate::sim::readings::Extreme;
 use crate::sim::readings::Passed;
 use crate::sim::verdict::Verdict;
 use crate::sim::{History, Touch};
@@ -50,9 +51,19 @@ impl Spot {
         history.most_turned().map(|(girder, e)| Self::girder(girder, e.t))
     }
 
-    /// The peak of the hardest touch.
+    /// The largest force between two bodies, at the contact that has most of it; the hardest touch where all are impulses.
     pub(in crate::app) fn hardest(history: &History) -> Option<Self> {
-        history.hardest().map(Self::touch)
+        let Some((of, most)) = history.hardest_pounding() else { return history.hardest().map(Self::touch) };
+        history.strongest_contact(of.pair, most.t).map(|contact| Self::contact(contact, most.t))
+    }
+
+    /// The largest force on a girder, at the contact that has most of it, and that force.
+    pub(in crate::app) fn hardest_on(history: &History, girder: usize) -> Option<(Self, Extreme)> {
+        let on = history.poundings().iter().filter(|of| history.model().pairs[of.pair].bodies.contains(&Some(girder)));
+        let most = on.filter_map(|of| Some((of.pair, of.most().filter(|most| most.value > 0.0)?)));
+        let (pair, most) = most.reduce(|a, b| if b.1.value > a.1.value { b } else { a })?;
+        let spot = Self::contact(history.strongest_contact(pair, most.t)?, most.t);
+        Some((spot, most))
     }
 
     /// The beginning of the first touch.

@@ -247,6 +247,15 @@ pub(in crate::app) fn force(newtons: f64) -> String {
     }
 }
 
+/// An impulse \[N·s\].
+pub(in crate::app) fn impulse(newton_seconds: f64) -> String {
+    match newton_seconds.abs() {
+        j if j >= 1e6 => format!("{} MN·s", short(newton_seconds / 1e6)),
+        j if j >= 1e4 => format!("{} kN·s", short(newton_seconds / 1e3)),
+        _ => format!("{} N·s", short(newton_seconds)),
+    }
+}
+
 /// The time of a tick, with as many digits as tell it from its neighbours.
 pub(in crate::app) fn tick(t: f64, step: f64) -> String {
     #[expect(clippy::cast_possible_truncation, clippy::cast_sign_loss, reason = "between 0 and 9")]

@@ -33,6 +33,7 @@ pub(in crate::app) const CORNER_OFF: Text = Text::new("corner-off");
 pub(in crate::app) const UNSEATS: Text = Text::new("unseats");
 pub(in crate::app) const LEAST_GAP: Text = Text::new("least-gap");
 pub(in crate::app) const PEAK_FORCE: Text = Text::new("peak-force");
+pub(in crate::app) const PEAK_OF_CORNER: Text = Text::new("peak-of-corner");
 
 /// The seat under an end.
 pub(in crate::app) fn seat_at(end: End) -> &'static str {

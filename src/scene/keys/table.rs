@@ -1,7 +1,7 @@
 //! A table of the scene file stated once: its struct, its keys with ranges and meanings, its defaults, its numbers.
 
 use super::key::Fallback;
-use super::slot::Slot;
+use super::slot::{Editable, Slot};
 use crate::geometry::End;
 
 /// What stands under a key, for the check of its range.
@@ -18,7 +18,7 @@ pub(in crate::scene) enum Stated<'a> {
 }
 
 /// A type whose values stand under a key.
-pub(in crate::scene) trait Stands: Sized {
+pub(in crate::scene) trait Stands: Sized + Clone + PartialEq {
     /// The value where the file has none.
     fn by_default(fallback: Fallback) -> Self;
 
@@ -37,11 +37,8 @@ pub(in crate::scene) trait Stands: Sized {
         Slot::Apart
     }
 
-    /// Takes over what differs between two values.
-    fn carry(&mut self, old: &Self, new: &Self)
-    where
-        Self: Clone + PartialEq,
-    {
+    /// Takes over what differs between two values: of what has parts, the parts that differ and no other.
+    fn carry(&mut self, old: &Self, new: &Self) {
         if old != new {
             self.clone_from(new);
         }
@@ -118,6 +115,27 @@ impl<T: Stands> Stands for Option<T> {
     fn slot(&mut self) -> Slot<'_> {
         T::optional_slot(self)
     }
+
+    fn carry(&mut self, old: &Self, new: &Self) {
+        match (self, old, new) {
+            (Some(own), Some(old), Some(new)) => own.carry(old, new),
+            (own, old, new) if old != new => own.clone_from(new),
+            _ => {}
+        }
+    }
+}
+
+/// Of two lists as long as one another those members that differ, where `own` has such members; else all of the new list.
+fn carry_each<T: Clone + PartialEq>(
+    own: &mut Vec<T>,
+    [old, new]: [&Vec<T>; 2],
+    mut carry: impl FnMut(&mut T, [&T; 2]),
+) {
+    if old.len() == new.len() {
+        own.iter_mut().zip(old.iter().zip(new)).for_each(|(own, (old, new))| carry(own, [old, new]));
+    } else {
+        own.clone_from(new);
+    }
 }
 
 impl<const N: usize> Stands for Vec<[f64; N]> {
@@ -127,6 +145,10 @@ impl<const N: usize> Stands for Vec<[f64; N]> {
 
     fn stated(&self) -> Stated<'_> {
         Stated::Lists(self.iter().map(<[f64; N]>::as_slice).collect())
+    }
+
+    fn carry(&mut self, old: &Self, new: &Self) {
+        carry_each(self, [old, new], |own, [old, new]| own.carry(old, new));
     }
 }
 
@@ -161,13 +183,17 @@ impl Stands for Vec<String> {
 }
 
 /// A list of tables: none is not written.
-impl<T: Keyed> Stands for Vec<T> {
+impl<T: Keyed + Editable + Clone + PartialEq> Stands for Vec<T> {
     fn by_default(_: Fallback) -> Self {
         Self::new()
     }
 
     fn is_left_out(&self) -> bool {
         self.is_empty()
+    }
+
+    fn carry(&mut self, old: &Self, new: &Self) {
+        carry_each(self, [old, new], |own, [old, new]| own.carry(old, new));
     }
 }
 
@@ -223,6 +249,10 @@ macro_rules! table {
 
             fn is_left_out(&self) -> bool {
                 *self == Self::default()
+            }
+
+            fn carry(&mut self, old: &Self, new: &Self) {
+                $crate::scene::keys::Editable::carry(self, old, new);
             }
         }
     };

@@ -1,6 +1,6 @@
 //! What a sweep keeps of each run: numbers with names and units.
 
-use crate::language::message;
+use crate::language::{Text, message};
 use crate::scene::shown::shown;
 use crate::scene::{SceneError, SceneErrors, format};
 use crate::sim::{History, readings, seats};
@@ -10,6 +10,8 @@ use crate::sim::{History, readings, seats};
 pub struct Measure {
     /// Its name: that of its column.
     pub name: &'static str,
+    /// Its name in the language of the user.
+    pub label: Text,
     /// Unit of its values.
     pub unit: &'static str,
     /// What it is.
@@ -31,6 +33,7 @@ const NUMBER: (&str, f64) = ("", 1.0);
 pub const MEASURES: &[Measure] = &[
     Measure {
         name: "max_rotation",
+        label: Text::new("measure-max-rotation"),
         unit: "rad",
         meaning: "largest |θ| of any girder",
         drawn: DEGREES,
@@ -38,6 +41,7 @@ pub const MEASURES: &[Measure] = &[
     },
     Measure {
         name: "max_displacement",
+        label: Text::new("measure-max-displacement"),
         unit: "m",
         meaning: "largest displacement of any girder's G",
         drawn: MILLIMETRES,
@@ -45,6 +49,7 @@ pub const MEASURES: &[Measure] = &[
     },
     Measure {
         name: "max_drift",
+        label: Text::new("measure-max-drift"),
         unit: "m",
         meaning: "largest displacement in plan of any girder's corner",
         drawn: MILLIMETRES,
@@ -52,13 +57,23 @@ pub const MEASURES: &[Measure] = &[
     },
     Measure {
         name: "max_force",
+        label: Text::new("measure-max-force"),
         unit: "N",
         meaning: "largest |R_k| of any contact",
         drawn: NEWTONS,
         of: |run| Some(run.largest_force()),
     },
     Measure {
+        name: "max_total_force",
+        label: Text::new("measure-max-total-force"),
+        unit: "N",
+        meaning: "largest force between two bodies, all contacts between them together",
+        drawn: NEWTONS,
+        of: |run| Some(run.largest_resultants().into_iter().map(|(_, most)| most.value).fold(0.0, f64::max)),
+    },
+    Measure {
         name: "max_impulse",
+        label: Text::new("measure-max-impulse"),
         unit: "N s",
         meaning: "largest impulse of a hit; of the impact model",
         drawn: NEWTON_SECONDS,
@@ -66,6 +81,7 @@ pub const MEASURES: &[Measure] = &[
     },
     Measure {
         name: "hits",
+        label: Text::new("measure-hits"),
         unit: "1",
         meaning: "hits: touches of a pair, from its first contact closing to its last opening",
         drawn: NUMBER,
@@ -73,6 +89,7 @@ pub const MEASURES: &[Measure] = &[
     },
     Measure {
         name: "first_hit",
+        label: Text::new("measure-first-hit"),
         unit: "s",
         meaning: "time of the first touch; none without one",
         drawn: SECONDS,
@@ -80,6 +97,7 @@ pub const MEASURES: &[Measure] = &[
     },
     Measure {
         name: "stick_time",
+        label: Text::new("measure-stick-time"),
         unit: "s",
         meaning: "contact time in stick, summed over contacts",
         drawn: SECONDS,
@@ -87,6 +105,7 @@ pub const MEASURES: &[Measure] = &[
     },
     Measure {
         name: "slip_time",
+        label: Text::new("measure-slip-time"),
         unit: "s",
         meaning: "contact time in slip, summed over contacts",
         drawn: SECONDS,
@@ -94,6 +113,7 @@ pub const MEASURES: &[Measure] = &[
     },
     Measure {
         name: "least_gap",
+        label: Text::new("measure-least-gap"),
         unit: "m",
         meaning: "least gap of any facing pair, negative in contact; none without pairs",
         drawn: MILLIMETRES,
@@ -101,6 +121,7 @@ pub const MEASURES: &[Measure] = &[
     },
     Measure {
         name: "least_seat",
+        label: Text::new("measure-least-seat"),
         unit: "m",
         meaning: "least that remains of any seat, square to its edge, negative off it; none without seats",
         drawn: MILLIMETRES,
@@ -108,6 +129,7 @@ pub const MEASURES: &[Measure] = &[
     },
     Measure {
         name: "unseated",
+        label: Text::new("measure-unseated"),
         unit: "s",
         meaning: "time when a corner first came off its seat; none where all stay",
         drawn: SECONDS,
@@ -115,6 +137,7 @@ pub const MEASURES: &[Measure] = &[
     },
     Measure {
         name: "max_overlap",
+        label: Text::new("measure-max-overlap"),
         unit: "m",
         meaning: "largest overlap of bodies that no contact carries",
         drawn: MILLIMETRES,
@@ -122,6 +145,7 @@ pub const MEASURES: &[Measure] = &[
     },
     Measure {
         name: "estimated_error",
+        label: Text::new("measure-estimated-error"),
         unit: "m",
         meaning: "largest difference in displacement from a run at a hundredth of the tolerance, which is computed for it",
         drawn: MILLIMETRES,
@@ -129,6 +153,7 @@ pub const MEASURES: &[Measure] = &[
     },
     Measure {
         name: "energy_residual",
+        label: Text::new("measure-energy-residual"),
         unit: "1",
         meaning: "|residual| of the energy ledger in parts of the largest energy in play",
         drawn: NUMBER,
@@ -162,8 +187,8 @@ impl Measure {
 
     /// Its name on a picture, with its unit.
     pub fn title(&self) -> String {
-        let name = self.name.replace('_', " ");
-        if self.drawn.0.is_empty() { name } else { format!("{name} [{}]", self.drawn.0) }
+        let name = self.label.as_str();
+        if self.drawn.0.is_empty() { name.to_owned() } else { format!("{name} [{}]", self.drawn.0) }
     }
 }
 

@@ -1,7 +1,11 @@
 //! Edits: what they keep whole, and that undoing gives back the scene as it was.
 
 use girderbench::scene::edit::{Edit, EditError, General, UndoStack, free_name};
-use girderbench::scene::{Abutment, Kind, Motion, PairSettings, Scene, presets, validate};
+use girderbench::scene::keys::Editable as _;
+use girderbench::scene::{
+    Abutment, BearingKind, Bearings, DeckBearings, Girder, Kind, Motion, PairSettings, PerDirection, Scene, presets,
+    validate,
+};
 use proptest::prelude::*;
 use proptest::test_runner::{Config, RngSeed};
 
@@ -229,5 +233,56 @@ proptest! {
         prop_assert_eq!(&scene, &before, "all undone");
         while steps.redo(&mut scene).map_err(|error| TestCaseError::fail(error.to_string()))? {}
         prop_assert_eq!(&scene, &after, "all done again");
+    }
+}
+
+/// What a second girder is after a change to the first that goes to both.
+fn alike(scene: &Scene, change: impl Fn(&mut Girder)) -> [Girder; 2] {
+    let (old, mut other) = (&scene.girders[0], scene.girders[1].clone());
+    let mut new = old.clone();
+    change(&mut new);
+    other.carry(old, &new);
+    [new, other]
+}
+
+#[test]
+fn a_number_that_goes_to_several_girders_takes_no_other_along() {
+    let twin = preset("twin-span-restrained");
+    let damped = |girder: &mut Girder| match &mut girder.bearings {
+        Some(Bearings::Deck(deck)) => deck.damping_ratio = Some(0.03),
+        other => panic!("{other:?}"),
+    };
+    let mut wanted = twin.girders[1].clone();
+    damped(&mut wanted);
+    assert_eq!(alike(&twin, damped)[1], wanted, "its period stays its own");
+
+    let row = preset("viaduct-5");
+    let shared = |girder: &mut Girder| match girder.bearings.clone() {
+        Some(Bearings::Shared(shared)) => shared,
+        other => panic!("{other:?}"),
+    };
+    let moved = |girder: &mut Girder| {
+        let mut own = shared(girder);
+        own.at_skewed.as_mut().or(own.at.as_mut()).expect("places")[1][0] = 13.0;
+        own.frequency_hz = PerDirection::Each([3.0, own.frequency_hz.xy()[1]]);
+        girder.bearings = Some(Bearings::Shared(own));
+    };
+    let mut wanted = row.girders[1].clone();
+    moved(&mut wanted);
+    assert_eq!(alike(&row, moved)[1], wanted, "one coordinate of one bearing, one direction, and its own piers");
+
+    let stands = |girder: &Girder| match girder.bearings.clone().expect("bearings") {
+        Bearings::Shared(s) => (s.at, s.at_skewed, s.on_minus_x, s.on_plus_x),
+        Bearings::Deck(d) => (d.at, d.at_skewed, d.on_minus_x, d.on_plus_x),
+        Bearings::Each(_) => panic!("equal ones"),
+    };
+    let on_rubber = |girder: &mut Girder| {
+        let rubber = Bearings::Deck(DeckBearings::proposed(BearingKind::LeadRubber, Vec::new()));
+        girder.bearings = girder.bearings.as_ref().map(|now| rubber.where_stand(now));
+    };
+    let both = alike(&row, on_rubber);
+    for (girder, before) in both.iter().zip(&row.girders) {
+        assert!(matches!(girder.bearings, Some(Bearings::Deck(_))), "other bearings");
+        assert_eq!(stands(girder), stands(before), "where the others stood");
     }
 }

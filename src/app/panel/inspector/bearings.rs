@@ -7,6 +7,7 @@ use super::sliders;
 use crate::app::field::{CLICK, Change, Look, Place, Without, act, number, optional, rows, switched, tag};
 use crate::app::unit::{HERTZ, PURE, Size, Unit, damping_unit, force_unit, length_unit, stiffness_unit};
 use crate::app::{edits, text};
+use crate::geometry::End;
 use crate::scene::keys::Key;
 use crate::scene::{
     Bearing, BearingKind, Bearings, DeckBearings, Girder, Kind, PerDirection, STANDARD_GRAVITY, Scene, Setting,
@@ -79,11 +80,10 @@ pub(super) fn show(ui: &mut Ui, (place, scene): (Place<'_>, &Scene), kind: Kind,
             let shared = act(ui, place, "bearings", text::BEARINGS_ADD.as_str());
             let lead = act(ui, place, "bearings", text::BEARINGS_ADD_LEAD.as_str());
             let pendulum = act(ui, place, "bearings", text::BEARINGS_ADD_PENDULUM.as_str());
-            let deck = |kind| Bearings::Deck(DeckBearings::proposed(kind, corners(g)));
             g.bearings = match (shared, lead, pendulum) {
                 (true, ..) => Some(Bearings::Shared(four_below(g))),
-                (_, true, _) => Some(deck(BearingKind::LeadRubber)),
-                (.., true) => Some(deck(BearingKind::Pendulum)),
+                (_, true, _) => Some(of_deck(BearingKind::LeadRubber, g)),
+                (.., true) => Some(of_deck(BearingKind::Pendulum, g)),
                 _ => return None,
             };
             CLICK
@@ -91,8 +91,26 @@ pub(super) fn show(ui: &mut Ui, (place, scene): (Place<'_>, &Scene), kind: Kind,
     }
 }
 
-/// Ways out of bearings of one kind for a whole deck: a list of single ones, or none.
+/// Ways out of bearings of one kind for a whole deck: another kind where they stand, a list of single ones, or none.
 fn end(ui: &mut Ui, place: Place<'_>, g: &mut Girder, kind: Kind) -> Option<Change> {
+    let Some(now) = &g.bearings else { return None };
+    let mut others = match now {
+        Bearings::Shared(_) => vec![
+            (text::BEARINGS_ADD_LEAD.as_str(), of_deck(BearingKind::LeadRubber, g)),
+            (text::BEARINGS_ADD_PENDULUM.as_str(), of_deck(BearingKind::Pendulum, g)),
+        ],
+        _ => vec![(text::BEARINGS_LINEAR.as_str(), Bearings::Shared(four_below(g)))],
+    };
+    for (label, other) in &mut others {
+        if act(ui, place, "bearings", label) {
+            let mut other = other.clone().where_stand(now);
+            if let (Some(own), Some(vertical)) = (vertical_of(&mut other), vertical_of(&mut now.clone())) {
+                (*own[0], *own[1]) = (*vertical[0], *vertical[1]);
+            }
+            g.bearings = Some(other);
+            return CLICK;
+        }
+    }
     let each = ui.button(text::BEARINGS_ONE_BY_ONE).on_hover_text(text::BEARINGS_ONE_BY_ONE_HINT).clicked();
     let gone = act(ui, place, "bearings", text::BEARINGS_REMOVE.as_str());
     if each {
@@ -103,11 +121,26 @@ fn end(ui: &mut Ui, place: Place<'_>, g: &mut Girder, kind: Kind) -> Option<Chan
     if each || gone { CLICK } else { None }
 }
 
-/// Four places near the corners, before skewing \[m\].
+/// Frequency and damping ratio straight up and down of equal bearings; none of single ones.
+fn vertical_of(bearings: &mut Bearings) -> Option<[&mut Option<f64>; 2]> {
+    match bearings {
+        Bearings::Shared(shared) => Some([&mut shared.vertical_frequency_hz, &mut shared.vertical_damping_ratio]),
+        Bearings::Deck(deck) => Some([&mut deck.vertical_frequency_hz, &mut deck.vertical_damping_ratio]),
+        Bearings::Each(_) => None,
+    }
+}
+
+/// Bearings of a whole deck near its corners, with every number proposed.
+fn of_deck(kind: BearingKind, g: &Girder) -> Bearings {
+    Bearings::Deck(DeckBearings::proposed(kind, corners(g)))
+}
+
+/// Four places near the corners, before skewing: in the middle of the seats where there are any \[m\].
 fn corners(g: &Girder) -> Vec<[f64; 2]> {
     let round = |v: f64| (v * 1e4).round() / 1e4;
-    let (a, b) = (round(0.37 * g.length), round(0.36 * g.width));
-    vec![[-a, -b], [a, -b], [a, b], [-a, b]]
+    let from_middle = |end: End| round(g.seat.length(end).map_or(0.37 * g.length, |seat| 0.5 * (g.length - seat)));
+    let (plus, minus, b) = (from_middle(End::Plus), from_middle(End::Minus), round(0.36 * g.width));
+    vec![[-minus, -b], [plus, -b], [plus, b], [-minus, b]]
 }
 
 /// Four equal bearings near the corners, at the paper's frequency and damping (Table 1).

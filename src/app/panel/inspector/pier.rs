@@ -20,13 +20,15 @@ enum Way {
     #[default]
     Stiffness,
     Frequency,
-    Column,
+    RoundColumns,
+    RectangularColumns,
 }
 
 impl Way {
     fn of(pier: &Pier) -> Self {
         match (pier.column, pier.frequency) {
-            (Some(_), _) => Self::Column,
+            (Some(PerDirection::Both(_)), _) => Self::RoundColumns,
+            (Some(PerDirection::Each(_)), _) => Self::RectangularColumns,
             (None, Some(_)) => Self::Frequency,
             (None, None) => Self::Stiffness,
         }
@@ -37,7 +39,7 @@ impl Way {
         match self {
             Self::Stiffness => "stiffness_n_per_m",
             Self::Frequency => "frequency_hz",
-            Self::Column => "column_m",
+            Self::RoundColumns | Self::RectangularColumns => "column_m",
         }
     }
 }
@@ -63,7 +65,7 @@ pub(super) fn show(
     let first = grid(ui, "pier", |ui| {
         name_field::show(ui, place, Target::Pier(i), &pier.name, out);
         let way = way_rows(ui, place, size, &mut new, &resolved);
-        let columns: &[&str] = if Way::of(&new) == Way::Column { &[] } else { &["young_modulus_pa", "column_top"] };
+        let columns: &[&str] = if new.column.is_some() { &[] } else { &["young_modulus_pa", "column_top"] };
         let yields: &[&str] = if new.yield_force.is_some() { &[] } else { &["post_yield_ratio"] };
         let turns: &[&str] = if new.turn_stiffness.is_some() { &[] } else { &["turn_inertia_kg_m2"] };
         way.or(rows(ui, &look, &mut new, &[&["name"], columns, yields, turns].concat()))
@@ -99,13 +101,14 @@ fn number_in_force(key: &str, pier: &ResolvedPier) -> f64 {
     }
 }
 
-/// Which of the three ways its stiffness is given in, and the numbers of that way; another way begins with the same stiffness.
+/// Which of these ways its stiffness is given in, and the numbers of that way; another way begins with the same stiffness.
 fn way_rows(ui: &mut Ui, place: Place<'_>, size: Size, pier: &mut Pier, resolved: &ResolvedPier) -> Option<Change> {
     let mut way = Way::of(pier);
     let options = [
         (Way::Stiffness, text::PIER_BY_STIFFNESS.as_str()),
         (Way::Frequency, text::PIER_BY_FREQUENCY.as_str()),
-        (Way::Column, text::PIER_BY_COLUMN.as_str()),
+        (Way::RoundColumns, text::PIER_BY_ROUND_COLUMNS.as_str()),
+        (Way::RectangularColumns, text::PIER_BY_RECTANGULAR_COLUMNS.as_str()),
     ];
     let chosen = choice(ui, place, ("stiffness_n_per_m", text::PIER_WAY.as_str()), &mut way, &options);
     if chosen.is_some() {
@@ -115,7 +118,12 @@ fn way_rows(ui: &mut Ui, place: Place<'_>, size: Size, pier: &mut Pier, resolved
     let (value, labels) = match way {
         Way::Stiffness => (&mut pier.stiffness, [text::PIER_K_ALONG, text::PIER_K_ACROSS]),
         Way::Frequency => (&mut pier.frequency, [text::PIER_F_ALONG, text::PIER_F_ACROSS]),
-        Way::Column => (&mut pier.column, [text::PIER_COLUMN_ALONG, text::PIER_COLUMN_ACROSS]),
+        Way::RoundColumns => {
+            let Some(PerDirection::Both(diameter)) = &mut pier.column else { return None };
+            let unit = unit_of(&place.path(way.key()), *diameter, size);
+            return number(ui, place, (way.key(), text::PIER_COLUMN_DIAMETER.as_str()), diameter, unit);
+        }
+        Way::RectangularColumns => (&mut pier.column, [text::PIER_COLUMN_ALONG, text::PIER_COLUMN_ACROSS]),
     };
     two(ui, place, (way.key(), labels.map(Text::as_str)), value.as_mut()?, size)
 }
@@ -129,8 +137,10 @@ fn begin(pier: &mut Pier, way: Way, resolved: &ResolvedPier) {
     match way {
         Way::Stiffness => pier.stiffness = Some(PerDirection::Each(resolved.stiffness)),
         Way::Frequency => pier.frequency = Some(PerDirection::Each([along, across].map(hertz))),
-        Way::Column => {
-            pier.column = Some(resolved.column);
+        Way::RoundColumns | Way::RectangularColumns => {
+            let sides = resolved.column.xy();
+            let round = PerDirection::Both(sides[0]);
+            pier.column = Some(if way == Way::RoundColumns { round } else { PerDirection::Each(sides) });
             pier.height = Some(resolved.height);
         }
     }
