@@ -198,6 +198,7 @@ measure-max_rotation = 桁の最大回転角 |θ|
 measure-max_displacement = 桁の G の最大変位
 measure-max_drift = 桁の隅角部の平面での最大変位
 measure-max_force = 接触力 |R_k| の最大値
+measure-max_total_force = 2つの物体の間の力の最大：その間の全接触点の合力
 measure-max_impulse = 衝突の最大力積。衝撃モデルで
 measure-hits = 衝突の数：組の最初の接触点が閉じてから最後が開くまでを1回とする
 measure-first_hit = 最初の接触の時刻。接触がなければ空

@@ -1,7 +1,7 @@
 //! Whether the energy ledger balances: what its residual may be, as the stability study holds every answer to
 //! (`docs/stability.md`).
 
-use super::History;
+use super::{ContactNow, History};
 use crate::language::said;
 
 /// Residual per tolerance. A step errs by the tolerance, relative to the motion in hand, its energy by twice that; errors of many
@@ -43,26 +43,27 @@ impl History {
         let ledger = self.ledger(self.end());
         let residual = if ledger.scale > 0.0 { ledger.residual.abs() / ledger.scale } else { 0.0 };
         let stride = self.touches().len().div_ceil(LOOKS).max(1);
-        let deepest: Vec<f64> = self.touches().iter().step_by(stride).map(|touch| touch.peak_time).collect();
-        Balance { residual, bound: self.residual_bound(ledger.scale, &deepest) }
+        let touches = self.touches().iter().step_by(stride);
+        let pressed = touches.filter_map(|touch| self.contact_at(touch.contact, touch.peak_time));
+        Balance { residual, bound: self.residual_bound(ledger.scale, pressed) }
     }
 
     /// Bound on the ledger's residual per largest energy in play, `scale` \[J\], without unit: 100 tolerances, 1e-11, and 256 ε times the
-    /// largest place over the deepest penetration at `times` and times `m g r` of all bodies per `scale`.
-    pub fn residual_bound(&self, scale: f64, times: &[f64]) -> f64 {
+    /// largest place over the deepest penetration of contacts as `pressed` and times `m g r` of all bodies per `scale`.
+    pub fn residual_bound(&self, scale: f64, pressed: impl Iterator<Item = ContactNow>) -> f64 {
         let model = self.model();
         let carried =
             (0..model.bodies.len()).filter(|&body| !model.moves_as_given(body)).map(|body| &model.bodies[body]);
         let lifted: f64 = carried.map(|b| b.mass * model.gravity * b.radius).sum();
         let lifted = lifted / scale.max(f64::MIN_POSITIVE);
-        PER_TOLERANCE * model.tolerance + ROUNDING + PLACES * (self.shallowness(times) + lifted)
+        PER_TOLERANCE * model.tolerance + ROUNDING + PLACES * (self.shallowness(pressed) + lifted)
     }
 
     /// The largest place over the deepest penetration; 0 without contact.
-    fn shallowness(&self, times: &[f64]) -> f64 {
+    fn shallowness(&self, pressed: impl Iterator<Item = ContactNow>) -> f64 {
         let size = self.model().bodies.iter().map(|body| body.radius).fold(0.0, f64::max);
         let (mut place, mut depth) = (size, 0.0f64);
-        for contact in times.iter().flat_map(|&t| self.contacts(t)) {
+        for contact in pressed {
             place = place.max(size + contact.point.length());
             depth = depth.max(contact.penetration);
         }

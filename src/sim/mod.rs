@@ -52,8 +52,10 @@ pub use loops::Loop;
 pub use overlap::{Unjoined, unjoined};
 pub use piers::{PierNow, PierReading};
 pub use quantity::Quantity;
-pub use report::{Cause, ContactNow, ContactState, Event, EventKind, Ledger, Motion, Overlap, SolidId, Stop, Touch};
-pub use resultants::{Pounding, PoundingHit};
+pub use report::{
+    Cause, ContactNow, ContactState, Event, EventKind, Ledger, Motion, Overlap, Pounding, PoundingHit, SolidId, Stop,
+    Touch,
+};
 pub use section_field::SectionField;
 pub use section_quantity::OfSection;
 pub use session::{Reached, Session};

@@ -251,6 +251,34 @@ pub struct Extreme {
     pub t: f64,
 }
 
+/// The hits of two bodies.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Pounding {
+    /// A pair between the two, the one of the least number.
+    pub pair: usize,
+    /// In order of time; never empty.
+    pub hits: Vec<PoundingHit>,
+}
+
+/// A stretch of time in which a contact between two bodies is closed.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct PoundingHit {
+    /// From \[s\].
+    pub start: f64,
+    /// To \[s\].
+    pub end: f64,
+    /// The largest |force| between the two, of all contacts together \[N\]; 0 of an impulse.
+    pub peak: Extreme,
+}
+
+impl Pounding {
+    /// The hardest hit's largest |force| \[N\].
+    pub fn most(&self) -> Option<Extreme> {
+        let peaks = self.hits.iter().map(|hit| hit.peak);
+        peaks.reduce(|a, b| if b.value > a.value { b } else { a })
+    }
+}
+
 pub use crate::scene::facing::SolidId;
 
 /// Overlap of two bodies beyond what contacts between them carry.

@@ -6,7 +6,7 @@ use std::collections::BTreeMap;
 use glam::DVec3;
 
 use super::readings::largest;
-use super::report::Extreme;
+use super::report::{Extreme, Pounding, PoundingHit};
 use super::{History, Touch};
 use crate::dynamics::model::pair::Pair;
 use crate::scene::facing::SolidId;
@@ -14,34 +14,6 @@ use crate::scene::facing::SolidId;
 /// Most instants of a hit, those of the largest forces of single contacts, at which the sum is looked at first. Chosen: contacts that
 /// chatter under another one that stays closed are many, and their peaks alike.
 const MOST_LOOKS: usize = 64;
-
-/// The hits of two bodies.
-#[derive(Clone, Debug, PartialEq)]
-pub struct Pounding {
-    /// A pair between the two, the one of the least number.
-    pub pair: usize,
-    /// In order of time; never empty.
-    pub hits: Vec<PoundingHit>,
-}
-
-/// A stretch of time in which a contact between two bodies is closed.
-#[derive(Clone, Copy, Debug, PartialEq)]
-pub struct PoundingHit {
-    /// From \[s\].
-    pub start: f64,
-    /// To \[s\].
-    pub end: f64,
-    /// The largest |force| between the two, of all contacts together \[N\]; 0 of an impulse.
-    pub peak: Extreme,
-}
-
-impl Pounding {
-    /// The hardest hit's largest |force| \[N\].
-    pub fn most(&self) -> Option<Extreme> {
-        let peaks = self.hits.iter().map(|hit| hit.peak);
-        peaks.reduce(|a, b| if b.value > a.value { b } else { a })
-    }
-}
 
 impl History {
     /// Force of the second body of a pair on its first, of all contacts between the two \[N\].
@@ -135,6 +107,10 @@ impl History {
     }
 
     fn largest_of_hit(&self, hit: &[&Touch], solids: [SolidId; 2]) -> Extreme {
+        // The force of one contact is all there is.
+        if let [touch] = hit {
+            return Extreme { value: touch.peak_force, t: touch.peak_time };
+        }
         let mut hardest = hit.to_vec();
         hardest.sort_by(|a, b| b.peak_force.total_cmp(&a.peak_force));
         hardest.truncate(MOST_LOOKS);

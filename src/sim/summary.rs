@@ -1,7 +1,7 @@
 //! The headline numbers of a run.
 
 use super::report::Extreme;
-use super::{History, readings, touches};
+use super::{History, Motion, readings, touches};
 
 /// The headline numbers of a run.
 #[derive(Clone, Debug, PartialEq, serde::Serialize)]
@@ -37,9 +37,10 @@ impl History {
         let touches = self.touches();
         let hardest = self.hardest();
         let total = self.hardest_pounding().map(|(_, most)| most);
+        let [max_displacement, max_rotation] = self.largest_motion();
         Summary {
-            max_displacement: self.largest_displacement(),
-            max_rotation: self.largest_rotation(),
+            max_displacement,
+            max_rotation,
             peak_force: self.largest_force(),
             peak_total: total.map_or(0.0, |most| most.value),
             peak_total_time: total.map(|most| most.t),
@@ -74,34 +75,61 @@ impl History {
 
     /// Largest displacement of any girder's G from where it was placed \[m\].
     pub fn largest_displacement(&self) -> f64 {
-        self.largest(|body, t| self.motion(body, t).displacement.length())
+        self.largest(displacement)
     }
 
     /// Largest |θ| of any girder \[rad\].
     pub fn largest_rotation(&self) -> f64 {
-        self.largest(|body, t| self.motion(body, t).theta.abs())
+        self.largest(rotation)
     }
 
     /// The girder that moves farthest, and when \[m\].
     pub fn farthest(&self) -> Option<(usize, Extreme)> {
-        self.extreme(|body, t| self.motion(body, t).displacement.length())
+        self.extreme(displacement)
     }
 
     /// The girder that turns most, and when \[rad\].
     pub fn most_turned(&self) -> Option<(usize, Extreme)> {
-        self.extreme(|body, t| self.motion(body, t).theta.abs())
+        self.extreme(rotation)
     }
 
     /// The largest value over girders and time, with its girder and its time.
-    fn extreme(&self, value: impl Fn(usize, f64) -> f64) -> Option<(usize, Extreme)> {
-        let of = |body| (body, readings::largest(&touches::looks(self, body), |t| value(body, t)));
+    fn extreme(&self, value: fn(&Motion) -> f64) -> Option<(usize, Extreme)> {
+        let of = |body| (body, readings::largest(&touches::looks(self, body), |t| value(&self.motion(body, t))));
         let all = (0..self.model().girders().len()).map(of);
         all.reduce(|a, b| if b.1.value > a.1.value { b } else { a })
     }
 
     /// Largest value over girders and time, looked for at a rate that the fastest bearing cannot outrun.
-    fn largest(&self, value: impl Fn(usize, f64) -> f64) -> f64 {
-        let of = |body| touches::largest(&touches::looks(self, body), |t| value(body, t));
+    fn largest(&self, value: fn(&Motion) -> f64) -> f64 {
+        let of = |body| touches::largest(&touches::looks(self, body), |t| value(&self.motion(body, t)));
         (0..self.model().girders().len()).map(of).fold(0.0, f64::max)
     }
+
+    /// [`largest_displacement`](Self::largest_displacement) and [`largest_rotation`](Self::largest_rotation), each motion computed once.
+    fn largest_motion(&self) -> [f64; 2] {
+        let of = |body| {
+            let times = touches::looks(self, body);
+            let (moved, turned): (Vec<f64>, Vec<f64>) = times
+                .iter()
+                .map(|&t| self.motion(body, t))
+                .map(|motion| (displacement(&motion), rotation(&motion)))
+                .unzip();
+            let most = |seen: &[f64], value: fn(&Motion) -> f64| {
+                touches::largest_seen(&times, seen, |t| value(&self.motion(body, t))).1
+            };
+            [most(&moved, displacement), most(&turned, rotation)]
+        };
+        (0..self.model().girders().len()).map(of).fold([0.0; 2], |a, b| [a[0].max(b[0]), a[1].max(b[1])])
+    }
+}
+
+/// Displacement of G from where it was placed \[m\].
+fn displacement(motion: &Motion) -> f64 {
+    motion.displacement.length()
+}
+
+/// |θ| \[rad\].
+fn rotation(motion: &Motion) -> f64 {
+    motion.theta.abs()
 }

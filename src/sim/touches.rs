@@ -131,6 +131,11 @@ pub(super) fn largest(times: &[f64], value: impl Fn(f64) -> f64) -> f64 {
 /// The same, and when it is reached first.
 pub(super) fn first_largest(times: &[f64], value: impl Fn(f64) -> f64) -> (f64, f64) {
     let values: Vec<f64> = times.iter().map(|&t| value(t)).collect();
+    largest_seen(times, &values, value)
+}
+
+/// The same where the values at the looks are known.
+pub(super) fn largest_seen(times: &[f64], values: &[f64], value: impl Fn(f64) -> f64) -> (f64, f64) {
     let higher = |best: (f64, f64), next: (f64, f64)| if next.1 > best.1 { next } else { best };
     let seen = times.iter().copied().zip(values.iter().copied()).fold((0.0, 0.0), higher);
     let peaks = values.windows(3).zip(times.windows(3));

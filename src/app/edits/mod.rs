@@ -1,5 +1,6 @@
 //! The scene that is worked on: the document with its past, what is selected, and the edits that the window makes.
 
+mod bearings;
 mod bridge;
 mod change;
 mod devices;
@@ -10,6 +11,7 @@ mod piers;
 mod placing;
 mod selection;
 
+pub(in crate::app) use bearings::{four_below, in_place_of, of_deck, one_by_one};
 pub(in crate::app) use bridge::{assumed, bridge, sound};
 pub(in crate::app) use change::*;
 pub(in crate::app) use devices::device;

@@ -33,7 +33,7 @@ const NUMBER: (&str, f64) = ("", 1.0);
 pub const MEASURES: &[Measure] = &[
     Measure {
         name: "max_rotation",
-        label: Text::new("measure-max-rotation"),
+        label: Text::new("measured-max-rotation"),
         unit: "rad",
         meaning: "largest |θ| of any girder",
         drawn: DEGREES,
@@ -41,7 +41,7 @@ pub const MEASURES: &[Measure] = &[
     },
     Measure {
         name: "max_displacement",
-        label: Text::new("measure-max-displacement"),
+        label: Text::new("measured-max-displacement"),
         unit: "m",
         meaning: "largest displacement of any girder's G",
         drawn: MILLIMETRES,
@@ -49,7 +49,7 @@ pub const MEASURES: &[Measure] = &[
     },
     Measure {
         name: "max_drift",
-        label: Text::new("measure-max-drift"),
+        label: Text::new("measured-max-drift"),
         unit: "m",
         meaning: "largest displacement in plan of any girder's corner",
         drawn: MILLIMETRES,
@@ -57,7 +57,7 @@ pub const MEASURES: &[Measure] = &[
     },
     Measure {
         name: "max_force",
-        label: Text::new("measure-max-force"),
+        label: Text::new("measured-max-force"),
         unit: "N",
         meaning: "largest |R_k| of any contact",
         drawn: NEWTONS,
@@ -65,7 +65,7 @@ pub const MEASURES: &[Measure] = &[
     },
     Measure {
         name: "max_total_force",
-        label: Text::new("measure-max-total-force"),
+        label: Text::new("measured-max-total-force"),
         unit: "N",
         meaning: "largest force between two bodies, all contacts between them together",
         drawn: NEWTONS,
@@ -73,7 +73,7 @@ pub const MEASURES: &[Measure] = &[
     },
     Measure {
         name: "max_impulse",
-        label: Text::new("measure-max-impulse"),
+        label: Text::new("measured-max-impulse"),
         unit: "N s",
         meaning: "largest impulse of a hit; of the impact model",
         drawn: NEWTON_SECONDS,
@@ -81,7 +81,7 @@ pub const MEASURES: &[Measure] = &[
     },
     Measure {
         name: "hits",
-        label: Text::new("measure-hits"),
+        label: Text::new("measured-hits"),
         unit: "1",
         meaning: "hits: touches of a pair, from its first contact closing to its last opening",
         drawn: NUMBER,
@@ -89,7 +89,7 @@ pub const MEASURES: &[Measure] = &[
     },
     Measure {
         name: "first_hit",
-        label: Text::new("measure-first-hit"),
+        label: Text::new("measured-first-hit"),
         unit: "s",
         meaning: "time of the first touch; none without one",
         drawn: SECONDS,
@@ -97,7 +97,7 @@ pub const MEASURES: &[Measure] = &[
     },
     Measure {
         name: "stick_time",
-        label: Text::new("measure-stick-time"),
+        label: Text::new("measured-stick-time"),
         unit: "s",
         meaning: "contact time in stick, summed over contacts",
         drawn: SECONDS,
@@ -105,7 +105,7 @@ pub const MEASURES: &[Measure] = &[
     },
     Measure {
         name: "slip_time",
-        label: Text::new("measure-slip-time"),
+        label: Text::new("measured-slip-time"),
         unit: "s",
         meaning: "contact time in slip, summed over contacts",
         drawn: SECONDS,
@@ -113,7 +113,7 @@ pub const MEASURES: &[Measure] = &[
     },
     Measure {
         name: "least_gap",
-        label: Text::new("measure-least-gap"),
+        label: Text::new("measured-least-gap"),
         unit: "m",
         meaning: "least gap of any facing pair, negative in contact; none without pairs",
         drawn: MILLIMETRES,
@@ -121,7 +121,7 @@ pub const MEASURES: &[Measure] = &[
     },
     Measure {
         name: "least_seat",
-        label: Text::new("measure-least-seat"),
+        label: Text::new("measured-least-seat"),
         unit: "m",
         meaning: "least that remains of any seat, square to its edge, negative off it; none without seats",
         drawn: MILLIMETRES,
@@ -129,7 +129,7 @@ pub const MEASURES: &[Measure] = &[
     },
     Measure {
         name: "unseated",
-        label: Text::new("measure-unseated"),
+        label: Text::new("measured-unseated"),
         unit: "s",
         meaning: "time when a corner first came off its seat; none where all stay",
         drawn: SECONDS,
@@ -137,7 +137,7 @@ pub const MEASURES: &[Measure] = &[
     },
     Measure {
         name: "max_overlap",
-        label: Text::new("measure-max-overlap"),
+        label: Text::new("measured-max-overlap"),
         unit: "m",
         meaning: "largest overlap of bodies that no contact carries",
         drawn: MILLIMETRES,
@@ -145,7 +145,7 @@ pub const MEASURES: &[Measure] = &[
     },
     Measure {
         name: "estimated_error",
-        label: Text::new("measure-estimated-error"),
+        label: Text::new("measured-estimated-error"),
         unit: "m",
         meaning: "largest difference in displacement from a run at a hundredth of the tolerance, which is computed for it",
         drawn: MILLIMETRES,
@@ -153,7 +153,7 @@ pub const MEASURES: &[Measure] = &[
     },
     Measure {
         name: "energy_residual",
-        label: Text::new("measure-energy-residual"),
+        label: Text::new("measured-energy-residual"),
         unit: "1",
         meaning: "|residual| of the energy ledger in parts of the largest energy in play",
         drawn: NUMBER,

@@ -7,11 +7,9 @@ use super::sliders;
 use crate::app::field::{CLICK, Change, Look, Place, Without, act, number, optional, rows, switched, tag};
 use crate::app::unit::{HERTZ, PURE, Size, Unit, damping_unit, force_unit, length_unit, stiffness_unit};
 use crate::app::{edits, text};
-use crate::geometry::End;
 use crate::scene::keys::Key;
 use crate::scene::{
-    Bearing, BearingKind, Bearings, DeckBearings, Girder, Kind, PerDirection, STANDARD_GRAVITY, Scene, Setting,
-    SharedBearings,
+    Bearing, BearingKind, Bearings, Girder, Kind, PerDirection, STANDARD_GRAVITY, Scene, SharedBearings,
 };
 
 /// Q of all bearings per weight \[–\], and k₁/k₂ \[–\], of a lead-rubber bearing to begin with: usual Japanese values, from
@@ -81,9 +79,9 @@ pub(super) fn show(ui: &mut Ui, (place, scene): (Place<'_>, &Scene), kind: Kind,
             let lead = act(ui, place, "bearings", text::BEARINGS_ADD_LEAD.as_str());
             let pendulum = act(ui, place, "bearings", text::BEARINGS_ADD_PENDULUM.as_str());
             g.bearings = match (shared, lead, pendulum) {
-                (true, ..) => Some(Bearings::Shared(four_below(g))),
-                (_, true, _) => Some(of_deck(BearingKind::LeadRubber, g)),
-                (.., true) => Some(of_deck(BearingKind::Pendulum, g)),
+                (true, ..) => Some(Bearings::Shared(edits::four_below(g))),
+                (_, true, _) => Some(edits::of_deck(BearingKind::LeadRubber, g)),
+                (.., true) => Some(edits::of_deck(BearingKind::Pendulum, g)),
                 _ => return None,
             };
             CLICK
@@ -94,108 +92,31 @@ pub(super) fn show(ui: &mut Ui, (place, scene): (Place<'_>, &Scene), kind: Kind,
 /// Ways out of bearings of one kind for a whole deck: another kind where they stand, a list of single ones, or none.
 fn end(ui: &mut Ui, place: Place<'_>, g: &mut Girder, kind: Kind) -> Option<Change> {
     let Some(now) = &g.bearings else { return None };
-    let mut others = match now {
+    let others = match now {
         Bearings::Shared(_) => vec![
-            (text::BEARINGS_ADD_LEAD.as_str(), of_deck(BearingKind::LeadRubber, g)),
-            (text::BEARINGS_ADD_PENDULUM.as_str(), of_deck(BearingKind::Pendulum, g)),
+            (text::BEARINGS_ADD_LEAD.as_str(), edits::of_deck(BearingKind::LeadRubber, g)),
+            (text::BEARINGS_ADD_PENDULUM.as_str(), edits::of_deck(BearingKind::Pendulum, g)),
         ],
-        _ => vec![(text::BEARINGS_LINEAR.as_str(), Bearings::Shared(four_below(g)))],
+        _ => vec![(text::BEARINGS_LINEAR.as_str(), Bearings::Shared(edits::four_below(g)))],
     };
-    for (label, other) in &mut others {
+    for (label, other) in others {
         if act(ui, place, "bearings", label) {
-            let mut other = other.clone().where_stand(now);
-            if let (Some(own), Some(vertical)) = (vertical_of(&mut other), vertical_of(&mut now.clone())) {
-                (*own[0], *own[1]) = (*vertical[0], *vertical[1]);
-            }
-            g.bearings = Some(other);
+            g.bearings = Some(edits::in_place_of(now, other));
             return CLICK;
         }
     }
     let each = ui.button(text::BEARINGS_ONE_BY_ONE).on_hover_text(text::BEARINGS_ONE_BY_ONE_HINT).clicked();
     let gone = act(ui, place, "bearings", text::BEARINGS_REMOVE.as_str());
     if each {
-        g.bearings = Some(one_by_one(g, kind));
+        g.bearings = Some(edits::one_by_one(g, kind));
     } else if gone {
         g.bearings = None;
     }
     if each || gone { CLICK } else { None }
 }
 
-/// Frequency and damping ratio straight up and down of equal bearings; none of single ones.
-fn vertical_of(bearings: &mut Bearings) -> Option<[&mut Option<f64>; 2]> {
-    match bearings {
-        Bearings::Shared(shared) => Some([&mut shared.vertical_frequency_hz, &mut shared.vertical_damping_ratio]),
-        Bearings::Deck(deck) => Some([&mut deck.vertical_frequency_hz, &mut deck.vertical_damping_ratio]),
-        Bearings::Each(_) => None,
-    }
-}
-
-/// Bearings of a whole deck near its corners, with every number proposed.
-fn of_deck(kind: BearingKind, g: &Girder) -> Bearings {
-    Bearings::Deck(DeckBearings::proposed(kind, corners(g)))
-}
-
-/// Four places near the corners, before skewing: in the middle of the seats where there are any \[m\].
-fn corners(g: &Girder) -> Vec<[f64; 2]> {
-    let round = |v: f64| (v * 1e4).round() / 1e4;
-    let from_middle = |end: End| round(g.seat.length(end).map_or(0.37 * g.length, |seat| 0.5 * (g.length - seat)));
-    let (plus, minus, b) = (from_middle(End::Plus), from_middle(End::Minus), round(0.36 * g.width));
-    vec![[-minus, -b], [plus, -b], [plus, b], [-minus, b]]
-}
-
-/// Four equal bearings near the corners, at the paper's frequency and damping (Table 1).
-fn four_below(g: &Girder) -> SharedBearings {
-    SharedBearings {
-        frequency_hz: PerDirection::Both(2.6),
-        damping_ratio: PerDirection::Both(0.28),
-        vertical_frequency_hz: None,
-        vertical_damping_ratio: None,
-        on_minus_x: None,
-        on_plus_x: None,
-        at_skewed: Some(corners(g)),
-        at: None,
-        travel: None,
-        height: None,
-    }
-}
-
 fn tidy(place: [f64; 2]) -> [f64; 2] {
     place.map(edits::micrometres)
-}
-
-/// The same bearings, each with its own numbers.
-fn one_by_one(g: &Girder, kind: Kind) -> Bearings {
-    let resolved = g.supports(Setting { kind, gravity: STANDARD_GRAVITY });
-    let height = match &g.bearings {
-        Some(Bearings::Shared(shared)) => shared.height,
-        Some(Bearings::Deck(deck)) => deck.height,
-        _ => None,
-    };
-    let piers = g.bearings.as_ref().map(|b| b.named_supports(g)).unwrap_or_default();
-    let pendulum = match &g.bearings {
-        Some(Bearings::Deck(deck)) if deck.kind == BearingKind::Pendulum => Some(deck),
-        _ => None,
-    };
-    let single = |(b, on): (&crate::scene::ResolvedBearing, Option<&str>)| {
-        let linear = Bearing::linear([b.place.x, b.place.y], b.stiffness, b.damping);
-        let linear = Bearing { height, travel: b.travel, on: on.map(str::to_owned), ..linear };
-        match pendulum {
-            // N/R is of the pendulum, beside no spring of its own.
-            Some(deck) => Bearing {
-                stiffness: [0.0, 0.0, b.stiffness[2]],
-                friction: Some(deck.whole(g.mass, STANDARD_GRAVITY).yielding.force / (g.mass * STANDARD_GRAVITY)),
-                radius: Some(deck.radius(STANDARD_GRAVITY)),
-                slider_displacement: deck.slider_displacement,
-                ..linear
-            },
-            None => Bearing {
-                yield_force: b.yielding.map(|yielding| yielding.force),
-                yield_displacement: b.yielding.map(|yielding| yielding.displacement),
-                ..linear
-            },
-        }
-    };
-    Bearings::Each(resolved.iter().zip(piers).map(single).collect())
 }
 
 /// Places of equal bearings: in the girder's own frame, or in the frame that is skewed with it.

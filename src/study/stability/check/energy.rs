@@ -17,7 +17,7 @@ const READINGS: usize = 40;
 pub(super) fn check(history: &History, times: &[f64], figures: &mut Figures, complaints: &mut Vec<Complaint>) {
     let readings: Vec<(f64, Ledger)> = instants(history).into_iter().map(|t| (t, history.ledger(t))).collect();
     let scale = readings.iter().map(|(_, l)| l.scale).fold(f64::MIN_POSITIVE, f64::max);
-    let bound = history.residual_bound(scale, times);
+    let bound = history.residual_bound(scale, times.iter().flat_map(|&t| history.contacts(t)));
     balance(&readings, scale, bound, figures, complaints);
     let open: Vec<(f64, Ledger)> = readings.iter().filter(|(t, _)| history.contacts(*t).is_empty()).copied().collect();
     let paper = history.model().pairs.iter().all(|pair| pair.contact.law == FrictionLaw::Paper);

@@ -1,0 +1,88 @@
+//! Bearings of a girder put in place of others: equal ones near its corners, other ones where the present ones stand, single ones.
+
+use crate::geometry::End;
+use crate::scene::{
+    Bearing, BearingKind, Bearings, DeckBearings, Girder, Kind, PerDirection, STANDARD_GRAVITY, Setting, SharedBearings,
+};
+
+/// Other bearings where the present ones stand, as stiff and as damped straight up and down.
+pub(in crate::app) fn in_place_of(now: &Bearings, other: Bearings) -> Bearings {
+    let mut other = other.where_stand(now);
+    if let (Some(own), Some(vertical)) = (vertical_of(&mut other), vertical_of(&mut now.clone())) {
+        (*own[0], *own[1]) = (*vertical[0], *vertical[1]);
+    }
+    other
+}
+
+/// Frequency and damping ratio straight up and down of equal bearings; none of single ones.
+fn vertical_of(bearings: &mut Bearings) -> Option<[&mut Option<f64>; 2]> {
+    match bearings {
+        Bearings::Shared(shared) => Some([&mut shared.vertical_frequency_hz, &mut shared.vertical_damping_ratio]),
+        Bearings::Deck(deck) => Some([&mut deck.vertical_frequency_hz, &mut deck.vertical_damping_ratio]),
+        Bearings::Each(_) => None,
+    }
+}
+
+/// Bearings of a whole deck near its corners, with every number proposed.
+pub(in crate::app) fn of_deck(kind: BearingKind, g: &Girder) -> Bearings {
+    Bearings::Deck(DeckBearings::proposed(kind, corners(g)))
+}
+
+/// Four places near the corners, before skewing: in the middle of the seats where there are any \[m\].
+fn corners(g: &Girder) -> Vec<[f64; 2]> {
+    let round = |v: f64| (v * 1e4).round() / 1e4;
+    let from_middle = |end: End| round(g.seat.length(end).map_or(0.37 * g.length, |seat| 0.5 * (g.length - seat)));
+    let (plus, minus, b) = (from_middle(End::Plus), from_middle(End::Minus), round(0.36 * g.width));
+    vec![[-minus, -b], [plus, -b], [plus, b], [-minus, b]]
+}
+
+/// Four equal bearings near the corners, at the paper's frequency and damping (Table 1).
+pub(in crate::app) fn four_below(g: &Girder) -> SharedBearings {
+    SharedBearings {
+        frequency_hz: PerDirection::Both(2.6),
+        damping_ratio: PerDirection::Both(0.28),
+        vertical_frequency_hz: None,
+        vertical_damping_ratio: None,
+        on_minus_x: None,
+        on_plus_x: None,
+        at_skewed: Some(corners(g)),
+        at: None,
+        travel: None,
+        height: None,
+    }
+}
+
+/// The same bearings, each with its own numbers.
+pub(in crate::app) fn one_by_one(g: &Girder, kind: Kind) -> Bearings {
+    let resolved = g.supports(Setting { kind, gravity: STANDARD_GRAVITY });
+    let height = match &g.bearings {
+        Some(Bearings::Shared(shared)) => shared.height,
+        Some(Bearings::Deck(deck)) => deck.height,
+        _ => None,
+    };
+    let piers = g.bearings.as_ref().map(|b| b.named_supports(g)).unwrap_or_default();
+    let pendulum = match &g.bearings {
+        Some(Bearings::Deck(deck)) if deck.kind == BearingKind::Pendulum => Some(deck),
+        _ => None,
+    };
+    let single = |(b, on): (&crate::scene::ResolvedBearing, Option<&str>)| {
+        let linear = Bearing::linear([b.place.x, b.place.y], b.stiffness, b.damping);
+        let linear = Bearing { height, travel: b.travel, on: on.map(str::to_owned), ..linear };
+        match pendulum {
+            // N/R is of the pendulum, beside no spring of its own.
+            Some(deck) => Bearing {
+                stiffness: [0.0, 0.0, b.stiffness[2]],
+                friction: Some(deck.whole(g.mass, STANDARD_GRAVITY).yielding.force / (g.mass * STANDARD_GRAVITY)),
+                radius: Some(deck.radius(STANDARD_GRAVITY)),
+                slider_displacement: deck.slider_displacement,
+                ..linear
+            },
+            None => Bearing {
+                yield_force: b.yielding.map(|yielding| yielding.force),
+                yield_displacement: b.yielding.map(|yielding| yielding.displacement),
+                ..linear
+            },
+        }
+    };
+    Bearings::Each(resolved.iter().zip(piers).map(single).collect())
+}
