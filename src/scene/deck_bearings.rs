@@ -48,10 +48,10 @@ table! {
             "R of pendulums, 0 of flat sliders, m";
         slider_displacement: Option<f64> = "slider_displacement_m" as "field-slides-at", Range::Positive, Fallback::Words("0.0005"),
             "displacement at which the friction of pendulums is fully there, a regularisation; full scale, m";
-        vertical_frequency_hz: Option<f64> = "vertical_frequency_hz", Range::Positive,
+        vertical_frequency_hz: Option<f64> = "vertical_frequency_hz" as "frequency-z", Range::Positive,
             Fallback::Needed("must be given in a spatial scene (unless z is held)"),
             "f_z, Hz; not used in a planar scene";
-        vertical_damping_ratio: Option<f64> = "vertical_damping_ratio", Range::NotNegative, Fallback::Words("0.0"), "h_z";
+        vertical_damping_ratio: Option<f64> = "vertical_damping_ratio" as "damping-z", Range::NotNegative, Fallback::Words("0.0"), "h_z";
         at: Option<Vec<[f64; 2]>> = "at_m", Range::Like("one or more [x, y]"), Fallback::Needed("this or the next"),
             "places in the girder's frame, m";
         at_skewed: Option<Vec<[f64; 2]>> = "at_skewed_m", Range::Like("one or more [x, y]"),
@@ -178,8 +178,8 @@ impl DeckBearings {
         keys.into_iter().filter(|(_, given, _)| given.is_none()).map(|(key, _, number)| (key, number)).collect()
     }
 
-    /// Keys that are given and belong to another kind.
-    pub(super) fn foreign(&self) -> Vec<&'static str> {
+    /// Keys that belong to another kind.
+    fn of_other_kinds(&self) -> [(&'static str, Option<f64>); 3] {
         let lead = [
             ("yield_force_per_weight", self.force_per_weight),
             ("stiffness_ratio", self.stiffness_ratio),
@@ -190,11 +190,20 @@ impl DeckBearings {
             ("radius_m", self.radius),
             ("slider_displacement_m", self.slider_displacement),
         ];
-        let keys = match self.kind {
+        match self.kind {
             BearingKind::LeadRubber => pendulum,
             BearingKind::Pendulum => lead,
-        };
-        keys.into_iter().filter(|(_, given)| given.is_some()).map(|(key, _)| key).collect()
+        }
+    }
+
+    /// Keys that are given and belong to another kind.
+    pub(super) fn foreign(&self) -> Vec<&'static str> {
+        self.of_other_kinds().into_iter().filter(|(_, given)| given.is_some()).map(|(key, _)| key).collect()
+    }
+
+    /// Keys that are not given and belong to another kind: an editor leaves them out.
+    pub fn not_of_this_kind(&self) -> Vec<&'static str> {
+        self.of_other_kinds().into_iter().filter(|(_, given)| given.is_none()).map(|(key, _)| key).collect()
     }
 }
 

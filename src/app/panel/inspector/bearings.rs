@@ -57,7 +57,8 @@ pub(super) fn show(ui: &mut Ui, (place, scene): (Place<'_>, &Scene), kind: Kind,
             let whole = Place { table: &table, ..place };
             let look = Look { without: Without::Reckoned(&reckoned), ..Look::new(whole, kind, size) };
             let numbers = grid(ui, "bearings", |ui| {
-                let rows = rows(ui, &look, deck, &[]);
+                let others = deck.not_of_this_kind();
+                let rows = rows(ui, &look, deck, &others);
                 let minus = (&mut deck.on_minus_x, "bearings.on_minus_x", text::ON_MINUS.as_str());
                 let plus = (&mut deck.on_plus_x, "bearings.on_plus_x", text::ON_PLUS.as_str());
                 [minus, plus].into_iter().fold(rows, |change, on| change.or(on_row(ui, place, scene, on)))
