@@ -413,7 +413,7 @@ table-fields = every line of the table has the same number of fields, as UTF-8 t
 table-error = { $place }: { $value }: { $remedy }
 warning-drift = warning: { $words }
 support-drifts = ground under { $name }: when its record and that of the ground of reference have ended it goes on moving at { $speed } m/s against that ground, and is { $last } m from it at the end of the run: correct the baseline of both (of a record processing, baseline = "linear" or "berg-housner"; of a synthetic earthquake longest_period_s), or give both one record that comes to rest, with delay_s and motion_factor
-support-stays-apart = ground under { $name }: its record leaves it moving at { $speed } m/s, and the later of two supports ends as far behind as that goes within its delay, { $last } m at the end of the run: let the record come to rest (processing, baseline = "linear" or "berg-housner"; of a synthetic earthquake longest_period_s)
+support-stays-apart = its record leaves the ground moving at { $speed } m/s, so that a support that is late stays behind, the farthest, { $name }, by { $last } m at the end of the run: let the record come to rest (processing, baseline = "linear" or "berg-housner"; of a synthetic earthquake longest_period_s)
 warning-more-drift = warning: { $more } more such supports
 interrupted-nothing = nothing was written
 progress-again = , again with contact between bodies that met

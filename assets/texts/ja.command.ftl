@@ -410,7 +410,7 @@ table-fields = 表のどの行も欄の数が等しい UTF-8 の文字とする
 table-error = { $place }：{ $value }：{ $remedy }
 warning-drift = 警告：{ $words }
 support-drifts = { $name } の下の地盤：自身の記録と基準の地盤の記録が終わった後も、基準の地盤に対して { $speed } m/s で動き続け、計算の終わりに { $last } m 離れる：両方の基線を補正する（記録は processing の baseline = "linear" か "berg-housner"、模擬地震動は longest_period_s）か、静止して終わる同じ記録を delay_s と motion_factor とともに与える
-support-stays-apart = { $name } の下の地盤：自身の記録の終わりに { $speed } m/s で動き続けるため、遅れの間に動いた分だけ基準の地盤からずれたまま、計算の終わりに { $last } m 離れる：記録を静止させて終わらせる（processing の baseline = "linear" か "berg-housner"、模擬地震動は longest_period_s）
+support-stays-apart = 記録が終わっても地盤が { $speed } m/s で動き続けるため、遅れて動く支点は基準の地盤からずれたまま残り、最も遠い { $name } は計算の終わりに { $last } m 離れる：記録を静止させて終わらせる（processing の baseline = "linear" か "berg-housner"、模擬地震動は longest_period_s）
 warning-more-drift = 警告：そのような支点がほかに { $more } 箇所
 interrupted-nothing = 何も書いていない
 progress-again = 、出会った物体の接触を加えて再計算

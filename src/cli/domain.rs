@@ -6,7 +6,7 @@ use crate::language::{Text, said};
 use crate::scene::Scene;
 use crate::scene::domain::outside;
 use crate::sim::History;
-use crate::sim::moving_ground::MovedSupport;
+use crate::sim::moving_ground::{MovedSupport, drifting};
 
 /// So many warnings are written out; a row of a thousand girders in the wrong unit would fill a screen with one fault.
 const MOST_WARNINGS: usize = 10;
@@ -41,9 +41,7 @@ pub(super) fn warn_of_balance(history: &History, console: &mut Console) {
 
 /// Warns of supports that the ends of records leave moving against the ground of reference, a line each.
 pub(super) fn warn_of_drift(supports: &[MovedSupport], console: &mut Console) {
-    // A backwall and the bearings before it stand on the ground of one abutment.
-    let mut drifting: Vec<String> = supports.iter().filter_map(MovedSupport::drifting).collect();
-    drifting.dedup();
+    let drifting = drifting(supports);
     for words in drifting.iter().take(MOST_WARNINGS) {
         console.note(&said!("warning-drift", "words" => words.as_str()));
     }

@@ -134,6 +134,11 @@ fn bearings(girder: &Girder, count: usize, setting: Setting) -> String {
     }
 }
 
+/// The table that a key stands in, by its path; none at the top.
+fn whose(path: &str) -> Option<&str> {
+    path.rsplit_once('.').map(|(table, _)| table)
+}
+
 /// What is assumed: of the model, numbers that stand at the program's default, inputs of codes that the scene does not give.
 pub(super) fn assumptions(history: &History, report: &Report) -> String {
     let (contact, default) = (&history.scene().contact, ContactSettings::default());
@@ -156,23 +161,47 @@ pub(super) fn assumptions(history: &History, report: &Report) -> String {
         Text::new("report-assume-seats").into(),
     ];
     let numbers = [
-        (Text::new("report-e-normal").as_str(), contact.restitution_normal, default.restitution_normal),
-        (Text::new("report-e-tangential").as_str(), contact.restitution_tangential, default.restitution_tangential),
-        ("μ_s", contact.mu_static, default.mu_static),
-        ("μ_k", contact.mu_kinetic, default.mu_kinetic),
+        (
+            "restitution_normal",
+            Text::new("report-e-normal").as_str(),
+            contact.restitution_normal,
+            default.restitution_normal,
+        ),
+        (
+            "restitution_tangential",
+            Text::new("report-e-tangential").as_str(),
+            contact.restitution_tangential,
+            default.restitution_tangential,
+        ),
+        ("mu_static", "μ_s", contact.mu_static, default.mu_static),
+        ("mu_kinetic", "μ_k", contact.mu_kinetic, default.mu_kinetic),
     ];
-    items.extend(numbers.map(|(name, value, assumed)| {
-        let default =
-            if value == assumed { format!(" {mark} {}", Text::new("report-by-default")) } else { String::new() };
-        format!("{name} = {}{default}", trimmed(value))
-    }));
-    if contact.stiffness.is_none() {
-        items.push(format!("{} {mark}", Text::new("report-assume-stiffness")));
+    let mut listed = history.scene().assumed_numbers();
+    for (key, name, value, assumed) in numbers {
+        let before = listed.len();
+        listed.retain(|(path, _)| path.strip_prefix("contact.") != Some(key));
+        let why = match value == assumed {
+            _ if listed.len() < before => format!(" {mark} {}", Text::new("report-not-given")),
+            true => format!(" {mark} {}", Text::new("report-by-default")),
+            false => String::new(),
+        };
+        items.push(format!("{name} = {}{why}", trimmed(value)));
     }
-    let listed = history.scene().assumed_numbers().into_iter();
-    items.extend(listed.map(|(path, value)| {
-        format!("{} = {} {mark} {}", escape(&path), escape(&value), Text::new("report-not-given"))
-    }));
+    match contact.stiffness {
+        Some(_) if listed.iter().any(|(path, _)| path == "contact.stiffness_n_per_m") => {}
+        Some(k) => items.push(format!("K = {k:e} N/m")),
+        None => items.push(format!("{} {mark}", Text::new("report-assume-stiffness"))),
+    }
+    // The numbers of one table in one line.
+    for table in listed.chunk_by(|(a, _), (b, _)| whose(a) == whose(b)) {
+        let keys = table.iter().map(|(path, value)| {
+            let key = whose(path).map_or(path.as_str(), |of| &path[of.len() + 1..]);
+            format!("{} = {}", escape(key), escape(value))
+        });
+        let of =
+            table.first().and_then(|(path, _)| whose(path)).map_or(String::new(), |of| format!("{}: ", escape(of)));
+        items.push(format!("{of}{} {mark} {}", keys.collect::<Vec<_>>().join(", "), Text::new("report-not-given")));
+    }
     for girder in &history.scene().girders {
         let Some(Bearings::Deck(deck)) = &girder.bearings else { continue };
         let assumed = deck.assumed().into_iter().map(|(key, number)| format!("{key} = {}", trimmed(number)));

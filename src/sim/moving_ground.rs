@@ -41,14 +41,27 @@ pub struct MovedSupport {
 
 impl MovedSupport {
     /// In words, that the ends of records leave it moving against the ground of reference, and the remedy.
-    pub fn drifting(&self) -> Option<String> {
+    fn drifting(&self) -> Option<String> {
         let (name, last) = (escaped(&self.name), six(self.last));
         if let Some(speed) = self.drift.map(six) {
             return Some(said!("support-drifts", "name" => name, "speed" => speed, "last" => last));
         }
-        let speed = six(self.left.filter(|_| self.motion.delay > 0.0)?);
+        let speed = six(self.left.filter(|_| self.stays_apart())?);
         Some(said!("support-stays-apart", "name" => name, "speed" => speed, "last" => last))
     }
+
+    /// Whether it is late, and its record leaves it moving as the ground of reference goes on.
+    fn stays_apart(&self) -> bool {
+        self.drift.is_none() && self.left.is_some() && self.motion.delay > 0.0
+    }
+}
+
+/// In words, what records leave moving: every support that goes on moving against the ground of reference, and of those that stay
+/// apart because they are late, which is one fault of one record, the farthest.
+pub fn drifting(supports: &[MovedSupport]) -> Vec<String> {
+    let (apart, others): (Vec<_>, Vec<_>) = supports.iter().partition(|support| support.stays_apart());
+    let farthest = apart.into_iter().reduce(|a, b| if b.last > a.last { b } else { a });
+    others.into_iter().chain(farthest).filter_map(MovedSupport::drifting).collect()
 }
 
 /// The supports of a scene whose ground moves otherwise than the ground of reference: abutments, piers, other places.

@@ -57,7 +57,7 @@ fn values_are_read_where_the_mouse_points_and_at_the_time_shown_else() {
     harness.hover_at(strip.center());
     harness.run();
     assert!(legend(&harness, "θ").starts_with(&said(5.0)), "{}, not {}", legend(&harness, "θ"), said(5.0));
-    assert!(legend(&harness, "|R|").ends_with(" N"), "with its unit: {}", legend(&harness, "|R|"));
+    assert!(legend(&harness, "|ΣR|").ends_with(" N"), "with its unit: {}", legend(&harness, "|ΣR|"));
     assert_eq!(harness.state().replay.playback.clock.t, 2.0, "the time shown stays");
 }
 

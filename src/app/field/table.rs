@@ -106,6 +106,12 @@ pub(in crate::app) fn number_at(ui: &mut Ui, look: &Look<'_>, key: &str, value: 
     row(ui, look, key, Slot::Number(value))
 }
 
+/// The row of one number that a table may have.
+pub(in crate::app) fn optional_at(ui: &mut Ui, look: &Look<'_>, key: &str, value: &mut Option<f64>) -> Option<Change> {
+    let (_, key) = keys::of_place(&look.place.path(key))?;
+    row(ui, look, key, Slot::Optional(value))
+}
+
 /// Shows each key; what was given last stands, and other ways of saying the same go.
 fn each(
     table: &mut impl Editable,

@@ -1,11 +1,11 @@
 //! How the ground moves: still, a sine, a record, an earthquake or a sweep, with every number of each.
 
-use egui::{RichText, TextEdit, Ui};
+use egui::{Grid, RichText, TextEdit, Ui};
 
 use super::{components, grounds, record_of, samples, target, wave};
 use crate::app::command::{AngleCommand, Command, EditCommand, FileCommand, QuakeCommand, Wish};
 use crate::app::field::{
-    CLICK, Change, Form, Look, Place, Without, act, choice_line, complain, slider_at, sliders, tag,
+    CLICK, Change, Form, Look, Place, Without, act, choice_line, complain, optional_at, slider_at, sliders, tag,
 };
 use crate::app::{edits, text};
 use crate::files::formats_in_words;
@@ -51,7 +51,7 @@ pub(in crate::app) fn show(ui: &mut Ui, form: Form<'_>, out: &mut Vec<Command>) 
         Motion::None => still(ui, &mut new),
         Motion::Sine(sine) => sine_rows(ui, &look, sine),
         Motion::Record(record) => record_rows(ui, &look, (ground, record), out),
-        Motion::Synthetic(quake) => sliders(ui, &look, quake, &[]).or(target::show(ui, look.place, quake)),
+        Motion::Synthetic(quake) => synthetic_rows(ui, &look, quake),
         Motion::Sweep(sweep) => sliders(ui, &look, sweep, &[]),
     };
     if ground == GroundId::Reference && !matches!(form.scene.motion, Motion::None) {
@@ -62,6 +62,20 @@ pub(in crate::app) fn show(ui: &mut Ui, form: Form<'_>, out: &mut Vec<Command>) 
     if let Some(change) = kind.or(change) {
         out.push(EditCommand::Change { edit: edits::motion(form.scene, ground, new), gesture: change.gesture }.into());
     }
+}
+
+/// Longest period of an earthquake that comes to rest to begin with \[s\]: longer than that of any girder on its bearings.
+const LONGEST: f64 = 10.0;
+
+/// An earthquake, its target spectrum, and where it has none the longest period with which it comes to rest.
+fn synthetic_rows(ui: &mut Ui, look: &Look<'_>, quake: &mut SyntheticMotion) -> Option<Change> {
+    let change = sliders(ui, look, quake, &[]).or(target::show(ui, look.place, quake));
+    if quake.target.is_some() && quake.longest.is_none() {
+        return change;
+    }
+    let look = Look { without: Without::Off(&|_| LONGEST), ..*look };
+    let rows = |ui: &mut Ui| optional_at(ui, &look, "longest_period_s", &mut quake.longest);
+    change.or(Grid::new("longest period").num_columns(2).show(ui, rows).inner)
 }
 
 /// What opens the windows about the motion.

@@ -10,7 +10,7 @@ use crate::app::run::spot::Spot;
 use crate::app::style::theme::Palette;
 use crate::app::text;
 use crate::scene::Limits;
-use crate::sim::moving_ground::MovedSupport;
+use crate::sim::moving_ground;
 use crate::sim::readings::Passed;
 use crate::sim::{History, SolidId};
 
@@ -82,7 +82,7 @@ fn overlaps(ui: &mut Ui, answer: &Answer, out: &mut Vec<Command>) {
 
 /// That the records of supports leave them moving against one another, and by how much.
 fn drifting(ui: &mut Ui, answer: &Answer) {
-    let words: Vec<String> = answer.moved.iter().filter_map(MovedSupport::drifting).collect();
+    let words = moving_ground::drifting(&answer.moved);
     if !words.is_empty() {
         let label = RichText::new(text::DRIFTING).color(Palette::of(ui).problem);
         ui.label(label).on_hover_text(words.join("\n"));
