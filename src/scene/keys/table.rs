@@ -125,7 +125,8 @@ impl<T: Stands> Stands for Option<T> {
     }
 }
 
-/// Of two lists as long as one another those members that differ, where `own` has such members; else all of the new list.
+/// Of two lists as long as one another those members that differ, where `own` has such members. A list that grew or shrank goes to one
+/// that was the same before; members of another list are its own.
 fn carry_each<T: Clone + PartialEq>(
     own: &mut Vec<T>,
     [old, new]: [&Vec<T>; 2],
@@ -133,7 +134,7 @@ fn carry_each<T: Clone + PartialEq>(
 ) {
     if old.len() == new.len() {
         own.iter_mut().zip(old.iter().zip(new)).for_each(|(own, (old, new))| carry(own, [old, new]));
-    } else {
+    } else if own == old {
         own.clone_from(new);
     }
 }

@@ -271,6 +271,18 @@ fn a_number_that_goes_to_several_girders_takes_no_other_along() {
     moved(&mut wanted);
     assert_eq!(alike(&row, moved)[1], wanted, "one coordinate of one bearing, one direction, and its own piers");
 
+    let fewer = |girder: &mut Girder| {
+        let mut own = shared(girder);
+        own.at.as_mut().or(own.at_skewed.as_mut()).expect("places").pop();
+        girder.bearings = Some(Bearings::Shared(own));
+    };
+    let mut wanted = row.girders[1].clone();
+    fewer(&mut wanted);
+    assert_eq!(alike(&row, fewer)[1], wanted, "the same places before");
+    let mut elsewhere = row.clone();
+    moved(&mut elsewhere.girders[1]);
+    assert_eq!(alike(&elsewhere, fewer)[1], elsewhere.girders[1], "other places");
+
     let stands = |girder: &Girder| match girder.bearings.clone().expect("bearings") {
         Bearings::Shared(s) => (s.at, s.at_skewed, s.on_minus_x, s.on_plus_x),
         Bearings::Deck(d) => (d.at, d.at_skewed, d.on_minus_x, d.on_plus_x),
