@@ -158,6 +158,7 @@ wrong-assumed = name a value or a table of this file as --set does (girder.deck.
 wrong-quake-length = give a length of 2 to 1e6 intervals
 wrong-target = give two to a thousand pairs [period in s, pseudo-acceleration in g], periods growing, from 2 dt_s to length_s
 wrong-longest-of-target = beside target_psa_g the longest period of the target counts: leave longest_period_s out
+wrong-longest-period = give a period from 20 dt_s to length_s
 wrong-quake-coarse = the ground is quicker than that: give a shorter interval
 wrong-sweep-length = so many periods need more than 1e6 samples: give a shorter sweep or lower frequencies
 wrong-cut = the cut must leave at least 2 samples of the record's { $whole } s

@@ -158,6 +158,7 @@ wrong-assumed = --set と同じように、このファイルの値か表を名�
 wrong-quake-length = 時間刻みの 2 ～ 1e6 倍の長さを与える
 wrong-target = [周期 s, 擬似加速度 g] の組を2～1000個、周期の増加順に、2 dt_s から length_s まで与える
 wrong-longest-of-target = target_psa_g があるときはその最長周期を使う。longest_period_s を外す
+wrong-longest-period = 20 dt_s から length_s までの周期を与える
 wrong-quake-coarse = 地盤の動きはそれより速い。もっと短い時間刻みを与える
 wrong-sweep-length = 周期が多く 1e6 個を超えるデータが要る。継続時間を短くするか、振動数を下げる
 wrong-cut = 切出しは { $whole } s の記録のデータを2個以上残すものとする

@@ -178,13 +178,12 @@ pub(super) fn assumptions(history: &History, report: &Report) -> String {
     ];
     let mut listed = history.scene().assumed_numbers();
     for (key, name, value, assumed) in numbers {
-        let before = listed.len();
-        listed.retain(|(path, _)| path.strip_prefix("contact.") != Some(key));
-        let why = match value == assumed {
-            _ if listed.len() < before => format!(" {mark} {}", Text::new("report-not-given")),
-            true => format!(" {mark} {}", Text::new("report-by-default")),
-            false => String::new(),
+        let own = listed.iter().position(|(path, _)| path.strip_prefix("contact.") == Some(key));
+        let why = match own.map(|own| listed.remove(own)) {
+            Some(_) => Some("report-not-given"),
+            None => (value == assumed).then_some("report-by-default"),
         };
+        let why = why.map_or(String::new(), |why| format!(" {mark} {}", Text::new(why)));
         items.push(format!("{name} = {}{why}", trimmed(value)));
     }
     match contact.stiffness {

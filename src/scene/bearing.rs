@@ -173,41 +173,39 @@ impl Stands for Bearings {
     }
 }
 
-/// Where equal bearings stand: places, places before skewing, height, supports of the −x and the +x half, free travel.
-type Stand<'b> = (
-    &'b mut Option<Vec<[f64; 2]>>,
-    &'b mut Option<Vec<[f64; 2]>>,
-    &'b mut Option<f64>,
-    [&'b mut Option<String>; 2],
-    &'b mut Option<f64>,
-);
-
 impl Bearings {
-    /// Where they stand; `None` of single ones.
-    fn stand(&mut self) -> Option<Stand<'_>> {
-        match self {
-            Self::Shared(s) => {
-                Some((&mut s.at, &mut s.at_skewed, &mut s.height, [&mut s.on_minus_x, &mut s.on_plus_x], &mut s.travel))
-            }
-            Self::Deck(d) => {
-                Some((&mut d.at, &mut d.at_skewed, &mut d.height, [&mut d.on_minus_x, &mut d.on_plus_x], &mut d.travel))
-            }
-            Self::Each(_) => None,
-        }
-    }
-
-    /// These bearings at the places and on the supports of others, of which each place has one; single ones are left as they are.
+    /// These bearings at the places and on the supports of others, of which each place has one, as stiff and as damped straight up and down
+    /// as those; single ones have numbers of their own at each place and stay.
     #[must_use]
     pub fn where_stand(mut self, others: &Self) -> Self {
-        let mut others = others.clone();
-        match (self.stand(), others.stand()) {
-            (Some((at, skewed, height, on, travel)), Some(theirs)) => {
-                (*at, *skewed, *height, *travel) = (theirs.0.take(), theirs.1.take(), *theirs.2, *theirs.4);
-                on.into_iter().zip(theirs.3).for_each(|(own, theirs)| *own = theirs.take());
-                self
-            }
-            _ => others,
+        let upright = others.upright();
+        macro_rules! stand {
+            ($own:ident, $theirs:ident) => {{
+                ($own.at, $own.at_skewed) = ($theirs.at.clone(), $theirs.at_skewed.clone());
+                ($own.on_minus_x, $own.on_plus_x) = ($theirs.on_minus_x.clone(), $theirs.on_plus_x.clone());
+                ($own.height, $own.travel) = ($theirs.height, $theirs.travel);
+                ($own.vertical_frequency_hz, $own.vertical_damping_ratio) = upright;
+            }};
         }
+        match (&mut self, others) {
+            (Self::Shared(own), Self::Shared(theirs)) => stand!(own, theirs),
+            (Self::Shared(own), Self::Deck(theirs)) => stand!(own, theirs),
+            (Self::Deck(own), Self::Shared(theirs)) => stand!(own, theirs),
+            (Self::Deck(own), Self::Deck(theirs)) => stand!(own, theirs),
+            (Self::Each(_), _) | (_, Self::Each(_)) => return others.clone(),
+        }
+        self
+    }
+
+    /// Vertical frequency \[Hz\] and damping ratio of equal bearings, the latter with what it is where it is left out; none of a scene in
+    /// plan, and of single ones.
+    fn upright(&self) -> (Option<f64>, Option<f64>) {
+        let (frequency, damping, otherwise) = match self {
+            Self::Shared(s) => (s.vertical_frequency_hz, s.vertical_damping_ratio, s.damping_ratio.xy()[0]),
+            Self::Deck(d) => (d.vertical_frequency_hz, d.vertical_damping_ratio, 0.0),
+            Self::Each(_) => (None, None, 0.0),
+        };
+        (frequency, damping.or(frequency.map(|_| otherwise)))
     }
 }
 

@@ -13,6 +13,8 @@ use crate::motion::synthetic::Earthquake;
 
 /// Most samples of a synthetic record.
 const MOST_SAMPLES: f64 = 1e6;
+/// Least samples in the longest period: bringing an earthquake to rest takes two of its numbers, and of few nothing would be left. Chosen.
+const LEAST_SAMPLES: f64 = 20.0;
 
 table! {
     /// `kind = "synthetic"`: filtered noise under an envelope, by seed.
@@ -137,6 +139,9 @@ impl SyntheticMotion {
             () if self.target.is_some() && self.longest.is_some() => {
                 Some(("longest_period_s", self.longest.unwrap_or_default(), Text::new("wrong-longest-of-target")))
             }
+            () if !self.longest.is_none_or(|longest| (LEAST_SAMPLES * self.dt..=self.duration).contains(&longest)) => {
+                Some(("longest_period_s", self.longest.unwrap_or_default(), Text::new("wrong-longest-period")))
+            }
             () if coarse => Some(("dt_s", self.dt, Text::new("wrong-quake-coarse"))),
             () => None,
         }
@@ -146,6 +151,22 @@ impl SyntheticMotion {
 #[cfg(test)]
 mod tests {
     use super::*;
+
+    #[test]
+    fn an_earthquake_that_comes_to_rest_keeps_its_peak_and_wants_a_period_that_it_can_hold() {
+        let quake =
+            |longest| SyntheticMotion { duration: 4.0, dt: 0.01, longest: Some(longest), ..SyntheticMotion::default() };
+        for longest in [0.2, 4.0] {
+            assert_eq!(quake(longest).fault().map(|(key, ..)| key), None, "{longest} s fits");
+            let samples = quake(longest).samples(0);
+            let peak = samples.iter().fold(0.0_f64, |most, a| most.max(a.abs()));
+            assert!((peak / (0.35 * STANDARD_GRAVITY) - 1.0).abs() < 1e-12, "{longest} s: {peak} m/s²");
+            assert!(samples.iter().sum::<f64>().abs() < 1e-9 * peak, "{longest} s: no velocity at its end");
+        }
+        for longest in [1e-300, 0.19, 4.1] {
+            assert_eq!(quake(longest).fault().map(|(key, ..)| key), Some("longest_period_s"), "{longest} s");
+        }
+    }
 
     #[test]
     fn a_matched_component_is_the_same_however_often_and_after_whichever_others() {

@@ -116,8 +116,7 @@ impl History {
         let mut between: BTreeMap<[SolidId; 2], HandOver> = BTreeMap::new();
         for event in self.events() {
             let pair = &self.model().pairs[self.model().contacts[event.contact()].pair];
-            let mut solids = [pair.first.solid(), pair.second.solid()];
-            solids.sort_unstable();
+            let solids = pair.solids();
             let hand_over = between.entry(solids).or_default();
             match event.kind {
                 EventKind::OpenToStick | EventKind::OpenToSlip => {

@@ -49,8 +49,7 @@ impl History {
         let mut between: BTreeMap<[SolidId; 2], DVec3> = BTreeMap::new();
         for now in self.contacts(t) {
             let pair = &self.model().pairs[now.pair];
-            let mut solids = [pair.first.solid(), pair.second.solid()];
-            solids.sort_unstable();
+            let solids = pair.solids();
             *between.entry(solids).or_default() += now.force * self.sign(now.contact, solids).unwrap_or_default();
         }
         between.into_values().map(DVec3::length).fold(0.0, f64::max)
@@ -88,8 +87,7 @@ impl History {
         // In order of their start.
         for touch in self.touches() {
             let pair = &self.model().pairs[touch.pair];
-            let mut solids = [pair.first.solid(), pair.second.solid()];
-            solids.sort_unstable();
+            let solids = pair.solids();
             between.entry(solids).or_default().push(touch);
         }
         let mut all: Vec<Pounding> = Vec::with_capacity(between.len());

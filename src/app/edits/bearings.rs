@@ -1,27 +1,9 @@
-//! Bearings of a girder put in place of others: equal ones near its corners, other ones where the present ones stand, single ones.
+//! Bearings that a girder is put on: equal ones near its corners, of one kind for a whole deck, the same one by one.
 
 use crate::geometry::End;
 use crate::scene::{
     Bearing, BearingKind, Bearings, DeckBearings, Girder, Kind, PerDirection, STANDARD_GRAVITY, Setting, SharedBearings,
 };
-
-/// Other bearings where the present ones stand, as stiff and as damped straight up and down.
-pub(in crate::app) fn in_place_of(now: &Bearings, other: Bearings) -> Bearings {
-    let mut other = other.where_stand(now);
-    if let (Some(own), Some(vertical)) = (vertical_of(&mut other), vertical_of(&mut now.clone())) {
-        (*own[0], *own[1]) = (*vertical[0], *vertical[1]);
-    }
-    other
-}
-
-/// Frequency and damping ratio straight up and down of equal bearings; none of single ones.
-fn vertical_of(bearings: &mut Bearings) -> Option<[&mut Option<f64>; 2]> {
-    match bearings {
-        Bearings::Shared(shared) => Some([&mut shared.vertical_frequency_hz, &mut shared.vertical_damping_ratio]),
-        Bearings::Deck(deck) => Some([&mut deck.vertical_frequency_hz, &mut deck.vertical_damping_ratio]),
-        Bearings::Each(_) => None,
-    }
-}
 
 /// Bearings of a whole deck near its corners, with every number proposed.
 pub(in crate::app) fn of_deck(kind: BearingKind, g: &Girder) -> Bearings {
@@ -31,7 +13,10 @@ pub(in crate::app) fn of_deck(kind: BearingKind, g: &Girder) -> Bearings {
 /// Four places near the corners, before skewing: in the middle of the seats where there are any \[m\].
 fn corners(g: &Girder) -> Vec<[f64; 2]> {
     let round = |v: f64| (v * 1e4).round() / 1e4;
-    let from_middle = |end: End| round(g.seat.length(end).map_or(0.37 * g.length, |seat| 0.5 * (g.length - seat)));
+    let from_middle = |end: End| {
+        let seat = g.seat.length(end).filter(|seat| *seat < g.length);
+        round(seat.map_or(0.37 * g.length, |seat| 0.5 * (g.length - seat)))
+    };
     let (plus, minus, b) = (from_middle(End::Plus), from_middle(End::Minus), round(0.36 * g.width));
     vec![[-minus, -b], [plus, -b], [plus, b], [-minus, b]]
 }

@@ -11,7 +11,7 @@ mod piers;
 mod placing;
 mod selection;
 
-pub(in crate::app) use bearings::{four_below, in_place_of, of_deck, one_by_one};
+pub(in crate::app) use bearings::{four_below, of_deck, one_by_one};
 pub(in crate::app) use bridge::{assumed, bridge, sound};
 pub(in crate::app) use change::*;
 pub(in crate::app) use devices::device;

@@ -73,7 +73,9 @@ fn synthetic_rows(ui: &mut Ui, look: &Look<'_>, quake: &mut SyntheticMotion) -> 
     if quake.target.is_some() && quake.longest.is_none() {
         return change;
     }
-    let look = Look { without: Without::Off(&|_| LONGEST), ..*look };
+    let first = LONGEST.min(quake.duration);
+    let start = |_: &Key| first;
+    let look = Look { without: Without::Off(&start), ..*look };
     let rows = |ui: &mut Ui| optional_at(ui, &look, "longest_period_s", &mut quake.longest);
     change.or(Grid::new("longest period").num_columns(2).show(ui, rows).inner)
 }

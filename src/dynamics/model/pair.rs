@@ -9,7 +9,7 @@ use crate::contact::{Frame, Home, Law, Local, returned_restitution};
 use crate::dynamics::model::edge_node::{Edge, NodePlace};
 use crate::dynamics::model::face_choice::FaceChoice;
 use crate::geometry::{End, Face};
-use crate::scene::facing::{PairContact, Side};
+use crate::scene::facing::{PairContact, Side, SolidId};
 
 /// A facing pair, compiled.
 #[derive(Clone, Debug)]
@@ -44,6 +44,13 @@ impl Pair {
     /// Coefficient of restitution that a flush free head-on hit returns at the design speed of the pair \[–\].
     pub fn returned_restitution(&self) -> f64 {
         returned_restitution(&self.contact.law(self.mass, self.one_way), self.contact.design_speed)
+    }
+
+    /// Its two bodies, in the same order whichever has the nodes.
+    pub fn solids(&self) -> [SolidId; 2] {
+        let mut solids = [self.first.solid(), self.second.solid()];
+        solids.sort_unstable();
+        solids
     }
 
     /// Numbers of all its contact sites: corners, then edge nodes.

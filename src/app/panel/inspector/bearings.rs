@@ -102,7 +102,7 @@ fn end(ui: &mut Ui, place: Place<'_>, g: &mut Girder, kind: Kind) -> Option<Chan
     };
     for (label, other) in others {
         if act(ui, place, "bearings", label) {
-            g.bearings = Some(edits::in_place_of(now, other));
+            g.bearings = Some(other.where_stand(now));
             return CLICK;
         }
     }
