@@ -49,9 +49,14 @@ impl Timed {
         if self.leads { tables::all(&self.history, options) } else { tables::all_beside(&self.history, options) }
     }
 
-    /// The estimated error \[m\], with a sign of life while a long run is repeated.
-    pub(super) fn estimate_error(&self) -> f64 {
+    /// Estimated error, degree check and run time, and the rows per second of its tables \[Hz\]; a sign of life while a long run is
+    /// repeated.
+    pub(super) fn options(&self, sample_hz: f64) -> TableOptions {
         let _waiting = Waiting::for_about(self.run_time, Text::new("progress-error"));
-        self.history.estimate_error()
+        let history = &self.history;
+        // Summaries want the poundings: they are found while another thread runs the scene again.
+        let beside = || (history.check_degree(), history.poundings().len());
+        let (estimated_error, (degree_check, _)) = rayon::join(|| history.estimate_error(), beside);
+        TableOptions { sample_hz, estimated_error: Some(estimated_error), degree_check, run_time: Some(self.run_time) }
     }
 }

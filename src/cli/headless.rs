@@ -2,7 +2,7 @@
 
 use std::path::Path;
 
-use super::compute::{Timed, compute};
+use super::compute::compute;
 use super::console::Console;
 use super::failure::Failure;
 use super::output::write_answer;
@@ -13,7 +13,7 @@ use crate::language::said;
 use crate::scene::Scene;
 use crate::sim::History;
 use crate::sim::moving_ground::moved_supports;
-use crate::tables::{self, Report, TableOptions};
+use crate::tables::{self, DEFAULT_SAMPLE_HZ, Report};
 
 /// Runs a scene and writes everything about it into a folder.
 ///
@@ -22,7 +22,7 @@ use crate::tables::{self, Report, TableOptions};
 pub(super) fn run(scene: &Scene, folder: &Path, console: &mut Console) -> Result<(), Failure> {
     domain::warn(scene, console);
     let (options, histories): (Vec<_>, Vec<_>) =
-        compute(scene)?.into_iter().map(|answer| (options(&answer), answer.history)).unzip();
+        compute(scene)?.into_iter().map(|answer| (answer.options(DEFAULT_SAMPLE_HZ), answer.history)).unzip();
     for (history, options) in histories.iter().zip(&options) {
         console.print(&summary::text(&Report::of(history, options)));
         domain::warn_of_balance(history, console);
@@ -42,13 +42,6 @@ pub(super) fn run(scene: &Scene, folder: &Path, console: &mut Console) -> Result
         None => Ok(()),
     }
 }
-
-fn options(answer: &Timed) -> TableOptions {
-    let (error, run_time) = (Some(answer.estimate_error()), Some(answer.run_time));
-    let degree_check = answer.history.check_degree();
-    TableOptions { estimated_error: error, degree_check, run_time, ..TableOptions::default() }
-}
-
 /// The hardest hit from every side, as (file name, bytes of a PNG), or why there is none.
 #[cfg(feature = "render")]
 fn pictures(history: &History) -> Result<Vec<(String, Vec<u8>)>, crate::render::GpuError> {

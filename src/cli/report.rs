@@ -10,7 +10,7 @@ use super::failure::Failure;
 use crate::files;
 use crate::language::said;
 use crate::report;
-use crate::tables::TableOptions;
+use crate::tables::DEFAULT_SAMPLE_HZ;
 
 /// Run a scene and write one page to hand to a colleague: scene, assumptions, motion, hardest hit, seats and codes, errors
 #[derive(Clone, Debug, clap::Args)]
@@ -37,13 +37,7 @@ pub(super) fn run(args: &ReportArgs, console: &mut Console) -> Result<(), Failur
     args.threads.start()?;
     domain::warn(&scene, console);
     let timed = compute_as_asked(&scene)?;
-    let options = TableOptions {
-        estimated_error: Some(timed.estimate_error()),
-        degree_check: timed.history.check_degree(),
-        run_time: Some(timed.run_time),
-        ..TableOptions::default()
-    };
-    let page = report::html(&timed.history, &options);
+    let page = report::html(&timed.history, &timed.options(DEFAULT_SAMPLE_HZ));
     files::write_atomic(&args.out, page.as_bytes())?;
     console.print(&format!("{}\n", said!("report-written-to", "file" => args.out.display().to_string())));
     match timed.history.stop() {

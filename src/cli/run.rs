@@ -11,7 +11,7 @@ use super::output::write_answer;
 use super::{limits, summary};
 use crate::files;
 use crate::sim::moving_ground::moved_supports;
-use crate::tables::{DEFAULT_SAMPLE_HZ, Report, TableOptions};
+use crate::tables::{DEFAULT_SAMPLE_HZ, Report};
 
 /// Run a scene: a summary here, the tables into a folder
 #[derive(Clone, Debug, clap::Args)]
@@ -65,12 +65,7 @@ pub(super) fn run(args: &RunArgs, console: &mut Console) -> Result<(), Failure> 
 fn report(args: &RunArgs, timed: &[Timed], console: &mut Console) -> Result<(), Failure> {
     let mut all = Vec::new();
     for timed in timed {
-        let options = TableOptions {
-            sample_hz: args.sample,
-            estimated_error: Some(timed.estimate_error()),
-            degree_check: timed.history.check_degree(),
-            run_time: Some(timed.run_time),
-        };
+        let options = timed.options(args.sample);
         domain::warn_of_balance(&timed.history, console);
         domain::warn_of_drift(&moved_supports(timed.history.scene(), timed.history.model()), console);
         if !args.digest {

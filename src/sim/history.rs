@@ -2,6 +2,8 @@
 
 use std::sync::{Arc, OnceLock};
 
+use rayon::prelude::*;
+
 use super::books::Books;
 use super::impact::events;
 use super::recent_steps::RecentSteps;
@@ -333,16 +335,14 @@ impl History {
     pub fn difference(&self, other: &Self) -> f64 {
         let end = self.end.min(other.end);
         let bodies = self.model.bodies.len().min(other.model.bodies.len());
-        let mut largest: f64 = 0.0;
-        for first in (0..bodies).step_by(COMPARED_TOGETHER) {
-            for i in 0..=COMPARED {
-                let t = end * f64::from(i) / f64::from(COMPARED);
-                for body in first..bodies.min(first + COMPARED_TOGETHER) {
-                    let displacement = |run: &Self| Motion::of(&run.model, body, &run.state(body, t)).displacement;
-                    largest = largest.max((displacement(self) - displacement(other)).length());
-                }
-            }
-        }
-        largest
+        let displacement = |run: &Self, body, t| Motion::of(&run.model, body, &run.state(body, t)).displacement;
+        let difference = |body, t| (displacement(self, body, t) - displacement(other, body, t)).length();
+        let of_some = |some: usize| {
+            let first = some * COMPARED_TOGETHER;
+            let instants = (0..=COMPARED).map(|i| end * f64::from(i) / f64::from(COMPARED));
+            let own = |t| (first..bodies.min(first + COMPARED_TOGETHER)).map(move |body| difference(body, t));
+            instants.flat_map(own).fold(0.0, f64::max)
+        };
+        (0..bodies.div_ceil(COMPARED_TOGETHER)).into_par_iter().map(of_some).reduce(|| 0.0, f64::max)
     }
 }

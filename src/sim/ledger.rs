@@ -3,6 +3,8 @@
 //! Powers are integrated over every body's path and every contact's states, each on its own steps, so the balance checks
 //! the trajectory against the forces that it claims; nothing is booked while a run is computed.
 
+use rayon::prelude::*;
+
 use super::books::{Account, Books};
 use super::impact::forces;
 use super::quadrature::integrate;
@@ -28,12 +30,15 @@ impl History {
 }
 
 impl Books {
-    /// Books a whole history.
+    /// Books a whole history: its accounts in parallel, each for itself.
     fn open(history: &History) -> Self {
         let mut books = Self {
-            bodies: (0..history.paths.len()).map(|body| body_account(history, body)).collect(),
-            contacts: (0..history.logs.len()).map(|contact| contact_account(history, contact)).collect(),
-            devices: (0..history.link_logs.len()).map(|link| device_account(history, link)).collect(),
+            bodies: (0..history.paths.len()).into_par_iter().map(|body| body_account(history, body)).collect(),
+            contacts: (0..history.logs.len())
+                .into_par_iter()
+                .map(|contact| contact_account(history, contact))
+                .collect(),
+            devices: (0..history.link_logs.len()).into_par_iter().map(|link| device_account(history, link)).collect(),
             lasting: history.impact().map_or(Vec::new(), |record| {
                 record.lasting.iter().map(|interval| lasting_account(history, interval)).collect()
             }),

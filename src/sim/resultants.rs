@@ -4,6 +4,7 @@
 use std::collections::BTreeMap;
 
 use glam::DVec3;
+use rayon::prelude::*;
 
 use super::readings::largest;
 use super::report::{Extreme, Pounding, PoundingHit};
@@ -90,16 +91,16 @@ impl History {
             let solids = pair.solids();
             between.entry(solids).or_default().push(touch);
         }
-        let mut all: Vec<Pounding> = Vec::with_capacity(between.len());
-        for (solids, touches) in between {
-            let Some(pair) = touches.iter().map(|touch| touch.pair).min() else { continue };
+        let of = |(solids, touches): ([SolidId; 2], Vec<&Touch>)| {
+            let pair = touches.iter().map(|touch| touch.pair).min()?;
             let hits = together(&touches).into_iter().map(|hit| PoundingHit {
                 start: hit[0].start,
                 end: hit.iter().map(|touch| touch.end).fold(hit[0].end, f64::max),
                 peak: self.largest_of_hit(hit, solids),
             });
-            all.push(Pounding { pair, hits: hits.collect() });
-        }
+            Some(Pounding { pair, hits: hits.collect() })
+        };
+        let mut all: Vec<Pounding> = between.into_par_iter().filter_map(of).collect();
         all.sort_by_key(|of| of.pair);
         all
     }

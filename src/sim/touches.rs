@@ -1,12 +1,14 @@
 //! Touches and their peaks, found from the states that the run left and the forces at any time.
 
+use rayon::prelude::*;
+
 use super::{History, Touch, impact};
 use crate::contact::Mode;
 use crate::dynamics::free_flight::body_motion::BodyMotion;
 use crate::dynamics::penalty3d::contact_state::Contact;
 
 /// Looks per step of an integrator when a peak is searched; a step is short against the contact's period.
-const LOOKS: usize = 6;
+const LOOKS: usize = 3;
 /// Looks per period of the fastest motion in free flight \[–\]: a sine rises above the nearest look by at most 1 − cos(π/24) = 0.9 % of
 /// its amplitude.
 const PER_PERIOD: f64 = 24.0;
@@ -32,9 +34,10 @@ impl History {
     }
 }
 
-/// Every touch of every contact, by start, then by contact.
+/// Every touch of every contact, by start, then by contact. Contacts are searched in parallel, each for itself.
 fn find(history: &History) -> Vec<Touch> {
-    let mut all: Vec<Touch> = (0..history.logs.len()).flat_map(|contact| of_contact(history, contact)).collect();
+    let contacts = (0..history.logs.len()).into_par_iter();
+    let mut all: Vec<Touch> = contacts.flat_map_iter(|contact| of_contact(history, contact)).collect();
     all.sort_by(|a, b| a.start.total_cmp(&b.start).then(a.contact.cmp(&b.contact)));
     all
 }
@@ -79,7 +82,7 @@ fn of_contact(history: &History, contact: usize) -> Vec<Touch> {
     touches
 }
 
-/// Largest force of a contact in one state, sampled and then closed in on by golden section.
+/// Largest force of a contact in one state, and when.
 fn peak(history: &History, contact: usize, from: f64, until: f64) -> (f64, f64) {
     let force = |t: f64| history.contact(contact, t.min(until)).map_or(0.0, |now| now.force.length());
     let mut times = vec![from];
@@ -95,11 +98,7 @@ fn peak(history: &History, contact: usize, from: f64, until: f64) -> (f64, f64) 
     times.sort_by(f64::total_cmp);
     // Two bodies of one island have the same steps; a look taken twice would hide the hump on its far side.
     times.dedup();
-    let forces: Vec<f64> = times.iter().map(|t| force(*t)).collect();
-    let best = (0..times.len()).max_by(|&a, &b| forces[a].total_cmp(&forces[b]).then(b.cmp(&a))).unwrap_or(0);
-    let (a, b) = (times[best.saturating_sub(1)], times[(best + 1).min(times.len() - 1)]);
-    let (t, f) = golden(force, a, b);
-    if f > forces[best] { (t, f) } else { (times[best], forces[best]) }
+    first_largest(&times, force)
 }
 
 /// Highest value of a function with one hump.
