@@ -18,7 +18,8 @@ impl History {
 /// Numbers are handed to the hash in blocks of so many bytes: number by number it keeps a state for each. The hash is the same.
 const BLOCK: usize = 4096;
 
-/// Hash of paths, contact states and events.
+/// Hash of paths, contact states and events. A motion in closed form is kept by its start alone: its state in the middle says how the
+/// girder moves from there.
 fn digest(history: &History) -> u64 {
     let (mut hash, mut block) = (Xxh3::new(), Vec::with_capacity(BLOCK));
     let mut add = |x: f64| {
@@ -33,6 +34,10 @@ fn digest(history: &History) -> u64 {
             add(span.from);
             add(span.until);
             let (from, kept) = path.kept(number);
+            if matches!(kept, StoredMotion::Start(_) | StoredMotion::Flight(_)) && span.from < history.end() {
+                let middle = 0.5 * (span.from + span.until.min(history.end()));
+                history.state(body, middle).into_iter().for_each(&mut add);
+            }
             match kept {
                 StoredMotion::Start(state) => std::iter::once(from).chain(state).for_each(&mut add),
                 StoredMotion::Flight(flight) => flight.numbers().for_each(&mut add),
