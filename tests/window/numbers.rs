@@ -6,7 +6,7 @@ use egui::{Key, Modifiers};
 use egui_kittest::Harness;
 use egui_kittest::kittest::Queryable as _;
 use girderbench::app::{SelectCommand, Workbench};
-use girderbench::scene::{Bearings, Kind, PerDirection, presets};
+use girderbench::scene::{Bearings, Kind, Motion, PerDirection, presets};
 use girderbench::view::Target;
 
 type Window = Harness<'static, Workbench>;
@@ -142,6 +142,47 @@ fn the_scenes_own_numbers_are_there_when_nothing_is_selected() {
     settle(&mut harness);
     type_in(&mut harness, "Bearings f z", "20 Hz");
     assert_eq!(harness.state().replay.runner.problems(), None, "now it runs");
+}
+
+#[test]
+fn an_earthquake_is_chosen_with_its_length_and_one_step_of_undo() {
+    let mut harness = with(presets::OPENING, &[]);
+    let before = harness.state().files.document.scene().clone();
+    choose(&mut harness, "Ground", "synthetic earthquake");
+    let scene = harness.state().files.document.scene().clone();
+    let Motion::Synthetic(quake) = &scene.motion else { panic!("{:?}", scene.motion) };
+    assert!(quake.duration > before.duration && scene.duration >= quake.duration, "to its end: {} s", scene.duration);
+    harness.key_press_modifiers(Modifiers::COMMAND, Key::Z);
+    settle(&mut harness);
+    assert_eq!(*harness.state().files.document.scene(), before, "one step");
+}
+
+#[test]
+fn escape_closes_an_open_list_and_leaves_the_selection() {
+    let mut harness = with(presets::OPENING, &[Target::Girder(0)]);
+    reach_as(&mut harness, Role::ComboBox, "Ground");
+    harness.get_by_role_and_label(Role::ComboBox, "Ground").click();
+    harness.run_steps(20);
+    assert!(egui::Popup::is_any_open(&harness.ctx), "it is open");
+    harness.key_press(Key::Escape);
+    settle(&mut harness);
+    assert!(!egui::Popup::is_any_open(&harness.ctx), "it is closed");
+    assert_eq!(harness.state().files.document.selection().lead(), Some(Target::Girder(0)), "still selected");
+    harness.key_press(Key::Escape);
+    settle(&mut harness);
+    assert_eq!(harness.state().files.document.selection().lead(), None, "the next one lets go of it");
+}
+
+#[test]
+fn what_is_selected_next_is_shown_from_its_beginning() {
+    let mut harness = with("twin-span-restrained", &[Target::Girder(0)]);
+    unfold(&mut harness, "Start, push, held");
+    reach_as(&mut harness, Role::SpinButton, "Push moment");
+    let top = harness.get_by_role_and_label(Role::TextInput, "Name").rect().top();
+    harness.state_mut().apply(SelectCommand::Only(Some(Target::Girder(1))));
+    harness.run_steps(40);
+    let again = harness.get_by_role_and_label(Role::TextInput, "Name").rect().top();
+    assert!(again > top, "scrolled to {top}, then {again}");
 }
 
 #[test]

@@ -9,6 +9,7 @@ use crate::app::field::{
 };
 use crate::app::{edits, text};
 use crate::files::formats_in_words;
+use crate::scene::edit::{Edit, General};
 use crate::scene::keys::Key;
 use crate::scene::{GroundId, Motion, RecordMotion, STANDARD_GRAVITY, SineMotion, SweepMotion, SyntheticMotion};
 
@@ -59,8 +60,28 @@ pub(in crate::app) fn show(ui: &mut Ui, form: Form<'_>, out: &mut Vec<Command>) 
         windows(ui, out);
     }
     grounds::add(ui, form.scene, out);
+    let chosen = kind.is_some();
     if let Some(change) = kind.or(change) {
-        out.push(EditCommand::Change { edit: edits::motion(form.scene, ground, new), gesture: change.gesture }.into());
+        let whole = length(&new).filter(|length| chosen && *length > form.scene.duration);
+        let motion = edits::motion(form.scene, ground, new);
+        let edit = match whole {
+            // What has an end is chosen with it.
+            Some(duration) => {
+                let general = General { duration, ..General::of(form.scene) };
+                Edit::Batch(vec![motion, Edit::General(Box::new(general))])
+            }
+            None => motion,
+        };
+        out.push(EditCommand::Change { edit, gesture: change.gesture }.into());
+    }
+}
+
+/// How long a motion of its own length lasts \[s\].
+fn length(motion: &Motion) -> Option<f64> {
+    match motion {
+        Motion::Synthetic(quake) => Some(quake.duration),
+        Motion::Sweep(sweep) => Some(sweep.length),
+        Motion::None | Motion::Sine(_) | Motion::Record(_) => None,
     }
 }
 

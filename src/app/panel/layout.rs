@@ -3,7 +3,7 @@
 use std::path::Path;
 use std::time::Duration;
 
-use egui::{CentralPanel, Frame, Margin, Panel, ScrollArea, Ui};
+use egui::{CentralPanel, Frame, Margin, Panel, Popup, ScrollArea, Ui};
 
 use crate::app::bench::{Folded, Workbench};
 use crate::app::command::{Command, FileCommand, Pane};
@@ -53,7 +53,7 @@ pub fn show(bench: &mut Workbench, ui: &mut Ui) {
 fn commands(bench: &Workbench, ui: &mut Ui) -> Vec<Command> {
     let mut out = Vec::new();
     let (document, window) = (&bench.files.document, &bench.window);
-    let typing = ui.text_edit_focused();
+    let (typing, listed) = (ui.text_edit_focused(), Popup::is_any_open(ui.ctx()));
     if bench.view.display.sight.lecture {
         lecture_panels(bench, ui, &mut out);
     } else {
@@ -77,8 +77,8 @@ fn commands(bench: &Workbench, ui: &mut Ui) -> Vec<Command> {
     if !dialog_is_open(bench) {
         let (display, hand) = (&bench.view.display, &bench.view.viewport.hand);
         let (clock, folded) = (&bench.replay.playback.clock, folded(bench, ui));
-        let on =
-            Keyboard { typing, help: window.help, hand, tool: display.tool, clock, scene: document.scene(), folded };
+        let (help, tool, scene) = (window.help, display.tool, document.scene());
+        let on = Keyboard { typing, listed, help, hand, tool, clock, scene, folded };
         shortcuts::keys(ui, on, &mut out);
     }
     out
@@ -154,7 +154,8 @@ fn panels(bench: &Workbench, ui: &mut Ui, out: &mut Vec<Command>) {
     beside(ui, (Pane::Placed, folded), out, |ui, out| {
         outliner::show(ui, document, out);
         ui.separator();
-        let area = ScrollArea::vertical().id_salt("inspector").auto_shrink(false);
+        // What is shown of one thing is not scrolled as another was.
+        let area = ScrollArea::vertical().id_salt(("inspector", document.selection().lead())).auto_shrink(false);
         area.show(ui, |ui| inspector::show(ui, document, replay, out));
     });
     beside(ui, (Pane::WhatIf, folded), out, |ui, out| {

@@ -22,6 +22,8 @@ use crate::scene::{Scene, ViewPreset};
 pub(in crate::app) struct Keyboard<'a> {
     /// Whether a text had the focus when the frame began: it may have been left by one of its keys.
     pub(in crate::app) typing: bool,
+    /// Whether a list or a menu was open when the frame began: Escape closes it, and nothing else.
+    pub(in crate::app) listed: bool,
     /// Whether the help is open: keys close it then, and do nothing else.
     pub(in crate::app) help: bool,
     /// What is held in the view: a number that is typed is its own.
@@ -68,6 +70,9 @@ pub(in crate::app) fn keys(ui: &egui::Ui, on: Keyboard<'_>, out: &mut Vec<Comman
         let Event::Key { key, pressed: true, modifiers, .. } = event else { continue };
         if on.help {
             out.extend(matches!(key, Key::Escape | Key::F1).then_some(Command::Window(WindowCommand::Help(false))));
+            continue;
+        }
+        if on.listed && key == Key::Escape {
             continue;
         }
         if on.hand.takes_number(key) && !modifiers.command && !modifiers.alt {
