@@ -50,6 +50,9 @@ const REPLACES: &[(&str, &[&str])] = &[
     ("file", &["samples_m_s2", "dt_s"]),
 ];
 
+/// Keys that replace nothing in the tables of this name: E of a pier's columns belongs to `column_m`.
+const BESIDE: &[(&str, &str)] = &[("pier", "young_modulus_pa")];
+
 /// Keys of the same table that go when this key is given: they say the same thing in another way.
 pub fn replaced_by(key: &str) -> &'static [&'static str] {
     REPLACES.iter().find(|(setting, _)| *setting == key).map_or(&[], |(_, rivals)| *rivals)
@@ -160,7 +163,10 @@ impl<'a> Setting<'a> {
             if let (false, Some(item)) = (here.contains_key(*step), number) {
                 return Err(self.not_there(item, &[]));
             }
-            let next = here.entry(*step).or_insert_with(|| Value::Table(Table::new()));
+            if !here.contains_key(*step) {
+                set(here, step, Value::Table(Table::new()));
+            }
+            let Some(next) = here.get_mut(*step) else { return Ok(()) };
             rest = after;
             let into = match next {
                 Value::Array(list) => {
@@ -180,7 +186,11 @@ impl<'a> Setting<'a> {
         if matches!(self.path[..], ["motion", "kind"] | ["ground", _, "kind"]) {
             self.change_kind(here);
         }
-        set(here, key, self.value.clone());
+        if BESIDE.contains(&(self.path[0], *key)) {
+            here.insert((*key).to_owned(), self.value.clone());
+        } else {
+            set(here, key, self.value.clone());
+        }
         Ok(())
     }
 

@@ -108,6 +108,12 @@ fn a_key_that_says_the_same_in_another_way_is_replaced() {
     assert_eq!((back.stiffness, back.young_modulus), (Some(2e5), None), "and back");
     let wall = &set(&scene, &["abutment.wall.polygon_m=[[1,1,-1],[1,-1,-1],[1,-1,1],[1,1,1]]"]).abutments[0];
     assert_eq!((wall.gap, wall.width, wall.height, wall.polygon.is_some()), (None, None, None, true), "gap to corners");
+    let elastic = |keys: &[&str]| set(&preset("deck-30m-elastic"), keys).girders[0].elastic.expect("it bends");
+    let by_mass = elastic(&["girder.deck.elastic.damping_ratio=0.03", "girder.deck.elastic.rayleigh.mass=1"]);
+    assert_eq!((by_mass.damping_ratio, by_mass.rayleigh.is_some()), (None, true), "a table made on the way");
+    let piers = set(&preset("viaduct-5"), &["pier.p1.stiffness_n_per_m=1e8", "pier.p1.young_modulus_pa=2e10"]);
+    let said = validate::validate(&piers).expect_err("E of no column").to_string();
+    assert!(said.contains("young_modulus_pa") && !said.contains("found nothing"), "{said}");
     let scene = set(&scene, &["girder.deck.bearings.at_m=[[0.07, 0.025], [-0.07, 0.0]]"]);
     let Some(Bearings::Shared(bearings)) = &scene.girders[0].bearings else { panic!("shared bearings") };
     assert!(bearings.at_skewed.is_none() && bearings.at.is_some(), "skewed places to true ones");
