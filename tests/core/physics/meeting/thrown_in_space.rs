@@ -1,6 +1,8 @@
 //! What holds of bodies thrown at one another in space from anywhere, in any attitude: nothing passes through, momentum and angular
 //! momentum stay, and the mirror image of a scene has the mirrored answer.
 
+use std::sync::LazyLock;
+
 use girderbench::scene::Scene;
 use girderbench::sim::{EventKind, History};
 use girderbench::study::stability::family;
@@ -13,6 +15,9 @@ use crate::support::{run, within};
 /// Seeds of the family that are run with every test; more by `girderbench study stability --from 3000000`. What the next ones leave
 /// without a contact is in `docs/stability.md`.
 const SEEDS: u64 = 12;
+
+/// The runs of these seeds.
+static RUNS: LazyLock<Vec<History>> = LazyLock::new(|| (0..SEEDS).map(|seed| run(&thrown(seed))).collect());
 
 fn thrown(seed: u64) -> Scene {
     let (name, mut scene) = family::scene(family::FIRST_THROWN_IN_SPACE + seed);
@@ -44,14 +49,13 @@ fn scale(history: &History) -> f64 {
 
 #[test]
 fn girders_thrown_at_each_other_in_space_do_not_pass_through() {
-    for seed in 0..SEEDS {
-        let history = run(&thrown(seed));
+    for (seed, history) in RUNS.iter().enumerate() {
         assert!(history.stop().is_none(), "seed {seed}: {:?}", history.stop());
         let balance = history.balance();
         assert!(balance.holds(), "seed {seed}: {balance:?}");
         assert_eq!(history.overlaps(), [], "seed {seed}");
-        let gained = momentum(&history, history.end()) - momentum(&history, 0.0);
-        within(&format!("momentum, seed {seed}"), gained.length() / scale(&history), 1e-12);
+        let gained = momentum(history, history.end()) - momentum(history, 0.0);
+        within(&format!("momentum, seed {seed}"), gained.length() / scale(history), 1e-12);
     }
 }
 
@@ -69,8 +73,7 @@ fn forces_along_the_normals_keep_angular_momentum() {
 #[test]
 fn an_edge_that_slides_along_another_gains_no_energy() {
     let mut moves = 0;
-    for seed in 0..SEEDS {
-        let history = run(&thrown(seed));
+    for (seed, history) in RUNS.iter().enumerate() {
         let energy = history.ledger(0.0).scale;
         for event in history.events().iter().filter(|event| event.kind == EventKind::Moved) {
             within(&format!("seed {seed} at {} s", event.t), event.released / energy, 1e-13);
