@@ -25,6 +25,7 @@ run-tilt = largest tilt
 run-total = force of two bodies
 run-gave-up-at = at { $t } s, { $place }: { $reason }
 run-lifts-at = { $bearing } carries nothing at { $t } s: it lifts
+run-damped-at = { $bearing } carries nothing at { $t } s and lifts; its vertical dashpot pulls by up to { $pull } at { $tp } s while its spring is still pressed
 run-pulls-at = { $bearing } carries nothing at { $t } s and then pulls, by up to { $pull } at { $tp } s: no uplift is in its law
 run-total-at = { $force } at { $t } s, all contacts between two bodies together
 run-pair-total = , { $total } of all contacts together
@@ -252,7 +253,7 @@ wrong-no-wave = no girder bends, so no wave runs in one: give it [girder.elastic
 wrong-force-in-space = { $force } is a section force of spatial scenes: set kind = "spatial", or ask for another
 wrong-picture-backwards = --to { $to }: the picture begins at { $from } s: give a later time
 wrong-no-from = --to without --from: say when the picture begins
-waves-largest = { $what }: largest { $largest }
+waves-largest = { $what }: largest { $largest } of { $times } instants and { $stations } stations
 wrong-journal-busy = another process is at work on it: wait for its end, or give another --out
 wrong-journal-other = it is the journal of another sweep: give another --out, or remove it
 wrong-journal-changed = the solver or the measure is another than the one that these rows are of: give another --out, or remove the journal to compute every run anew

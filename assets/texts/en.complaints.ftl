@@ -298,7 +298,7 @@ stop-space-in-impact = the impact model knows rigid girders in plan only
 stop-alternates = { $touch } changes of state in one touch, { $same } of them at this instant: stick and slip alternate without end; another law, a lower stiffness or a larger tolerance may end it
 stop-device = the device { $name } changes its phase without end at one instant; give it some slack
 stop-support-left = vertical support is lost: { $name } left its support at ({ $x }, { $y }) m; give after_unseating = "continue" to go on without it
-stop-support-dropped = the girder tips off its supports: { $name } has dropped to ({ $x }, { $y }, { $z }) m
+stop-support-dropped = the girder comes off its supports: { $name } has dropped to ({ $x }, { $y }, { $z }) m
 stop-memory = the steps so far take { $bytes } MiB, more than the { $most } MiB that a run may take
 stop-pace = { $done } steps and evaluations since t = { $from } s: at this pace the run would take { $expected }, beyond what a run may take
 stop-work = { $work } steps and evaluations exceed the bound on the work of a run

@@ -25,6 +25,7 @@ run-tilt = 最大傾斜角
 run-total = 二物体間の力
 run-gave-up-at = { $t } s、{ $place }：{ $reason }
 run-lifts-at = { $bearing } は { $t } s に荷重が零となり、浮き上がる
+run-damped-at = { $bearing } は { $t } s に荷重が零となり、浮き上がる。ばねがまだ押されている間に鉛直の減衰が最大 { $pull } で引く（{ $tp } s）
 run-pulls-at = { $bearing } は { $t } s に荷重が零となり、その後最大 { $pull } で引く（{ $tp } s）：この支承の則に浮き上がりはない
 run-total-at = { $force }（{ $t } s）、二物体間の全接触の和
 run-pair-total = 、全接触の和は { $total }
@@ -252,7 +253,7 @@ wrong-no-wave = たわむ桁がなく、波も伝わらない：[girder.elastic]
 wrong-force-in-space = { $force } は立体シーンの断面力。kind = "spatial" とするか、ほかの断面力を指定する
 wrong-picture-backwards = --to { $to }：図は { $from } s に始まる：それより後の時刻を与える
 wrong-no-from = --to だけで --from がない：図の始まりを与える
-waves-largest = { $what }：最大 { $largest }
+waves-largest = { $what }：{ $times } 時刻、{ $stations } 断面のうち最大 { $largest }
 wrong-journal-busy = 別のプロセスが書いている：終わるのを待つか、別の --out を与える
 wrong-journal-other = 別のスイープの記録：別の --out を与えるか、これを削除する
 wrong-journal-changed = 解法か量がこれらの行のものと異なる：別の --out を与えるか、記録を削除して全て計算し直す

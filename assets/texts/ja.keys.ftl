@@ -94,7 +94,7 @@ meaning-girder-elastic-damping_ratio = 全モードの減衰定数 ζ。rayleigh
 meaning-girder-elastic-rayleigh = レイリー減衰
 meaning-girder-elastic-modes = 多項式の次数 n、モード数 3n − 1、立体では 6n − 2。auto は接触に必要な次数
 meaning-girder-elastic-tol_flex = auto が桁を剛体とみなす、接触の軟化 κ_e の限度
-meaning-girder-elastic-strength_pa = 超えたら知らせる縁応力, Pa
+meaning-girder-elastic-strength_pa = 超えたら知らせる縁応力（自重による分を除く）, Pa
 meaning-abutment-faces = 向かい合う桁
 meaning-abutment-end = 向かい合う桁端
 meaning-abutment-gap_m = その桁端までの初期の遊間, 橋軸方向, m（面に直角には gap · sin β）
@@ -128,7 +128,7 @@ meaning-pier-heading_deg = 第1軸（橋軸方向とよぶ）の方位, 全体�
 meaning-pier-stiffness_n_per_m = 地盤に対する天端の剛性 k：1つの数、または [橋軸, 直角], N/m
 meaning-pier-frequency_hz = 橋脚単独の振動数 f、k = m (2πf)²：1つの数、または [橋軸, 直角], Hz
 meaning-pier-column_m = 柱：1つの数なら円柱の直径、[橋軸, 直角] なら角柱の辺, m
-meaning-pier-columns = 直角方向に並ぶ等しい柱の本数
+meaning-pier-columns = 直角方向に並ぶ等しい柱の本数。column_m で k を与えるときは k に、ほかでは図だけに使う
 meaning-pier-young_modulus_pa = 柱の E（ひび割れを考慮した値）, Pa
 meaning-pier-column_top = 天端が柱頭の回転を止めるか：自由なら1本 k = 3EI/h³、止めるなら 12EI/h³
 meaning-pier-damping_ratio = 橋脚単独の減衰定数 h、c = 2 h √(k m)：1つの数、または [橋軸, 直角]

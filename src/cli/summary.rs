@@ -99,12 +99,14 @@ fn lost(lost: &LostReport) -> Line {
 
 /// A bearing that stopped carrying.
 fn uplift(uplift: &UpliftReport) -> Line {
-    let UpliftReport { bearing, t, pull, pull_t, .. } = uplift;
-    let (bearing, t) = (escaped(bearing), format!("{t:.4}"));
-    let value = if *pull > 0.0 {
-        said!("run-pulls-at", "bearing" => bearing, "t" => t, "pull" => force(*pull), "tp" => format!("{pull_t:.4}"))
-    } else {
-        said!("run-lifts-at", "bearing" => bearing, "t" => t)
+    let UpliftReport { bearing, t, pull, pull_t, lifts, .. } = uplift;
+    let (bearing, t, tp) = (escaped(bearing), format!("{t:.4}"), format!("{pull_t:.4}"));
+    let value = match (*pull > 0.0, lifts) {
+        (false, _) => said!("run-lifts-at", "bearing" => bearing, "t" => t),
+        (true, true) => {
+            said!("run-damped-at", "bearing" => bearing, "t" => t, "pull" => force(*pull), "tp" => tp)
+        }
+        (true, false) => said!("run-pulls-at", "bearing" => bearing, "t" => t, "pull" => force(*pull), "tp" => tp),
     };
     line(Text::new("run-uplift"), value)
 }

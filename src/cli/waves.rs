@@ -84,7 +84,9 @@ pub(super) fn run(args: &WavesArgs, console: &mut Console) -> Result<(), Failure
     let (unit, size) = args.force.unit();
     let largest = format!("{:.6} {unit}", waves.field.largest() / size);
     let what = view::section_force(args.force);
-    console.print(&format!("{}\n{written}", said!("waves-largest", "what" => what, "largest" => largest)));
+    let [times, stations] = [waves.field.times.len(), waves.field.stations.len()];
+    let found = said!("waves-largest", "what" => what, "largest" => largest, "times" => times, "stations" => stations);
+    console.print(&format!("{found}\n{written}"));
     match history.stop() {
         Some(stop) => Err(Failure::GaveUp { scene: scene.name, stop: stop.clone() }),
         None => Ok(()),

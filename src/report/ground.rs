@@ -69,11 +69,14 @@ fn grounds(history: &History) -> Vec<Drawn> {
     std::iter::once(drawn("[motion]", &model.ground)).chain(named).collect()
 }
 
-/// A line of the table of peaks.
+/// Part of a peak from which a sample is at one: of a sine every crest is, and its samples differ.
+const AT_PEAK: f64 = 0.999;
+
+/// A line of the table of peaks: the largest, and when it is reached first.
 fn peak_row(name: &str, series: &[f64], history: &History) -> String {
-    let peak = series.iter().zip(times(history)).max_by(|a, b| a.0.abs().total_cmp(&b.0.abs()));
-    let (value, t) = peak.map_or((0.0, 0.0), |(value, t)| (*value, t));
-    let value = value.abs() / STANDARD_GRAVITY;
+    let value = series.iter().fold(0.0f64, |most, a| most.max(a.abs()));
+    let t = series.iter().zip(times(history)).find(|(a, _)| a.abs() >= AT_PEAK * value).map_or(0.0, |(_, t)| t);
+    let value = value / STANDARD_GRAVITY;
     let name = escape(name);
     format!("<tr><td>{name}</td><td class=\"number\">{value:.4}</td><td class=\"number\">{t:.3}</td></tr>\n")
 }

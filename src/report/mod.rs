@@ -1,6 +1,7 @@
 //! A run on one page of HTML to hand to a colleague: scene with its numbers, assumptions, motion, the hardest hit, readings against
 //! limits and codes, errors, ledger, versions. Every picture is inside; nothing outside is linked.
 
+mod bending;
 mod devices;
 mod ground;
 mod loops;
@@ -13,7 +14,7 @@ mod trust;
 use std::fmt::Write as _;
 
 use crate::language::{Language, Text, said};
-use crate::scene::{Scene, format};
+use crate::scene::{Scene, format, presets};
 use crate::sim::History;
 use crate::study::page;
 use crate::study::plot::draw::escape;
@@ -26,7 +27,7 @@ pub fn html(history: &History, options: &TableOptions) -> String {
     let scene = history.scene();
     let name = escape(&scene.name);
     let mut page = page::begin(&said!("report-title", "name" => name.as_str()), Language::current().code());
-    let _ = writeln!(page, "<h1>{name}</h1>\n<p>{}</p>", escape(&scene.description));
+    let _ = writeln!(page, "<h1>{name}</h1>\n<p>{}</p>", escape(presets::told(scene)));
     page.push_str(&trust::departures(&report));
     page.push_str(&sections::headline(&report));
     heading(&mut page, Text::new("report-scene"));
@@ -59,6 +60,7 @@ pub fn html(history: &History, options: &TableOptions) -> String {
     }
     heading(&mut page, Text::new("report-readings"));
     page.push_str(&sections::readings(history));
+    page.push_str(&bending::table(&report));
     page.push_str(&devices::table(&report));
     page.push_str(&supports::piers(&report));
     page.push_str(&supports::soils(&report));

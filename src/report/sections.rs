@@ -5,7 +5,8 @@ use std::fmt::Write as _;
 use super::plan::trimmed;
 use crate::codes::{Input, RotationCondition, Source};
 use crate::language::{Text, said, six};
-use crate::scene::{Bearings, ContactSettings, Girder, Kind, Limits, Setting};
+use crate::scene::keys::word_told;
+use crate::scene::{BearingKind, Bearings, ContactSettings, Girder, Kind, Limits, ModelKind, Setting};
 use crate::sim::{History, readings};
 use crate::study::plot::draw::escape;
 use crate::tables::{DemandReport, Report, SeatReport, corner_angle};
@@ -76,7 +77,7 @@ pub(super) fn headline(report: &Report) -> String {
     let (end, duration) = (six(report.end), six(report.duration));
     let computed = said!("report-computed-of", "end" => end, "duration" => duration);
     html + &facts([
-        fact(Text::new("report-model"), format!("{}, {dimensions}", report.model)),
+        fact(Text::new("report-model"), format!("{}, {dimensions}", word_told(ModelKind::WORDS, report.model))),
         fact(Text::new("report-computed"), computed),
         fact(Text::new("report-max-displacement"), format!("{:.2} mm", 1e3 * n.max_displacement)),
         fact(Text::new("report-max-rotation"), format!("{:.4}°", n.max_rotation.to_degrees())),
@@ -206,7 +207,7 @@ pub(super) fn assumptions(history: &History, report: &Report) -> String {
         let assumed = deck.assumed().into_iter().map(|(key, number)| format!("{key} = {}", trimmed(number)));
         let assumed: Vec<String> = assumed.collect();
         if !assumed.is_empty() {
-            let (name, kind) = (escape(&girder.name), deck.kind.label());
+            let (name, kind) = (escape(&girder.name), word_told(BearingKind::WORDS, deck.kind.label()));
             let whose = said!("report-bearings-of", "kind" => kind, "name" => name);
             items.push(format!("{whose} {} {mark}", assumed.join(", ")));
         }

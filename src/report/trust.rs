@@ -1,13 +1,14 @@
 //! How far to trust a report: where the answer does not hold, error, energies, versions and digest.
 
+use super::bending;
 use super::plan::trimmed;
 use super::sections::{fact, facts};
 use crate::language::{Text, said};
 use crate::study::plot::draw::escape;
 use crate::tables::Report;
 
-/// Where the answer does not hold or a designer must look, a line each: bearings that lift or pull, bodies inside each other without a
-/// contact, contacts beyond the sense of their law.
+/// Where the answer does not hold or a designer must look, a line each: girders that bend beyond their model, bearings that lift or pull,
+/// bodies inside each other without a contact, contacts beyond the sense of their law.
 pub(super) fn departures(report: &Report) -> String {
     let millimetres = |metres: f64| format!("{:.3} mm", 1e3 * metres);
     let time = |t: f64| format!("{t:.4}");
@@ -28,14 +29,15 @@ pub(super) fn departures(report: &Report) -> String {
     let kilonewtons = |newtons: f64| format!("{:.1} kN", newtons / 1e3);
     let uplifts = report.uplifts.iter().map(|uplift| {
         let (bearing, t) = (uplift.bearing.as_str(), time(uplift.t));
-        if uplift.pull > 0.0 {
-            said!("bearing-pulls", "bearing" => bearing, "t" => t, "pull" => kilonewtons(uplift.pull))
-        } else {
-            said!("bearing-lifts", "bearing" => bearing, "t" => t)
+        let pull = kilonewtons(uplift.pull);
+        match (uplift.pull > 0.0, uplift.lifts) {
+            (false, _) => said!("bearing-lifts", "bearing" => bearing, "t" => t),
+            (true, true) => said!("bearing-damped", "bearing" => bearing, "t" => t, "pull" => pull),
+            (true, false) => said!("bearing-pulls", "bearing" => bearing, "t" => t, "pull" => pull),
         }
     });
     let line = |words: String| format!("<p class=\"no\">{}</p>\n", escape(&words));
-    uplifts.chain(overlaps).chain(deep).chain(dropped).map(line).collect()
+    bending::departures(report).chain(uplifts).chain(overlaps).chain(deep).chain(dropped).map(line).collect()
 }
 
 /// Error, ledger, versions and digest.

@@ -136,7 +136,7 @@ table! {
         tolerance: f64 = "tol_flex" as "field-rigid-below", Range::NotNegative, Fallback::Number(1e-4),
             "softening κ_e of the contacts below which auto takes the girder as rigid";
         strength: Option<f64> = "strength_pa" as "field-strength", Range::Positive, Fallback::Words("not looked at"),
-            "stress of the extreme fibre that is flagged where it is passed, Pa";
+            "stress of the extreme fibre, beyond the dead load's, that is flagged where it is passed, Pa";
     }
 }
 

@@ -1,7 +1,7 @@
 //! Scenes that come with the program.
 
 use super::{Scene, SceneError, SceneErrors, format};
-use crate::language::{Text, message};
+use crate::language::{Language, Text, message};
 
 /// A scene that comes with the program.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -59,6 +59,14 @@ pub fn get(name: &str) -> Option<&'static Preset> {
 /// There is no such preset.
 pub fn load(name: &str) -> Result<Scene, SceneErrors> {
     get(name).ok_or_else(|| unknown(name).into()).and_then(|preset| format::parse(preset.text, preset.name))
+}
+
+/// What a scene says of itself: of a preset in the language in use, unless its own words were changed.
+pub fn told(scene: &Scene) -> &str {
+    let own = scene.description.as_str();
+    let preset = get(&scene.name).filter(|_| Language::current() != Language::English);
+    let unchanged = preset.filter(|preset| load(preset.name).is_ok_and(|preset| preset.description == own));
+    unchanged.map_or(own, |preset| preset.summary.as_str())
 }
 
 fn unknown(name: &str) -> SceneError {

@@ -37,6 +37,9 @@ pub struct ResolvedPier {
     pub yielding: Option<BaseYield>,
     /// From its foot to its cap's top \[m\].
     pub height: f64,
+    /// Arm of the base shear for the moment at its feet, along and across: the height, half of it where a cap holds the tops of its
+    /// columns from turning \[m\].
+    pub arm: [f64; 2],
     /// Sides of its cap along, across and up \[m\].
     pub cap: [f64; 3],
     /// Its columns: diameter, or sides along and across \[m\].
@@ -78,13 +81,18 @@ impl Pier {
         }
     }
 
+    /// Whether the cap holds the tops of its columns from turning as they bend along and across.
+    fn held(&self) -> [bool; 2] {
+        match self.top {
+            ColumnTop::Free => [false, false],
+            ColumnTop::FixedAcross => [false, true],
+            ColumnTop::Fixed => [true, true],
+        }
+    }
+
     /// `n · 3 E I/h³`, or `n · 12 E I/h³` where the tops do not turn.
     fn column_stiffness(&self, column: PerDirection) -> [f64; 2] {
-        let factors = match self.top {
-            ColumnTop::Free => [3.0, 3.0],
-            ColumnTop::FixedAcross => [3.0, 12.0],
-            ColumnTop::Fixed => [12.0, 12.0],
-        };
+        let factors = self.held().map(|held| if held { 12.0 } else { 3.0 });
         let height = self.height.unwrap_or(f64::NAN);
         let share = self.columns * self.modulus.unwrap_or(CONCRETE_MODULUS) / height.powi(3);
         let moments = Self::second_moments(column);
@@ -122,6 +130,7 @@ impl Scene {
         let ratio = pier.damping_ratio.map_or([DESIGN_DAMPING; 2], PerDirection::xy);
         #[expect(clippy::cast_possible_truncation, clippy::cast_sign_loss, reason = "a whole number from 1 to 12")]
         let columns = pier.columns as usize;
+        let height = pier.height.unwrap_or(DEPTHS * depth);
         let width = if columns == 1 { cap[0].min(cap[1]) * 0.6 } else { cap[1] / (2.0 * pier.columns) };
         ResolvedPier {
             top: position.extend(above.map_or(0.0, underside)),
@@ -134,7 +143,8 @@ impl Scene {
             yielding: pier
                 .yield_force
                 .map(|force| BaseYield { force: force.xy(), ratio: pier.post_yield_ratio.unwrap_or(USUAL_POST_YIELD) }),
-            height: pier.height.unwrap_or(DEPTHS * depth),
+            height,
+            arm: pier.held().map(|held| if held { 0.5 * height } else { height }),
             cap,
             column: pier.column.unwrap_or(PerDirection::Both(width.min(cap[0]))),
             columns,

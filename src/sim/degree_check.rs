@@ -1,15 +1,17 @@
-//! Whether the polynomials of elastic girders suffice: the same run with half as many again.
+//! Whether the polynomials of elastic girders suffice: the same run with half as many again, or with two thirds of them where there can
+//! be no more.
 
 use super::quadrature::integrate;
 use super::{History, Session};
-use crate::dynamics::elastic::degree::LARGEST_DEGREE;
+use crate::dynamics::elastic::degree::{LARGEST_DEGREE, SMALLEST_DEGREE};
 use crate::geometry::End;
 use crate::scene::{Degree, Scene};
 
 /// Instants at which places of the ends are compared.
 const COMPARED: u32 = 400;
 
-/// Differences from a run of degree `⌈3n/2⌉`, each in parts of the greatest of its kind.
+/// Differences from a run of degree `⌈3n/2⌉`, of `⌊2n/3⌋` where that is more than there can be, each in parts of the greatest of its
+/// kind.
 #[derive(Clone, Copy, Debug, PartialEq, serde::Serialize)]
 pub struct DegreeCheck {
     /// Largest degree of a girder, and what it was compared with.
@@ -25,39 +27,41 @@ pub struct DegreeCheck {
 }
 
 impl History {
-    /// Runs the scene again with half as many polynomials again; nothing where no girder bends, none can have more, or the run does
-    /// not come to its end.
+    /// Runs the scene again with other degrees; nothing where no girder bends, or the run does not come to its end.
     pub fn check_degree(&self) -> Option<DegreeCheck> {
-        let (scene, degree) = self.finer()?;
+        let (scene, degree) = self.of_other_degree()?;
         let mut session = Session::new(&scene).ok()?;
         session.advance(scene.duration, &mut |_| true);
-        let finer = session.finish();
-        let [force, other] = [self, &finer].map(Self::largest_force);
-        let [impulse, finer_impulse] = [self, &finer].map(Self::impulse);
-        let [section, finer_section] = [self, &finer].map(Self::largest_axial);
+        let against = session.finish();
+        let [force, other] = [self, &against].map(Self::largest_force);
+        let [impulse, other_impulse] = [self, &against].map(Self::impulse);
+        let [section, other_section] = [self, &against].map(Self::largest_axial);
         let part = |a: f64, b: f64| if b == 0.0 { 0.0 } else { (a - b).abs() / b };
         Some(DegreeCheck {
             degree,
             force: part(force, other),
-            impulse: part(impulse, finer_impulse),
-            ends: self.ends_apart(&finer),
-            section: part(section, finer_section),
+            impulse: part(impulse, other_impulse),
+            ends: self.ends_apart(&against),
+            section: part(section, other_section),
         })
     }
 
-    /// The scene with finer girders, and the largest degree before and after.
-    fn finer(&self) -> Option<(Scene, [usize; 2])> {
+    /// The scene with girders of other degrees, and that of its finest girder before and after.
+    fn of_other_degree(&self) -> Option<(Scene, [usize; 2])> {
         let mut scene = self.scene().clone();
+        let degrees =
+            (0..scene.girders.len()).filter_map(|girder| Some(self.flexible(girder)?.girder.as_ref()?.degree()));
+        let fewer = degrees.max()? > 2 * LARGEST_DEGREE / 3;
         let mut largest = [0; 2];
         for (number, girder) in scene.girders.iter_mut().enumerate() {
             let made = self.flexible(number).and_then(|flexible| flexible.girder.as_ref());
             let (Some(made), Some(elastic)) = (made, girder.elastic.as_mut()) else { continue };
             let degree = made.degree();
-            let more = (3 * degree).div_ceil(2).min(LARGEST_DEGREE);
-            elastic.modes = Degree(Some(more as f64));
-            largest = largest.max([degree, more]);
+            let other = if fewer { (2 * degree / 3).max(SMALLEST_DEGREE) } else { (3 * degree).div_ceil(2) };
+            elastic.modes = Degree(Some(other as f64));
+            largest = largest.max([degree, other]);
         }
-        (largest[1] > largest[0]).then_some((scene, largest))
+        (largest[1] != largest[0]).then_some((scene, largest))
     }
 
     /// Impulses of all contacts \[N·s\].

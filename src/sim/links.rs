@@ -68,7 +68,7 @@ impl History {
         let LinkMotion { link, frames, motion, .. } =
             self.link_motion_of(number, |body, section| self.section_frame(body, section, t))?;
         let device = &link.device;
-        let (acts, [gap, _]) = (device.acts(&phase), device.gap(&phase, &motion));
+        let (acts, gap) = (device.acts(&phase), device.distance_left(&phase, &motion));
         let ends = [0, 1].map(|i| frames[i].origin() + frames[i].turn(link.arms[i]));
         let stored = device.stored_energy(&phase, &motion);
         let (force, reaction, dissipated) = if acts {

@@ -31,8 +31,9 @@ pub struct PierReading {
     pub drift: Extreme,
     /// Largest base shear, in plan \[N\].
     pub shear: Extreme,
-    /// The same times its height: the moment at its foot where its column is a cantilever \[N·m\].
-    pub moment: f64,
+    /// Largest moment at its feet, of all its columns: base shear times the height, or half the height where a cap holds the tops of
+    /// its columns from turning \[N·m\].
+    pub moment: Extreme,
     /// Largest |θ| of its cap \[rad\].
     pub turn: f64,
     /// When its base yielded for the first time \[s\].
@@ -83,7 +84,10 @@ impl History {
             periods: [along, across].map(|omega| std::f64::consts::TAU / omega),
             drift: largest(&|now| plan(now.displacement)),
             shear,
-            moment: shear.value * resolved.height,
+            moment: largest(&|now| {
+                let along = resolved.axes.mul_transpose_vec3(now.shear).truncate();
+                (along * DVec2::from(resolved.arm)).length()
+            }),
             turn: largest(&|now| now.theta.abs()).value,
             yielded_at: yielding
                 .and_then(|link| self.link_phases(link).iter().find(|(_, phase)| phase.law != 0))

@@ -21,8 +21,10 @@ pub struct Uplift {
     pub name: String,
     /// When it carried nothing for the first time \[s\].
     pub t: f64,
-    /// The most that it held the girder down with; 0 of one that lifts \[N\].
+    /// The most that it held the girder down with: of one that lifts the pull of its dashpot while its spring is still pressed \[N\].
     pub pull: Extreme,
+    /// Whether it lifts: linear bearings and lead rubber do not.
+    pub lifts: bool,
     /// Its load at rest \[N\].
     pub load: f64,
 }
@@ -88,7 +90,8 @@ impl History {
         let t = first(times, self.end(), |t| bound - load(t))?;
         let [pull] = largest_of_each(times, |t| [-load(t)]);
         let pull = Extreme { value: if pull.value > bound { pull.value } else { 0.0 }, ..pull };
-        Some(Uplift { name: format!("{}.bearing{}", body.name, number + 1), t, pull, load: at_rest })
+        let lifts = self.bearing_links(girder, number).iter().any(|&link| self.model().links[link].device.lifts());
+        Some(Uplift { name: format!("{}.bearing{}", body.name, number + 1), t, pull, lifts, load: at_rest })
     }
 
     /// When a girder has tipped for the first time, and its largest tilt \[s, rad\]; `None` where it stays upright.

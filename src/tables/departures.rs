@@ -50,10 +50,12 @@ pub struct UpliftReport {
     pub bearing: String,
     /// When for the first time \[s\].
     pub t: f64,
-    /// The most that it held the girder down with; 0 of one that lifted \[N\].
+    /// The most that it held the girder down with, of one that lifts by its dashpot before it did \[N\].
     pub pull: f64,
     /// When \[s\].
     pub pull_t: f64,
+    /// Whether it lifts.
+    pub lifts: bool,
     /// Its load at rest \[N\].
     pub load: f64,
 }
@@ -139,11 +141,12 @@ pub(super) fn lost(history: &History) -> Vec<LostReport> {
 
 /// Bearings that stopped carrying, the earliest first.
 pub(super) fn uplifts(upright: Vec<Upright>) -> Vec<UpliftReport> {
-    let report = |Uplift { name, t, pull, load }: Uplift| UpliftReport {
+    let report = |Uplift { name, t, pull, lifts, load }: Uplift| UpliftReport {
         bearing: name,
         t,
         pull: pull.value,
         pull_t: pull.t,
+        lifts,
         load,
     };
     let mut all: Vec<UpliftReport> = upright.into_iter().flat_map(|girder| girder.uplifts).map(report).collect();

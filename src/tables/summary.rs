@@ -150,7 +150,7 @@ pub struct PierReport {
     pub shear: f64,
     /// When \[s\].
     pub shear_t: f64,
-    /// Largest base shear times the pier's height \[N·m\].
+    /// Largest moment at its feet, of all its columns \[N·m\].
     pub moment: f64,
     /// Largest rotation of its cap in plan \[rad\].
     pub rotation: f64,
@@ -258,7 +258,7 @@ fn piers(history: &History) -> Vec<PierReport> {
         drift_t: drift.t,
         shear: shear.value,
         shear_t: shear.t,
-        moment,
+        moment: moment.value,
         rotation: turn,
         yielded_at,
     };

@@ -104,6 +104,18 @@ fn a_report_of_a_viaduct_has_its_piers_and_their_height() {
 }
 
 #[test]
+fn a_report_of_a_girder_that_bends_has_its_forces_and_says_where_it_is_not_elastic() {
+    let [page, kept] = [&["girder.deck.elastic.strength_pa=1e6"][..], &[]].map(|sets| page("deck-30m-elastic", sets));
+    for words in ["<th>girder that bends</th>", "<th>|M| at mid-span [MN·m]</th>", "Polynomials of degree"] {
+        assert!(page.contains(words), "{words}");
+    }
+    let (head, rest) = page.split_once("<h2>").expect("headings");
+    assert!(head.contains("passes its strength of 1 MPa"), "at the head of the page");
+    assert!(!rest.contains("no longer elastic"), "once");
+    assert!(!kept.contains("no longer elastic"), "without a strength");
+}
+
+#[test]
 fn a_report_is_a_file_of_html() {
     let said = call(&["report", "skew45-abutment", "--out", "page.pdf"]);
     assert_eq!(said.status, Some(2), "{}", said.out);
@@ -122,6 +134,7 @@ fn a_report_is_in_the_language_that_is_asked_for() {
     {
         assert!(page.contains(words), "{words}");
     }
+    assert!(page.contains(">接触, 立体<") && page.contains("<p>実橋の大きさ"), "model and description, too");
     for left in ["Assumptions", "front edge", "girder<", "report-"] {
         assert!(!page.contains(left), "{left} is not Japanese");
     }

@@ -251,8 +251,8 @@ fn pair_text(pair: &Pair, nodes: &str) -> String {
         short(c.stiffness),
         six(c.restitution_normal),
         six(c.restitution_tangential),
-        short(dashpots.normal),
-        short(dashpots.tangential),
+        short(dashpots.normal + 0.0),
+        short(dashpots.tangential + 0.0),
         six(c.mu_static),
         six(c.mu_kinetic)
     );

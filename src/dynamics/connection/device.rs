@@ -64,6 +64,16 @@ pub trait Device: Connection<State = Phase, Motion = Separation> + std::fmt::Deb
     /// measured by \[m, m/s\]. While it is positive it changes by no more than its points are displaced against one another.
     fn gap(&self, phase: &Phase, motion: &Separation) -> [f64; 2];
 
+    /// The same distance as a length to read, where the gap is another function with the same zero \[m\].
+    fn distance_left(&self, phase: &Phase, motion: &Separation) -> f64 {
+        self.gap(phase, motion)[0]
+    }
+
+    /// Whether it lets go of the first point where it would hold it down.
+    fn lifts(&self) -> bool {
+        false
+    }
+
     /// Upper bound of the second derivative of the gap while the motion keeps to `bounds` \[m/s²\].
     fn gap_curvature(&self, phase: &Phase, bounds: &SeparationBounds) -> f64;
 

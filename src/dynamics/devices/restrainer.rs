@@ -143,10 +143,15 @@ impl Device for Restrainer {
 
     /// `(ℓ² − r²)/(2ℓ)` with the length ℓ at which it is taut: smooth where its points meet.
     fn gap(&self, phase: &Phase, motion: &Separation) -> [f64; 2] {
-        let line = Line::of(motion);
-        let left = self.plastic(phase, self.elongation(&line)) + self.slack - line.elongation;
         let (length, vector) = (self.taut_length(phase), motion.vector());
+        let left = self.distance_left(phase, motion);
         [left * (length + vector.length()) / (2.0 * length), -vector.dot(motion.rate) / length]
+    }
+
+    /// ℓ − r.
+    fn distance_left(&self, phase: &Phase, motion: &Separation) -> f64 {
+        let elongation = self.elongation(&Line::of(motion));
+        self.plastic(phase, elongation) - elongation
     }
 
     fn gap_curvature(&self, phase: &Phase, bounds: &SeparationBounds) -> f64 {

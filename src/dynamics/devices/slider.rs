@@ -207,6 +207,10 @@ impl Device for Slider {
         Some(self.friction * self.load)
     }
 
+    fn lifts(&self) -> bool {
+        true
+    }
+
     fn gap(&self, _: &Phase, motion: &Separation) -> [f64; 2] {
         [-motion.moved.length(), -motion.rate.length()]
     }

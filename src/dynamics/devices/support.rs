@@ -119,6 +119,10 @@ impl Device for Support {
         self.standing(phase).map_or(DVec3::ZERO, |law| law.reaction(phase, motion))
     }
 
+    fn lifts(&self) -> bool {
+        self.law.as_ref().is_some_and(|law| law.lifts())
+    }
+
     fn is_lost(&self, phase: &Phase) -> bool {
         phase.law == LOST
     }

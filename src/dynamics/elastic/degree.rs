@@ -10,6 +10,8 @@ use super::space_modes::SpaceModes;
 
 /// Degree from which the flexibility of an end is exact.
 const EXACT_ENDS: usize = 6;
+/// Least degree: the first that bends.
+pub const SMALLEST_DEGREE: usize = 2;
 /// Largest degree.
 pub const LARGEST_DEGREE: usize = 64;
 

@@ -323,6 +323,10 @@ fn a_cable_that_yields_catches_a_mass_as_in_closed_form() {
     };
     let placed = ([0.0; 2], [-0.1, 0.0], DMat3::IDENTITY, Kinematics::Points, Arc::new(cable) as Arc<dyn Device>);
     let history = run(&free(0.3, 0.2), vec![placed]);
+    for t in [0.0, 0.01, 0.02] {
+        let left = history.link(0, t).expect("the cable").gap;
+        within("slack that is left", left - (0.01 - history.motion(0, t).displacement.x), 1e-15);
+    }
     let turned = history.link_phases(0).windows(2).find(|two| two[0].1.law == 2).expect("it yields")[1].0;
     let elongation = history.motion(0, turned).displacement.x - 0.01;
     within("elongation", elongation - 3.231_056_256e-3, 1e-11);

@@ -3,7 +3,7 @@
 use std::f64::consts::TAU;
 
 use girderbench::geometry::End;
-use girderbench::scene::{Scene, presets};
+use girderbench::scene::{Scene, overrides, presets};
 use girderbench::sim::{History, Quantity};
 use glam::DVec3;
 
@@ -197,6 +197,25 @@ fn a_pier_that_yields_is_a_mass_on_a_bearing_that_yields() {
     let beyond = 2e5 + 4e6 * (reading.drift.value - 5e-3);
     assert!(reading.shear.value > 2e5 && reading.shear.value <= beyond * (1.0 + 1e-9), "on the loop: {reading:?}");
     assert!(pier.balance().holds(), "{:?}", pier.ledger(4.0));
+}
+
+#[test]
+fn the_moment_at_the_feet_is_that_of_how_the_tops_are_held() {
+    for (top, arms) in [("free", [9.0, 9.0]), ("fixed-across", [9.0, 4.5]), ("fixed", [4.5, 4.5])] {
+        for (angle, arm) in [(0, arms[0]), (90, arms[1])] {
+            let sets = [
+                "pier.p.column_m=[1.5, 2.0]".to_owned(),
+                "pier.p.height_m=9".to_owned(),
+                format!("pier.p.column_top={top}"),
+                "pier.p.columns=2".to_owned(),
+                format!("motion.angle_deg={angle}"),
+            ];
+            let sine = "[motion]\nkind = \"sine\"\namplitude_g = 0.1\nfrequency_hz = 0.7\n";
+            let scene = overrides::apply_all(&on_one_pier("", sine), &sets).unwrap_or_else(|e| panic!("{e}"));
+            let reading = &run(&scene).piers()[0];
+            within(&format!("{top} at {angle}°"), reading.moment.value / (reading.shear.value * arm) - 1.0, 1e-9);
+        }
+    }
 }
 
 #[test]

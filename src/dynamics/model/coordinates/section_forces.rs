@@ -100,6 +100,11 @@ impl Equilibrium {
         SectionForces::of(force, moment)
     }
 
+    /// Where loads act \[m\]: moments have kinks there and forces jump.
+    pub fn loaded(&self) -> impl Iterator<Item = f64> + '_ {
+        self.loads.iter().map(|load| load.station)
+    }
+
     /// The same by the strain of the series: `E A u'`, `k_s G A (v' − φ_z)`, `k_s G A (w' + φ_y)`, `G J_t ψ'`, `E I φ'`.
     pub fn by_strain(&self, station: f64) -> SectionForces {
         let (half, degree) = (0.5 * self.size[0], self.strained.len() - 1);

@@ -3,7 +3,7 @@
 use super::closed_forms::st_venant;
 use super::{Bar, bars};
 use crate::support::{run, scene, within};
-use girderbench::scene::{Degree, Device, Scene, format};
+use girderbench::scene::{Degree, Device, STANDARD_GRAVITY, Scene, format};
 use girderbench::sim::History;
 
 /// A deck of 30 m and 60° that bends, or not, on four bearings, two of them at each end, with these lines after it.
@@ -89,6 +89,46 @@ fn a_cable_between_two_bars_pulls_as_st_venant_says() {
     within("pull", worst.fold(0.0, f64::max), 3e-4);
     let speed = |t: f64| history.motion(1, t).velocity.x - history.motion(0, t).velocity.x;
     within("e", -speed(taut + 1.43 * back) / 0.5 - 0.975_858_5, 1e-4);
+}
+
+/// Moment over the middle support of a beam on three springs of stiffness k under an even load q: that of rigid ones less what the
+/// springs give, by the force method.
+fn moment_over_a_support([one, two]: [f64; 2], bending: f64, k: f64, q: f64) -> f64 {
+    let length = one + two;
+    // Deflection at the support of the beam on the outer two under q, and under a unit force there; springs at the ends beside.
+    let of_load =
+        q * two * (length.powi(3) - 2.0 * length * two * two + two.powi(3)) / (24.0 * bending) + q * length / (2.0 * k);
+    let share = [one / length, two / length];
+    let of_unit = (one * two).powi(2) / (3.0 * bending * length) + (share[0].powi(2) + share[1].powi(2)) / k;
+    let reaction = of_load / (of_unit + 1.0 / k);
+    let end = q * length / 2.0 - reaction * share[0];
+    // From the far end of the second span.
+    q * two * two / 2.0 - end * two
+}
+
+#[test]
+fn the_largest_stress_is_found_over_a_support_between_even_stations() {
+    let (mass, k, at) = (6e5, 1e11, 1.875);
+    let support = |x: f64, along: f64| {
+        format!("{{ at_m = [{x:?}, 0.0], stiffness_n_per_m = [{along:?}, {k:?}], damping_n_s_per_m = [1e7, 1e8] }}")
+    };
+    let history = run(&scene(&format!(
+        "name = \"two spans\"\nduration_s = 3.0\n[[girder]]\nname = \"deck\"\nlength_m = 30.0\nwidth_m = 8.0\nthickness_m = 1.5\n\
+         mass_kg = {mass:?}\nbearings = [{}, {}, {}]\n\
+         elastic = {{ area_m2 = 6.0, second_moment_m4 = 10.0, damping_ratio = 0.1, modes = 24, shear_factor = \"none\" }}\n\
+         [motion]\nkind = \"sine\"\namplitude_g = 1.0\nfrequency_hz = 0.1\nangle_deg = 90\n",
+        support(15.0, 1e9),
+        support(at, 0.0),
+        support(-15.0, 0.0)
+    )));
+    let reading = &history.flexible_readings()[0];
+    within("station", (reading.stressed_at - at) / 30.0, 1e-6);
+    let stations = (0..=3000).map(|i| history.stress(0, 0.01 * f64::from(i) - 15.0, reading.stress.t));
+    let fine = stations.fold(0.0, f64::max);
+    assert!(reading.stress.value >= fine, "{} Pa, {fine} Pa on a fine grid", reading.stress.value);
+    let q = mass / 30.0 * STANDARD_GRAVITY;
+    let moment = moment_over_a_support([15.0 + at, 15.0 - at], 3e10 * 10.0, k, q);
+    within("stress by the force method", reading.stress.value / (moment * 4.0 / 10.0) - 1.0, 5e-3);
 }
 
 #[test]
