@@ -8,7 +8,7 @@ use super::books::Books;
 use super::impact::events;
 use super::recent_steps::RecentSteps;
 use super::report::{Overlap, Pounding};
-use super::{Event, Motion, Stop, Touch};
+use super::{Event, Motion, Stop, Touch, Upright};
 use crate::contact::Frame;
 use crate::dynamics::Model;
 use crate::dynamics::event_loop::effort::Effort;
@@ -63,6 +63,8 @@ pub struct History {
     pub(super) overlaps: OnceLock<Vec<Overlap>>,
     /// Found when they are first asked for.
     pub(super) poundings: OnceLock<Vec<Pounding>>,
+    /// Found when they are first asked for.
+    pub(super) uprights: OnceLock<Vec<Upright>>,
 }
 
 impl History {
@@ -126,6 +128,7 @@ impl History {
             books,
             overlaps,
             poundings: OnceLock::new(),
+            uprights: OnceLock::new(),
         }
     }
 
@@ -200,7 +203,7 @@ impl History {
     /// Lets go of what was found of another answer.
     fn forget(&mut self) {
         (self.touches, self.books, self.overlaps) = (OnceLock::new(), OnceLock::new(), OnceLock::new());
-        self.poundings = OnceLock::new();
+        (self.poundings, self.uprights) = (OnceLock::new(), OnceLock::new());
     }
 
     /// Why it stops before the scene's duration, if it does.

@@ -54,13 +54,12 @@ pub use piers::{PierNow, PierReading};
 pub use quantity::Quantity;
 pub use report::{
     Cause, ContactNow, ContactState, Event, EventKind, Ledger, Motion, Overlap, Pounding, PoundingHit, SolidId, Stop,
-    Touch,
+    Touch, Uplift, Upright,
 };
 pub use section_field::SectionField;
 pub use section_quantity::OfSection;
 pub use session::{Reached, Session};
 pub use summary::Summary;
 pub use supports::LostSupport;
-pub use uplift::{Uplift, Upright};
 
 pub use crate::dynamics::impact2d::{Hit, LastingInterval, Record, Row, State, Transition};

@@ -112,6 +112,8 @@ pub enum OfBearing {
     Deformation(usize),
     /// Resistance along x or y: 0 or 1.
     Force(usize),
+    /// Vertical force on the girder, upwards, of spatial scenes.
+    Load,
 }
 
 /// What of a device between two points, or of soil behind a wall.
@@ -171,11 +173,12 @@ const OF_CONTACT: [(&str, OfContact); 7] = [
     ("use", OfContact::Use),
     ("state", OfContact::State),
 ];
-const OF_BEARING: [(&str, OfBearing); 4] = [
+const OF_BEARING: [(&str, OfBearing); 5] = [
     ("x", OfBearing::Deformation(0)),
     ("y", OfBearing::Deformation(1)),
     ("force-x", OfBearing::Force(0)),
     ("force-y", OfBearing::Force(1)),
+    ("force-z", OfBearing::Load),
 ];
 const OF_LINK: [(&str, OfLink); 2] = [("deformation", OfLink::Deformation), ("force", OfLink::Force)];
 
@@ -230,8 +233,9 @@ impl Quantity {
         }
         for (i, body) in model.girders().iter().enumerate() {
             let bearings = (0..body.bearings.len()).flat_map(|n| OF_BEARING.map(|(of, what)| (n, of, what)));
-            let named = bearings
-                .map(|(n, of, what)| (format!("{}.bearing{}.{of}", body.name, n + 1), Self::Bearing(i, n, what)));
+            let known = bearings.filter(|(.., what)| model.kind == Kind::Spatial || *what != OfBearing::Load);
+            let named =
+                known.map(|(n, of, what)| (format!("{}.bearing{}.{of}", body.name, n + 1), Self::Bearing(i, n, what)));
             all.extend(named);
         }
         for (i, link) in model.links.iter().enumerate() {
@@ -278,7 +282,7 @@ impl Quantity {
             | Self::Pair(_, P::Force | P::Total)
             | Self::Pier(_, OfPier::Shear)
             | Self::Contact(_, C::Normal | C::Tangential | C::Force)
-            | Self::Bearing(_, _, OfBearing::Force(_))
+            | Self::Bearing(_, _, OfBearing::Force(_) | OfBearing::Load)
             | Self::Link(_, OfLink::Force) => Unit::Newton,
             Self::Contact(_, C::Use | C::State) => Unit::One,
             Self::Energy(_) => Unit::Joule,
@@ -317,10 +321,15 @@ impl Quantity {
             Self::Contact(i, what) if i < model.contacts.len() => {
                 history.contact_at(i, t).map_or(0.0, |now| of_contact(&now, what))
             }
+            Self::Bearing(girder, number, OfBearing::Load) => {
+                let known = model.girders().get(girder).is_some_and(|body| number < body.bearings.len());
+                if known { history.bearing_load(girder, number, t) } else { 0.0 }
+            }
             Self::Bearing(girder, number, what) => {
                 history.bearing_loop(girder, number, t).map_or(0.0, |now| match what {
                     OfBearing::Deformation(axis) => now.deformation[axis.min(1)],
                     OfBearing::Force(axis) => now.resistance[axis.min(1)],
+                    OfBearing::Load => 0.0,
                 })
             }
             Self::Link(number, what) => history.link(number, t).map_or(0.0, |now| match what {

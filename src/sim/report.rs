@@ -306,3 +306,27 @@ impl Overlap {
         begun > 0 && t <= self.intervals[begun - 1][1]
     }
 }
+
+/// A bearing that stopped carrying.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Uplift {
+    /// The bearing, `deck.bearing1`.
+    pub name: String,
+    /// When it carried nothing for the first time \[s\].
+    pub t: f64,
+    /// The most that it held the girder down with: of one that lifts the pull of its dashpot while its spring is still pressed \[N\].
+    pub pull: Extreme,
+    /// Whether it lifts: linear bearings and lead rubber do not.
+    pub lifts: bool,
+    /// Its load at rest \[N\].
+    pub load: f64,
+}
+
+/// How a girder in space stands.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Upright {
+    /// Largest angle of its vertical axis from the vertical \[rad\].
+    pub tilt: Extreme,
+    /// Its bearings that stopped carrying, the earliest first.
+    pub uplifts: Vec<Uplift>,
+}

@@ -1,5 +1,7 @@
 //! The headline numbers of a run.
 
+use rayon::prelude::*;
+
 use super::report::Extreme;
 use super::{History, Motion, readings, touches};
 
@@ -103,7 +105,7 @@ impl History {
     /// Largest value over girders and time, looked for at a rate that the fastest bearing cannot outrun.
     fn largest(&self, value: fn(&Motion) -> f64) -> f64 {
         let of = |body| touches::largest(&touches::looks(self, body), |t| value(&self.motion(body, t)));
-        (0..self.model().girders().len()).map(of).fold(0.0, f64::max)
+        (0..self.model().girders().len()).into_par_iter().map(of).reduce(|| 0.0, f64::max)
     }
 
     /// [`largest_displacement`](Self::largest_displacement) and [`largest_rotation`](Self::largest_rotation), each motion computed once.
@@ -120,7 +122,8 @@ impl History {
             };
             [most(&moved, displacement), most(&turned, rotation)]
         };
-        (0..self.model().girders().len()).map(of).fold([0.0; 2], |a, b| [a[0].max(b[0]), a[1].max(b[1])])
+        let larger = |a: [f64; 2], b: [f64; 2]| [a[0].max(b[0]), a[1].max(b[1])];
+        (0..self.model().girders().len()).into_par_iter().map(of).reduce(|| [0.0; 2], larger)
     }
 }
 

@@ -1,8 +1,10 @@
 //! The vertical side of a girder in space: what its bearings carry, where they lift or pull, and how far it tilts.
 
+use rayon::prelude::*;
+
 use super::History;
 use super::readings::{first, largest_of_each};
-use super::report::Extreme;
+use super::report::{Extreme, Uplift, Upright};
 use super::touches;
 use crate::contact::Frame;
 use crate::dynamics::Body;
@@ -13,30 +15,6 @@ use crate::scene::Kind;
 const NOTHING: f64 = 1e-9;
 /// Tilt from which a girder has tipped \[°\]. Chosen: a road falls to the side by less than 6°.
 pub(super) const TIPPED: f64 = 10.0;
-
-/// A bearing that stopped carrying.
-#[derive(Clone, Debug, PartialEq)]
-pub struct Uplift {
-    /// The bearing, `deck.bearing1`.
-    pub name: String,
-    /// When it carried nothing for the first time \[s\].
-    pub t: f64,
-    /// The most that it held the girder down with: of one that lifts the pull of its dashpot while its spring is still pressed \[N\].
-    pub pull: Extreme,
-    /// Whether it lifts: linear bearings and lead rubber do not.
-    pub lifts: bool,
-    /// Its load at rest \[N\].
-    pub load: f64,
-}
-
-/// How a girder in space stands.
-#[derive(Clone, Debug, PartialEq)]
-pub struct Upright {
-    /// Largest angle of its vertical axis from the vertical \[rad\].
-    pub tilt: Extreme,
-    /// Its bearings that stopped carrying, the earliest first.
-    pub uplifts: Vec<Uplift>,
-}
 
 impl History {
     /// Vertical force of a bearing on its girder, upwards \[N\]; 0 in a planar scene.
@@ -58,8 +36,20 @@ impl History {
 
     /// How upright a girder in space stays, and which of its bearings stopped carrying, until a support was lost: linear ones and lead
     /// rubber hold the girder down then, sliders lift. `None` in a planar scene.
-    pub fn upright(&self, girder: usize) -> Option<Upright> {
-        let body = self.model().girders().get(girder).filter(|_| self.model().kind == Kind::Spatial)?;
+    pub fn upright(&self, girder: usize) -> Option<&Upright> {
+        self.uprights().get(girder)
+    }
+
+    /// The same of every girder, by its number; none in a planar scene.
+    pub fn uprights(&self) -> &[Upright] {
+        self.uprights.get_or_init(|| {
+            let girders = if self.model().kind == Kind::Spatial { self.model().girders().len() } else { 0 };
+            (0..girders).into_par_iter().map(|girder| self.find_upright(girder)).collect()
+        })
+    }
+
+    fn find_upright(&self, girder: usize) -> Upright {
+        let body = &self.model().bodies[girder];
         let times = touches::looks(self, girder);
         let frames: Vec<Frame> = times.iter().map(|&t| self.frame(girder, t)).collect();
         let tilts: Vec<f64> = frames.iter().map(|frame| tilt_of(body, frame)).collect();
@@ -72,7 +62,7 @@ impl History {
         let mut uplifts: Vec<Uplift> =
             (0..body.bearings.len()).filter_map(|number| self.uplift_of((girder, number), looks)).collect();
         uplifts.sort_by(|a, b| a.t.total_cmp(&b.t));
-        Some(Upright { tilt, uplifts })
+        Upright { tilt, uplifts }
     }
 
     fn uplift_of(&self, (girder, number): (usize, usize), (times, frames): (&[f64], &[Frame])) -> Option<Uplift> {

@@ -140,16 +140,16 @@ pub(super) fn lost(history: &History) -> Vec<LostReport> {
 }
 
 /// Bearings that stopped carrying, the earliest first.
-pub(super) fn uplifts(upright: Vec<Upright>) -> Vec<UpliftReport> {
-    let report = |Uplift { name, t, pull, lifts, load }: Uplift| UpliftReport {
-        bearing: name,
-        t,
-        pull: pull.value,
-        pull_t: pull.t,
-        lifts,
-        load,
+pub(super) fn uplifts(upright: &[Upright]) -> Vec<UpliftReport> {
+    let report = |uplift: &Uplift| UpliftReport {
+        bearing: uplift.name.clone(),
+        t: uplift.t,
+        pull: uplift.pull.value,
+        pull_t: uplift.pull.t,
+        lifts: uplift.lifts,
+        load: uplift.load,
     };
-    let mut all: Vec<UpliftReport> = upright.into_iter().flat_map(|girder| girder.uplifts).map(report).collect();
+    let mut all: Vec<UpliftReport> = upright.iter().flat_map(|girder| &girder.uplifts).map(report).collect();
     all.sort_by(|a, b| a.t.total_cmp(&b.t));
     all
 }

@@ -16,7 +16,7 @@ use super::verdicts::{self, VerdictReport};
 use crate::scene::Kind;
 use crate::sim::moving_ground::{MovedSupport, moved_supports};
 use crate::sim::readings::Extreme;
-use crate::sim::{BackfillReading, DegreeCheck, History, Ledger, PierReading, Stop, Summary, Upright};
+use crate::sim::{BackfillReading, DegreeCheck, History, Ledger, PierReading, Stop, Summary};
 
 /// Everything a summary says, SI.
 #[derive(Clone, Debug, PartialEq, Serialize)]
@@ -171,8 +171,7 @@ impl Report {
     /// Gathers the facts of an answer.
     pub fn of(history: &History, options: &TableOptions) -> Self {
         let (scene, ledger, balance) = (history.scene(), history.ledger(history.end()), history.balance());
-        let upright: Vec<Upright> =
-            (0..history.model().girders().len()).filter_map(|girder| history.upright(girder)).collect();
+        let upright = history.uprights();
         Self {
             scene: scene.name.clone(),
             kind: scene.kind,

@@ -13,6 +13,8 @@ mod search;
 mod solid;
 mod unwatched;
 
+use rayon::prelude::*;
+
 use super::History;
 use super::report::Overlap;
 use crate::geometry::broad;
@@ -33,9 +35,11 @@ impl History {
             if solids.len() < 2 {
                 return Vec::new();
             }
-            let boxes: Vec<_> = (0..solids.len()).map(|number| envelope::of(self, &solids, number)).collect();
-            let near =
-                broad::pairs(&boxes).into_iter().filter(|&(one, other)| solids.moves(one) || solids.moves(other));
+            // Bodies, then pairs, each for itself.
+            let bodies = (0..solids.len()).into_par_iter();
+            let boxes: Vec<_> = bodies.map(|number| envelope::of(self, &solids, number)).collect();
+            let near = broad::pairs(&boxes).into_par_iter();
+            let near = near.filter(|&(one, other)| solids.moves(one) || solids.moves(other));
             let turned = Turned::of(self);
             let first = |(one, other)| search::first(self, &solids, (&joined, &turned), [one, other]);
             let mut found: Vec<Overlap> = near.filter_map(first).collect();

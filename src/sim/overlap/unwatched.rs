@@ -7,7 +7,7 @@
 //! are not watched are followed alone. A contact ceases to watch when its node crosses the plane beside the face, leaves the face over an
 //! edge, or starts behind it; from then on its state is "disarmed" until it closes or opens again.
 
-use std::cell::OnceCell;
+use std::sync::OnceLock;
 
 use crate::dynamics::penalty3d::contact_state::Contact;
 use crate::dynamics::trajectory::stored_path::StoredMotion;
@@ -71,11 +71,11 @@ fn disarmed(history: &History, contact: usize) -> Vec<Interval> {
 
 /// For each body whether it turns far, as far as it was asked for.
 #[derive(Debug)]
-pub(super) struct Turned(Vec<OnceCell<bool>>);
+pub(super) struct Turned(Vec<OnceLock<bool>>);
 
 impl Turned {
     pub(super) fn of(history: &History) -> Self {
-        Self(history.paths.iter().map(|_| OnceCell::new()).collect())
+        Self(history.paths.iter().map(|_| OnceLock::new()).collect())
     }
 
     fn far(&self, history: &History, body: usize) -> bool {

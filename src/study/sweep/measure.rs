@@ -26,6 +26,7 @@ const MILLIMETRES: (&str, f64) = ("mm", 1e3);
 const DEGREES: (&str, f64) = ("°", 180.0 / std::f64::consts::PI);
 const NEWTONS: (&str, f64) = ("N", 1.0);
 const NEWTON_SECONDS: (&str, f64) = ("N s", 1.0);
+const MEGAPASCALS: (&str, f64) = ("MPa", 1e-6);
 const SECONDS: (&str, f64) = ("s", 1.0);
 const NUMBER: (&str, f64) = ("", 1.0);
 
@@ -134,6 +135,38 @@ pub const MEASURES: &[Measure] = &[
         meaning: "time when a corner first came off its seat; none where all stay",
         drawn: SECONDS,
         of: |run| seats(run).filter_map(|seat| seat.off_at()).reduce(f64::min),
+    },
+    Measure {
+        name: "max_pier_drift",
+        label: Text::new("measured-max-pier-drift"),
+        unit: "m",
+        meaning: "largest displacement of any pier's cap against its foot; none without piers",
+        drawn: MILLIMETRES,
+        of: |run| run.piers().iter().map(|pier| pier.drift.value).reduce(f64::max),
+    },
+    Measure {
+        name: "max_pier_shear",
+        label: Text::new("measured-max-pier-shear"),
+        unit: "N",
+        meaning: "largest base shear of any pier; none without piers",
+        drawn: NEWTONS,
+        of: |run| run.piers().iter().map(|pier| pier.shear.value).reduce(f64::max),
+    },
+    Measure {
+        name: "max_device_force",
+        label: Text::new("measured-max-device-force"),
+        unit: "N",
+        meaning: "largest force of any device; none without devices",
+        drawn: NEWTONS,
+        of: |run| run.devices().iter().map(|device| device.force.value).reduce(f64::max),
+    },
+    Measure {
+        name: "max_stress",
+        label: Text::new("measured-max-stress"),
+        unit: "Pa",
+        meaning: "largest stress of the extreme fibre of any girder that bends, beyond the dead load's; none without one",
+        drawn: MEGAPASCALS,
+        of: |run| run.flexible_readings().iter().map(|girder| girder.stress.value).reduce(f64::max),
     },
     Measure {
         name: "max_overlap",

@@ -3,7 +3,7 @@
 use std::f64::consts::TAU;
 
 use crate::support::{run, scene, within};
-use girderbench::sim::History;
+use girderbench::sim::{History, Quantity};
 use glam::{DMat3, DQuat, DVec3};
 
 const MASS: f64 = 3.0;
@@ -43,6 +43,8 @@ fn a_vertical_sine_moves_a_girder_on_its_bearings_by_the_steady_amplitude_and_ph
         phase.to_degrees()
     );
     let history = deck(12.0, &bearings, &motion);
+    let legs =
+        [1, 2, 3, 4].map(|leg| Quantity::find(&history, &format!("deck.bearing{leg}.force-z")).expect("in space"));
     let (omega0, omega) = (TAU * f0, TAU * f);
     // z̈ + 2 h ω0 ż + ω0² z = −a sin(ω t + φ).
     let (real, imaginary) = (omega0 * omega0 - omega * omega, 2.0 * h * omega0 * omega);
@@ -52,6 +54,10 @@ fn a_vertical_sine_moves_a_girder_on_its_bearings_by_the_steady_amplitude_and_ph
         let t = 10.0 + 0.02 * f64::from(i);
         let wanted = -amplitude * (omega * t + phase - lag).sin();
         within("steady response", (history.motion(0, t).displacement.z - wanted) / amplitude, 1e-9);
+        // What carries the girder: its weight, and its mass times its acceleration in space.
+        let accelerated = a * (omega * t + phase).sin() - omega * omega * wanted;
+        let carried: f64 = legs.iter().map(|leg| leg.at(&history, t)).sum();
+        within("what the bearings carry", carried / (MASS * (history.model().gravity + accelerated)) - 1.0, 1e-9);
     }
     let ledger = history.ledger(12.0);
     within("ledger", ledger.residual / ledger.scale, 1e-10);

@@ -30,7 +30,7 @@ fn a_linear_bearing_that_pulls_is_told() {
     for t in [0.0, 0.013, 0.07, 0.21] {
         within("load", history.bearing_load(0, 2, t) - load(t), 1e-3);
     }
-    let all = history.upright(0).expect("in space").uplifts;
+    let all = &history.upright(0).expect("in space").uplifts;
     assert_eq!(all.len(), 4, "{all:?}");
     for one in all {
         within("first", one.t - (STANDARD_GRAVITY / (omega * speed)).asin() / omega, 1e-8);
@@ -38,7 +38,7 @@ fn a_linear_bearing_that_pulls_is_told() {
         within("load at rest", one.load - 0.25 * MASS * STANDARD_GRAVITY, 1e-6);
     }
     let calm = deck("frequency_hz = 1.0, damping_ratio = 0.0", "initial = { velocity_m_s = [0.0, 0.0, 0.1] }");
-    assert_eq!(calm.upright(0).expect("in space").uplifts, [], "it stays pressed");
+    assert!(calm.upright(0).expect("in space").uplifts.is_empty(), "it stays pressed");
 }
 
 #[test]
@@ -46,7 +46,7 @@ fn a_slider_that_lifts_pulls_nothing() {
     let slides = "kind = \"pendulum\", friction = 0.05, radius_m = 0.0";
     let history = deck(slides, "initial = { velocity_m_s = [0.0, 0.0, 0.3] }");
     let lifts = history.link_phases(0).iter().find(|(_, phase)| phase.law == 2).expect("it lifts").0;
-    let all = history.upright(0).expect("in space").uplifts;
+    let all = &history.upright(0).expect("in space").uplifts;
     assert_eq!(all.len(), 4, "{all:?}");
     for one in all {
         assert_eq!(one.pull.value, 0.0);
