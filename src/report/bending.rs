@@ -2,7 +2,7 @@
 
 use std::fmt::Write as _;
 
-use super::sections::{at, head};
+use super::sections::{at, head, row};
 use crate::language::{Text, said, six};
 use crate::sim::DegreeCheck;
 use crate::study::plot::draw::escape;
@@ -48,11 +48,7 @@ pub(super) fn table(report: &Report) -> String {
             stress(run),
             run.strength.map_or_else(none, |strength| six(strength / 1e6)),
         ];
-        let _ = write!(html, "<tr><td>{}</td>", escape(&girder.girder));
-        for cell in cells {
-            let _ = write!(html, "<td class=\"number\">{}</td>", escape(&cell));
-        }
-        html.push_str("</tr>\n");
+        html.push_str(&row(&girder.girder, &cells));
     }
     html.push_str("</table>\n");
     if let Some(check) = &report.degree_check {

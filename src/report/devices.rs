@@ -1,10 +1,7 @@
 //! Table of what a run did to devices.
 
-use std::fmt::Write as _;
-
-use super::sections::{at, head};
+use super::sections::{at, head, row};
 use crate::language::Text;
-use crate::study::plot::draw::escape;
 use crate::tables::Report;
 
 /// Largest force, part of the strength, movement, when it acts, yields and breaks; nothing of a scene without devices.
@@ -25,15 +22,9 @@ pub(super) fn table(report: &Report) -> String {
         let force = device.first.map_or("–".to_owned(), |_| at(format!("{:.1}", device.force / 1e3), device.t));
         let part = device.part_of_strength.map_or("–".to_owned(), |part| format!("{:.0} %", 100.0 * part));
         let [least, greatest] = device.deformation.map(|length| format!("{:.1}", 1e3 * length));
-        let _ = writeln!(
-            html,
-            "<tr><td>{}</td><td class=\"number\">{force}</td><td class=\"number\">{part}</td>\
-             <td class=\"number\">{least} … {greatest}</td><td class=\"number\">{}</td><td class=\"number\">{}, {}</td></tr>",
-            escape(&device.name),
-            device.times,
-            when(device.yielded_at),
-            when(device.broke_at)
-        );
+        let (moves, ends) =
+            (format!("{least} … {greatest}"), format!("{}, {}", when(device.yielded_at), when(device.broke_at)));
+        html.push_str(&row(&device.name, &[force, part, moves, device.times.to_string(), ends]));
     }
     html + "</table>\n"
 }

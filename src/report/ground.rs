@@ -69,7 +69,7 @@ fn grounds(history: &History) -> Vec<Drawn> {
     std::iter::once(drawn("[motion]", &model.ground)).chain(named).collect()
 }
 
-/// Part of a peak from which a sample is at one: of a sine every crest is, and its samples differ.
+/// Part of a peak from which a sample is at one: of a sine every crest is, and its samples differ. Chosen.
 const AT_PEAK: f64 = 0.999;
 
 /// A line of the table of peaks: the largest, and when it is reached first.

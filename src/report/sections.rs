@@ -32,6 +32,15 @@ pub(super) fn head(columns: &[&str]) -> String {
     html + "</tr>\n"
 }
 
+/// A row of a table: what it is of, and numbers.
+pub(super) fn row(name: &str, numbers: &[String]) -> String {
+    let mut html = format!("<tr><td>{}</td>", escape(name));
+    for number in numbers {
+        let _ = write!(html, "<td class=\"number\">{}</td>", escape(number));
+    }
+    html + "</tr>\n"
+}
+
 /// A value and when it is reached \[s\].
 pub(super) fn at(value: String, t: f64) -> String {
     said!("report-value-at", "value" => value, "t" => format!("{t:.3}"))

@@ -1,10 +1,7 @@
 //! Tables of what a run did to piers and to the soil behind backwalls.
 
-use std::fmt::Write as _;
-
-use super::sections::{at, head};
+use super::sections::{at, head, row};
 use crate::language::Text;
-use crate::study::plot::draw::escape;
 use crate::tables::Report;
 
 /// Period, drift, base shear and moment, yield of every pier; nothing of a scene without piers.
@@ -23,15 +20,14 @@ pub(super) fn piers(report: &Report) -> String {
     for pier in &report.piers {
         let yielded = pier.yielded_at.map_or("–".to_owned(), |t| format!("{t:.3}"));
         let [along, across] = pier.periods;
-        let _ = writeln!(
-            html,
-            "<tr><td>{}</td><td class=\"number\">{along:.3}, {across:.3}</td><td class=\"number\">{}</td>\
-             <td class=\"number\">{}</td><td class=\"number\">{:.2}</td><td class=\"number\">{yielded}</td></tr>",
-            escape(&pier.name),
+        let numbers = [
+            format!("{along:.3}, {across:.3}"),
             at(format!("{:.1}", 1e3 * pier.drift), pier.drift_t),
             at(format!("{:.1}", pier.shear / 1e3), pier.shear_t),
-            pier.moment / 1e6
-        );
+            format!("{:.2}", pier.moment / 1e6),
+            yielded,
+        ];
+        html.push_str(&row(&pier.name, &numbers));
     }
     html + "</table>\n"
 }
@@ -49,16 +45,13 @@ pub(super) fn soils(report: &Report) -> String {
         &Text::new("report-soil-gap"),
     ]);
     for soil in &report.backfill {
-        let _ = writeln!(
-            html,
-            "<tr><td>{}</td><td class=\"number\">{}</td><td class=\"number\">{:.1}</td><td class=\"number\">{:.0} %</td>\
-             <td class=\"number\">{:.1}</td></tr>",
-            escape(&soil.abutment),
+        let numbers = [
             at(format!("{:.1}", 1e3 * soil.push), soil.t),
-            soil.force / 1e3,
-            100.0 * soil.force / soil.ultimate,
-            1e3 * soil.remaining_gap
-        );
+            format!("{:.1}", soil.force / 1e3),
+            format!("{:.0} %", 100.0 * soil.force / soil.ultimate),
+            format!("{:.1}", 1e3 * soil.remaining_gap),
+        ];
+        html.push_str(&row(&soil.abutment, &numbers));
     }
     html + "</table>\n"
 }

@@ -3,7 +3,7 @@
 use glam::DVec3;
 
 use super::readings::{Extreme, largest, largest_of_each};
-use super::touches::golden;
+use super::touches::first_largest;
 use super::{History, Touch};
 use crate::dynamics::elastic::Fields;
 use crate::dynamics::model::coordinates::section_forces::{Equilibrium, SectionForces};
@@ -13,9 +13,11 @@ use crate::dynamics::model::pair::Pair;
 use crate::dynamics::model::wrench::Wrench;
 use crate::language::Text;
 
-/// Equal parts of the length at whose borders stress is looked for, beside the stations where loads act.
+/// Equal parts of the length at whose borders stress is looked for, beside the stations where loads act. Chosen: two in a half wave of
+/// an eighth of the length.
 const PARTS: usize = 16;
-/// Distance to the section before a load, in parts of half the length: the load is not beyond its own station.
+/// Distance to the section before a load, in parts of half the length: a load is not beyond its own station. Chosen: moments change by
+/// as small a part over it.
 const BEFORE: f64 = 1e-9;
 /// Transits of an axial wave after the end of a step for which section forces are looked at as densely as waves run.
 const TRANSITS: f64 = 6.0;
@@ -62,14 +64,6 @@ pub struct ElasticHit {
     pub restitution: Option<f64>,
     /// Energy left in the elastic modes at its end \[J\].
     pub ringing: f64,
-}
-
-/// The stress of the extreme fibre where it is largest.
-struct Stressed {
-    /// \[Pa\].
-    value: f64,
-    /// \[m\].
-    station: f64,
 }
 
 /// What a run did to an elastic girder.
@@ -203,19 +197,16 @@ impl History {
     }
 
     fn flexible_reading(&self, girder: usize, flexible: &Flexible, made: &ElasticBody) -> FlexibleReading {
+        let half = 0.5 * flexible.beam.length;
         let times = self.wave_looks(girder, flexible);
+        let stress_at = |equilibrium: &Equilibrium, s: f64| self.stress_of(girder, flexible, &equilibrium.at(s));
         let [axial, moment, stress, spin, bent] = largest_of_each(&times, |t| {
             let state = self.state(girder, t);
             let equilibrium = self.equilibrium_in(girder, made, (t, &state));
             let middle = equilibrium.at(0.0);
             let [spin, bent] = made.spin_and_deflection(&state);
-            [
-                middle.axial.abs(),
-                middle.moment.abs(),
-                self.largest_stress(girder, flexible, &equilibrium).value,
-                spin,
-                bent,
-            ]
+            let stresses = stations(&equilibrium, half).into_iter().map(|s| stress_at(&equilibrium, s));
+            [middle.axial.abs(), middle.moment.abs(), stresses.fold(0.0, f64::max), spin, bent]
         });
         let in_space = flexible.space.map(|_| {
             largest_of_each(&times, |t| {
@@ -225,12 +216,12 @@ impl History {
         });
         let by_strain = self.equilibrium(girder, axial.t).map_or(0.0, |e| e.by_strain(0.0).axial.abs());
         let at_worst = self.equilibrium_in(girder, made, (stress.t, &self.state(girder, stress.t)));
-        let stressed_at = self.largest_stress(girder, flexible, &at_worst).station;
-        // Between the looks of either kind the other was held.
-        let next = times.partition_point(|t| *t < stress.t);
-        let around = &times[next.saturating_sub(1)..(next + 2).min(times.len())];
-        let there = largest(around, |t| self.stress(girder, stressed_at, t));
-        let stress = if there.value > stress.value { there } else { stress };
+        let (stressed_at, _) = first_largest(&stations(&at_worst, half), |s| stress_at(&at_worst, s));
+        // The time was found at the stations that are looked at: once more at the one between them.
+        let [before, after] =
+            [times.partition_point(|t| *t < stress.t).saturating_sub(1), times.partition_point(|t| *t <= stress.t)];
+        let around = [times[before], stress.t, times[after.min(times.len() - 1)]];
+        let stress = largest(&around, |t| self.stress(girder, stressed_at, t));
         let frequencies: Vec<f64> = made.frequencies().into_iter().take(LISTED).collect();
         let first = frequencies.first().copied().unwrap_or(f64::INFINITY);
         let bending = flexible.space.map_or(f64::INFINITY, |space| space.bending).min(flexible.beam.bending);
@@ -251,27 +242,6 @@ impl History {
                 thrust: axial.value / buckling,
             },
             hit: self.elastic_hit(girder),
-        }
-    }
-
-    /// The largest stress of all stations: looked for evenly and where loads act, on both sides, then between the neighbours of the
-    /// largest look.
-    fn largest_stress(&self, girder: usize, flexible: &Flexible, equilibrium: &Equilibrium) -> Stressed {
-        let half = 0.5 * flexible.beam.length;
-        let stress = |s: f64| self.stress_of(girder, flexible, &equilibrium.at(s));
-        let even = (0..=PARTS).map(|part| (2.0 * part as f64 / PARTS as f64 - 1.0) * half);
-        let loads = equilibrium.loaded().flat_map(|s| [s - BEFORE * half, s]);
-        let mut stations: Vec<f64> = even.chain(loads.map(|s| s.clamp(-half, half))).collect();
-        stations.sort_by(f64::total_cmp);
-        stations.dedup();
-        let looks: Vec<f64> = stations.iter().map(|&s| stress(s)).collect();
-        let most = (0..looks.len()).fold(0, |most, i| if looks[i] > looks[most] { i } else { most });
-        let around = [most.saturating_sub(1), (most + 1).min(looks.len() - 1)].map(|i| stations[i]);
-        let (station, value) = golden(stress, around[0], around[1]);
-        if value > looks[most] {
-            Stressed { value, station }
-        } else {
-            Stressed { value: looks[most], station: stations[most] }
         }
     }
 
@@ -322,4 +292,14 @@ impl History {
             ringing: self.ringing(girder, span[1]),
         })
     }
+}
+
+/// Stations at which stress is looked for, in order \[m\]: even ones, and on both sides of every load.
+fn stations(equilibrium: &Equilibrium, half: f64) -> Vec<f64> {
+    let even = (0..=PARTS).map(|part| (2.0 * part as f64 / PARTS as f64 - 1.0) * half);
+    let loads = equilibrium.loaded().flat_map(|s| [s - BEFORE * half, s]);
+    let mut stations: Vec<f64> = even.chain(loads.map(|s| s.clamp(-half, half))).collect();
+    stations.sort_by(f64::total_cmp);
+    stations.dedup();
+    stations
 }

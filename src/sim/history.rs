@@ -34,6 +34,9 @@ const COMPARED: u32 = 2000;
 const COMPARED_TOGETHER: usize = 16;
 
 /// A run of a scene, from t = 0 to [`History::end`].
+///
+/// What is found when it is first asked for is searched on all processors. No part of such a search asks for what another search finds:
+/// a thread that waits for the parts of one takes up parts of others, and would wait for itself.
 #[derive(Clone, Debug)]
 pub struct History {
     scene: Scene,

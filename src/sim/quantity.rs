@@ -321,16 +321,13 @@ impl Quantity {
             Self::Contact(i, what) if i < model.contacts.len() => {
                 history.contact_at(i, t).map_or(0.0, |now| of_contact(&now, what))
             }
-            Self::Bearing(girder, number, OfBearing::Load) => {
-                let known = model.girders().get(girder).is_some_and(|body| number < body.bearings.len());
-                if known { history.bearing_load(girder, number, t) } else { 0.0 }
-            }
             Self::Bearing(girder, number, what) => {
-                history.bearing_loop(girder, number, t).map_or(0.0, |now| match what {
-                    OfBearing::Deformation(axis) => now.deformation[axis.min(1)],
-                    OfBearing::Force(axis) => now.resistance[axis.min(1)],
-                    OfBearing::Load => 0.0,
-                })
+                let along = || history.bearing_loop(girder, number, t);
+                match what {
+                    OfBearing::Deformation(axis) => along().map_or(0.0, |now| now.deformation[axis.min(1)]),
+                    OfBearing::Force(axis) => along().map_or(0.0, |now| now.resistance[axis.min(1)]),
+                    OfBearing::Load => history.bearing_load(girder, number, t),
+                }
             }
             Self::Link(number, what) => history.link(number, t).map_or(0.0, |now| match what {
                 OfLink::Deformation => now.along.deformation[0],

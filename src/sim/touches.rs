@@ -7,7 +7,8 @@ use crate::contact::Mode;
 use crate::dynamics::free_flight::body_motion::BodyMotion;
 use crate::dynamics::penalty3d::contact_state::Contact;
 
-/// Looks per step of an integrator when a peak is searched; a step is short against the contact's period.
+/// Looks per step of an integrator when a peak is searched; a step is short against the contact's period. Chosen: with six, and a search
+/// about the highest alone, the peaks of 1000 colliding girders print alike.
 const LOOKS: usize = 3;
 /// Looks per period of the fastest motion in free flight \[–\]: a sine rises above the nearest look by at most 1 − cos(π/24) = 0.9 % of
 /// its amplitude.

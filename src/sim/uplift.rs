@@ -17,9 +17,10 @@ const NOTHING: f64 = 1e-9;
 pub(super) const TIPPED: f64 = 10.0;
 
 impl History {
-    /// Vertical force of a bearing on its girder, upwards \[N\]; 0 in a planar scene.
+    /// Vertical force of a bearing on its girder, upwards \[N\]; 0 in a planar scene, and of a bearing that is not there.
     pub fn bearing_load(&self, girder: usize, number: usize, t: f64) -> f64 {
-        if self.model().kind == Kind::Planar {
+        let known = self.model().girders().get(girder).is_some_and(|body| number < body.bearings.len());
+        if self.model().kind == Kind::Planar || !known {
             return 0.0;
         }
         let t = t.clamp(0.0, self.end());
