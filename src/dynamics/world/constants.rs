@@ -12,3 +12,5 @@ pub(super) const NOMINAL_IMPACT_SPEED: f64 = 1.0;
 pub(super) const MOST_BLOCK_COORDINATES: usize = 36;
 /// Circular frequency that stands for that of a device without stiffness \[rad/s\]: such a device has no time scale.
 pub(super) const NOMINAL_FREQUENCY: f64 = 1.0;
+/// Change of a force per size of it over a displacement of 1 m that is round-off \[–\]: of a few sums and products.
+pub(super) const FORCE_ROUNDING: f64 = 16.0 * f64::EPSILON;

@@ -5,6 +5,7 @@ use crate::contact::Frame;
 use crate::dynamics::model::body::Point;
 use crate::dynamics::model::closed_form::GroundSpring;
 use crate::dynamics::world::World;
+use crate::dynamics::world::constants::FORCE_ROUNDING;
 use crate::dynamics::world::tracks::Trajectory;
 
 impl World {
@@ -36,7 +37,9 @@ impl World {
                 return None;
             }
             spring.load += placed;
-            spring.stiffness += placed - moved;
+            // A force that does not follow the displacement, as of a yielding base, differs by its rounding alone.
+            let change = placed - moved;
+            spring.stiffness += if change.abs() > FORCE_ROUNDING * placed.abs() { change } else { 0.0 };
         }
         Some(spring)
     }

@@ -151,3 +151,22 @@ fn the_books_of_a_skewed_deck_between_walls_on_soil_balance_and_the_soil_never_p
         assert!(history.overlaps().is_empty(), "{kind}: {:?}", history.overlaps());
     }
 }
+
+#[test]
+fn a_wall_that_slides_on_its_base_is_followed_in_steps_of_its_motion() {
+    // Under a record the wall's base yields where no spring acts: a bound on its speed by an oscillation has none to go by, and the
+    // search for bodies that meet went on by the last bit of the time.
+    let scene = scene(
+        "name = \"slides\"\nduration_s = 1.2\n[contact]\nstiffness_n_per_m = 1e9\n\
+         [[girder]]\nname = \"deck\"\nlength_m = 30\nwidth_m = 10\nthickness_m = 1.7\nskew_deg = 60\nmass_kg = 3e5\n\
+         bearings = { frequency_hz = 0.4, damping_ratio = 0.03, at_m = [[10, 3], [-10, -3]] }\n\
+         [[abutment]]\nname = \"east\"\nfaces = \"deck\"\nend = \"+x\"\ngap_m = 0.05\n\
+         [abutment.backfill]\nlaw = \"hyperbolic\"\nunloading_stiffness_n_per_m = 3e8\n\
+         [[abutment]]\nname = \"west\"\nfaces = \"deck\"\nend = \"-x\"\ngap_m = 0.5\n\
+         [motion]\nkind = \"record\"\nangle_deg = 25\ndt_s = 0.17\n\
+         samples_m_s2 = [0.26, 3.25, -1.95, -5.85, 2.86, 6.24, -1.3, -6.5, -1.56]\n",
+    );
+    let history = finished(&scene);
+    assert_eq!(history.overlaps(), [], "walls 30 m apart");
+    assert!(history.balance().holds(), "{:?}", history.balance());
+}
