@@ -92,7 +92,17 @@ pub(in crate::dynamics) fn assemble(
             let home = reference_pose::seen_from(&world.model.contacts[track.site], &closed.place, sides);
             Some((
                 contact,
-                ActiveContact { site: track.site, node, face, sections: [0; 2], closed, home, angle: None, depth: 0.0 },
+                ActiveContact {
+                    site: track.site,
+                    node,
+                    face,
+                    sections: [0; 2],
+                    closed,
+                    home,
+                    angle: None,
+                    depth: 0.0,
+                    granted: track.granted,
+                },
             ))
         })
         .collect();

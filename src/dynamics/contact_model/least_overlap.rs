@@ -9,6 +9,7 @@ use glam::DVec3;
 use crate::dynamics::ContactSite;
 use crate::dynamics::contact_model::at_instant::AtInstant;
 use crate::dynamics::model::edge_node::{Edge, NodePlace};
+use crate::dynamics::penalty3d::constants::UNCARRIED;
 use crate::dynamics::world::contact_points;
 use crate::scene::facing::{Side, SolidId};
 
@@ -88,14 +89,36 @@ impl AtInstant<'_> {
     /// contact.
     fn across_edges(&self, contact: usize) -> Option<LeastOverlap> {
         let across = |c: usize| {
-            let edge = self.edge(c).filter(|edge| edge.is_of_met())?;
+            let edge = self.edge(c)?;
             let is_open = self.world.contacts[c].state.closed().is_none();
-            let crossing = is_open.then(|| contact_points::crossing(self.world, c, &|c| self.sides(c)))??;
-            let normal = self.sides(c)[1].turn(edge.place(&crossing).normal);
-            Some(LeastOverlap { contact: c, depth: self.along(c, normal)? })
+            let crossing = is_open.then(|| contact_points::crossing_of_met(self.world, c, &|c| self.sides(c)))??;
+            let place = edge.place(&crossing);
+            let [node, face] = self.sides(c);
+            let penetration = -edge.distance(&node, &face)?;
+            let depth = self.along(c, face.turn(place.normal))?;
+            let least_side =
+                self.world.model.meetings[self.world.pairs[self.world.contacts[c].pair].meeting?].least_side;
+            // Elsewhere the bodies are deeper along that normal than the edges: they do not part there.
+            (depth <= penetration + UNCARRIED * least_side).then_some(LeastOverlap { contact: c, depth })
         };
         let all = self.between(contact).filter_map(across).filter(|across| across.depth > 0.0);
         all.min_by(|a, b| a.depth.total_cmp(&b.depth))
+    }
+
+    /// The least overlap of a contact's two bodies, which have met \[m\], and the contact along whose normal it is, where there is one
+    /// that is as deep.
+    pub(in crate::dynamics) fn shortest_way(&self, contact: usize) -> Option<(f64, Option<usize>)> {
+        let pair = &self.world.pairs[self.world.contacts[contact].pair];
+        let meeting = &self.world.model.meetings[pair.meeting?];
+        let [node, face] = self.sides(contact);
+        let of_first = self.world.contacts[contact].slots[0] == pair.slots[0];
+        let poses = if of_first { [&node, &face] } else { [&face, &node] };
+        let least = meeting.least_overlap(poses);
+        let limit = least + UNCARRIED * meeting.least_side;
+        let by_face = self.overlaps(contact).first().copied();
+        let all = by_face.into_iter().chain(self.across_edges(contact));
+        let way = all.filter(|way| way.depth <= limit).min_by(|a, b| a.depth.total_cmp(&b.depth));
+        Some((least, way.map(|way| way.contact)))
     }
 
     /// Contact in which a node that crosses a plane of another body closes; `None` where other contacts carry the overlap of the bodies.

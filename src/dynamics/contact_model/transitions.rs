@@ -233,6 +233,7 @@ impl Transitions<'_> {
             Reason::Opening => self.open(contact, &closed, EventKind::Opened),
             Reason::Edge if self.follow(contact, closed) => {}
             Reason::Edge => self.leave(contact, closed),
+            Reason::Overlap => self.hand_over(contact, &closed),
             Reason::Switching => self.switch(contact, closed),
             Reason::Kink => {
                 let (.., here) = self.at().since(contact, &self.now.since);
@@ -264,10 +265,32 @@ impl Transitions<'_> {
         }
     }
 
+    /// The bodies of a contact, the deepest between them, come to overlap by more than its penetration: the contact of the least overlap
+    /// takes over, at the same depth. Where there is none, or it is closed already, as much again is granted.
+    fn hand_over(&mut self, contact: usize, closed: &ClosedContact) {
+        let here = self.at().local(contact).penetration();
+        let Some((least, to)) = self.at().shortest_way(contact) else { return };
+        let Some(to) = to.filter(|&to| self.world.contacts[to].state.closed().is_none()) else {
+            self.world.contacts[contact].granted = 2.0 * (least - here);
+            return;
+        };
+        self.open(contact, closed, EventKind::LeftFace);
+        for rival in self.world.contacts[to].rivals.clone() {
+            if let Some(state) = self.world.contacts[rival].state.closed().copied() {
+                self.open(rival, &state, EventKind::LeftFace);
+            }
+        }
+        if self.world.contacts[to].state.closed().is_none() {
+            self.place(to, 0.0);
+            self.close_inside(to, 2.0 * least);
+        }
+    }
+
     pub(super) fn open(&mut self, contact: usize, closed: &ClosedContact, kind: EventKind) {
         self.world.contacts[contact].place = closed.place;
         let (.., here) = self.at().since(contact, &self.now.since);
         let released = closed.law.strain(&here, &closed.forces(&here));
+        self.world.contacts[contact].granted = 0.0;
         self.log(contact, Contact::Open { armed: kind == EventKind::Opened }, kind, released);
         if kind == EventKind::LeftFace {
             self.pass_on(contact, closed);

@@ -114,6 +114,8 @@ pub(in crate::dynamics) struct Crossing {
     nearest: f64,
     /// How far beyond an end of the side that, or the crossing, is \[m\].
     overhang: f64,
+    /// Sine of the angle between edge and side \[–\].
+    sine: f64,
     /// Common perpendicular of edge and side, outward of the face's body, axes as placed.
     normal: DVec3,
 }
@@ -277,11 +279,11 @@ impl Edge {
         if self.faces.is_some() { LEAST_SINE_ACROSS } else { LEAST_SINE }
     }
 
-    /// Whether two edges across each other at an angle with this sine bound a sliver.
-    fn is_sliver(&self, crossing: &Crossing, sine: f64, poses: [&Frame; 2]) -> bool {
+    /// Whether the two edges of bodies that have met bound a sliver at their crossing.
+    pub(in crate::dynamics) fn is_sliver(&self, crossing: &Crossing, poses: [&Frame; 2]) -> bool {
         let [own, facing] = self.looks(crossing, poses);
         let nearer = own.max(facing).min(1.0);
-        sine < LEAST_SINE && sine * (1.0 - nearer * nearer).sqrt() < SLIVER
+        self.is_of_met() && crossing.sine < LEAST_SINE && crossing.sine * (1.0 - nearer * nearer).sqrt() < SLIVER
     }
 
     /// Cosines of the angles between the normal of a crossing and those of the two faces, as far as they look at each other \[–\].
@@ -309,12 +311,8 @@ impl Edge {
         let normal = self.ends[0].axes * across.normalize_or_zero() * across.z.signum();
         let beyond = |at: f64| (at - self.length).max(-at).max(0.0);
         let overhang = beyond(along).max(beyond(along + (nearest - part) * side.dot(edge)));
-        let crossing = Crossing { part, along, nearest, overhang, normal };
-        let counts = match &self.faces {
-            Some(_) => !self.is_sliver(&crossing, sine, [node, face]),
-            None => self.is_between_faces(&crossing, [node, face]),
-        };
-        counts.then_some(crossing)
+        let crossing = Crossing { part, along, nearest, overhang, sine, normal };
+        (self.is_of_met() || self.is_between_faces(&crossing, [node, face])).then_some(crossing)
     }
 
     /// Sine of the angle between the two faces \[–\].

@@ -6,6 +6,9 @@ use glam::DVec3;
 use crate::contact::Frame;
 use crate::scene::facing::SolidId;
 
+/// Sine of the angle between two edges of a body that are parallel \[–\]: round-off of their directions.
+const PARALLEL: f64 = 1e-9;
+
 /// Two bodies between which every face can touch.
 #[derive(Clone, Debug)]
 pub struct Meeting {
@@ -26,6 +29,8 @@ pub struct Solid {
     corners: Vec<DVec3>,
     /// Outward unit normal of each face, and its distance from the origin \[m\].
     faces: Vec<(DVec3, f64)>,
+    /// Unit vectors along its edges, one of parallel ones; none in plan.
+    edges: Vec<DVec3>,
     /// Largest distance of a corner from the origin \[m\].
     pub radius: f64,
     /// Shortest side of a face \[m\]; in plan, of those along it.
@@ -63,21 +68,58 @@ impl Meeting {
         };
         reach(out, 1.0) + reach(1 - out, -1.0)
     }
+
+    /// How far the two overlap along the direction along which they do the least, the shortest way by which they part; negative apart
+    /// \[m\]. Of convex polyhedra that direction is normal to a face of either or to an edge of each (separating axes).
+    pub fn least_overlap(&self, poses: [&Frame; 2]) -> f64 {
+        let [one, other] = [0, 1].map(|which| self.solids[which].at(poses[which]));
+        let normals = [0, 1].map(|which| {
+            let solid = &self.solids[which];
+            solid.faces.iter().map(move |&(normal, _)| poses[which].turn(normal))
+        });
+        let reach = |corners: &[DVec3], axis: DVec3| {
+            let along = corners.iter().map(|corner| axis.dot(*corner));
+            along.fold([f64::INFINITY, f64::NEG_INFINITY], |[least, most], at| [least.min(at), most.max(at)])
+        };
+        let [of_one, of_other] = normals;
+        let by_one = of_one.map(|axis| reach(&one, axis)[1] - reach(&other, axis)[0]);
+        let by_other = of_other.map(|axis| reach(&other, axis)[1] - reach(&one, axis)[0]);
+        let along = |which: usize| self.solids[which].edges.iter().map(move |&edge| poses[which].turn(edge));
+        let across = along(0).flat_map(|a| along(1).map(move |b| a.cross(b)));
+        let by_edges = across.filter_map(DVec3::try_normalize).map(|axis| {
+            let [[a, b], [c, d]] = [reach(&one, axis), reach(&other, axis)];
+            (b - c).min(d - a)
+        });
+        by_one.chain(by_other).chain(by_edges).fold(f64::INFINITY, f64::min)
+    }
 }
 
 impl Solid {
-    /// A body that stands at `home` \[m\], by its faces' corners \[m\] and planes, and the shortest side of one \[m\].
+    /// A body that stands at `home` \[m\], by its faces' corners \[m\] and planes, the unit vectors along their sides, and the shortest
+    /// of these \[m\].
     pub(in crate::dynamics) fn of(
         home: DVec3,
         mut corners: Vec<DVec3>,
         faces: Vec<(DVec3, f64)>,
+        sides: &[DVec3],
         least_side: f64,
     ) -> Self {
+        let mut edges: Vec<DVec3> = Vec::new();
+        for &side in sides {
+            if edges.iter().all(|edge| edge.cross(side).length() > PARALLEL) {
+                edges.push(side);
+            }
+        }
         // Each corner is one of three faces, in plan of two.
         corners.sort_by(|a, b| a.x.total_cmp(&b.x).then(a.y.total_cmp(&b.y)).then(a.z.total_cmp(&b.z)));
         corners.dedup();
         let radius = corners.iter().map(|corner| corner.length()).fold(0.0, f64::max);
-        Self { home, corners, faces, radius, least_side }
+        Self { home, corners, faces, edges, radius, least_side }
+    }
+
+    /// Its corners in a pose \[m\].
+    fn at(&self, pose: &Frame) -> Vec<DVec3> {
+        self.corners.iter().map(|&corner| self.home + pose.shift + pose.turn(corner)).collect()
     }
 
     /// Corners about the origin of another body, in the axes that this one had as placed \[m\].
@@ -91,5 +133,44 @@ impl Solid {
                 at + back * at
             })
             .collect()
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::contact::turned_by;
+    use glam::DQuat;
+    use std::f64::consts::{FRAC_1_SQRT_2, FRAC_PI_4, SQRT_2};
+
+    /// A cube with sides of 1 m about the origin.
+    fn cube() -> Solid {
+        let corner = |i: u32| DVec3::from([0, 1, 2].map(|axis| if i >> axis & 1 == 0 { -0.5 } else { 0.5 }));
+        let faces = DVec3::AXES.iter().flat_map(|&axis| [(axis, 0.5), (-axis, 0.5)]).collect();
+        Solid::of(DVec3::ZERO, (0..8).map(corner).collect(), faces, &DVec3::AXES, 1.0)
+    }
+
+    fn overlap(shift: DVec3, turns: [DQuat; 2]) -> f64 {
+        let meeting = Meeting::of([SolidId::Girder(0), SolidId::Girder(1)], [cube(), cube()]);
+        let pose = |shift, turn| Frame { shift, turned: turned_by(turn), level: false, ..Frame::fixed(DVec3::ZERO) };
+        let [one, other] = [pose(DVec3::ZERO, turns[0]), pose(shift, turns[1])];
+        let [there, back] = [meeting.least_overlap([&one, &other]), meeting.least_overlap([&other, &one])];
+        assert!((there - back).abs() < 1e-15, "whichever is the first: {there} and {back} m");
+        there
+    }
+
+    #[test]
+    fn bodies_part_along_a_face_s_normal_or_square_to_an_edge_of_each() {
+        let near =
+            |found: f64, expected: f64| assert!((found - expected).abs() < 1e-14, "{found} m is not {expected} m");
+        let still = [DQuat::IDENTITY; 2];
+        near(overlap(DVec3::new(0.9, 0.3, -0.2), still), 0.1);
+        near(overlap(DVec3::new(0.3, 0.2, 1.25), still), -0.25);
+        // An upright edge against a face.
+        let turned = [DQuat::IDENTITY, DQuat::from_rotation_z(FRAC_PI_4)];
+        near(overlap(DVec3::X * 1.15, turned), 0.5 + FRAC_1_SQRT_2 - 1.15);
+        // A level edge across an upright one: every face's normal is at 45° to the way out.
+        let across = [DQuat::from_rotation_y(FRAC_PI_4), DQuat::from_rotation_z(FRAC_PI_4)];
+        near(overlap(DVec3::X * 1.4, across), SQRT_2 - 1.4);
     }
 }

@@ -25,7 +25,7 @@ pub(super) fn meetings(scene: &Scene, bodies: &[Body], met: &[[SolidId; 2]]) -> 
 /// A body by its faces, in plan by those that stand upright.
 fn solid(scene: &Scene, bodies: &[Body], id: SolidId) -> Result<Solid, SceneErrors> {
     let (mut corners, mut faces, mut home) = (Vec::new(), Vec::new(), DVec3::ZERO);
-    let mut least_side = f64::INFINITY;
+    let (mut least_side, mut sides) = (f64::INFINITY, Vec::new());
     for side in Side::of(scene.kind, id) {
         let side = facade(scene, bodies, side)?;
         let (stands, axes): (DVec3, DMat3) = placed_at(bodies, &side);
@@ -35,7 +35,11 @@ fn solid(scene: &Scene, bodies: &[Body], id: SolidId) -> Result<Solid, SceneErro
         corners.extend(side.face.corners.map(|corner| axes * corner));
         let [a, b, _, d] = side.face.corners;
         let upright = if scene.kind == Kind::Planar { f64::INFINITY } else { (d - a).length() };
+        if scene.kind == Kind::Spatial {
+            let ends = side.face.corners.iter().zip(side.face.corners.iter().cycle().skip(1));
+            sides.extend(ends.map(|(from, to)| axes * (to - from).normalize_or_zero()));
+        }
         least_side = least_side.min((b - a).length()).min(upright);
     }
-    Ok(Solid::of(home, corners, faces, least_side))
+    Ok(Solid::of(home, corners, faces, &sides, least_side))
 }

@@ -30,15 +30,29 @@ pub(in crate::dynamics) struct ActiveContact {
     /// Penetration at which the bounds of stiffness and damping are evaluated \[m\]; a law that stiffens can exceed
     /// it.
     pub depth: f64,
+    /// Overlap of its two bodies beyond the deepest penetration between them that no contact can carry, and that is granted \[m\].
+    pub granted: f64,
 }
 
 impl ActiveContact {
     /// Position and velocity of the node relative to the face, with poses `frames` of the island's bodies relative to
     /// their reference poses.
     pub(in crate::dynamics) fn look(&self, model: &Model, frames: &[Frame]) -> Local {
-        let site = &model.contacts[self.site];
-        let frame = |index: Option<usize>, which: usize| index.map_or(&site.stand, |_| &frames[self.sections[which]]);
-        locate(&self.home, frame(self.node, 0), frame(self.face, 1))
+        let [node, face] = self.sides(model, frames);
+        locate(&self.home, node, face)
+    }
+
+    /// Outward unit normal of the face, with poses `frames` of the island's bodies relative to their reference poses.
+    pub(in crate::dynamics) fn normal(&self, model: &Model, frames: &[Frame]) -> DVec3 {
+        let [node, face] = self.sides(model, frames);
+        self.home.normal(node, face)
+    }
+
+    /// Poses of the sections of node and face, relative to the reference poses.
+    fn sides<'a>(&self, model: &'a Model, frames: &'a [Frame]) -> [&'a Frame; 2] {
+        let stand = &model.contacts[self.site].stand;
+        let frame = |index: Option<usize>, which: usize| index.map_or(stand, |_| &frames[self.sections[which]]);
+        [frame(self.node, 0), frame(self.face, 1)]
     }
 
     /// Finds its sections among those of the island's bodies.

@@ -111,6 +111,10 @@ pub(in crate::dynamics) const FREE_RETRIES: u32 = 4;
 /// Most doublings of that dead band: 2³⁶ [`ZERO_BAND`] exceeds the scale itself.
 pub(in crate::dynamics) const RETRY_DOUBLINGS: u32 = 36;
 
+/// Overlap of two bodies beyond the deepest contact between them at which another contact takes over, in parts of the smallest side
+/// of either body: half of that which a run reports as carried by no contact, and far above the round-off of places.
+pub(in crate::dynamics) const UNCARRIED: f64 = 5e-7;
+
 // Simultaneous events
 
 /// Interval within which equal events of contacts change state together, in radians of the fastest motion \[rad\]

@@ -1,10 +1,12 @@
 //! Bodies and the connections that act on them: what is constant of an island between two events.
 
+use crate::contact::Frame;
 use crate::dynamics::Model;
 use crate::dynamics::model::coordinates::state_layout::StateLayout;
 use crate::dynamics::model::reference_pose::ReferencePose;
 use crate::dynamics::penalty3d::active_contact::ActiveContact;
 use crate::dynamics::penalty3d::active_link::ActiveLink;
+use crate::dynamics::penalty3d::carried_overlap::{BodiesAt, MetContacts};
 use crate::dynamics::penalty3d::contact_rates::{decay, fastest, quickest};
 
 /// Bodies joined by connections, with bounds on the rates of the connections.
@@ -18,6 +20,8 @@ pub(in crate::dynamics) struct CoupledSystem {
     pub bases: Vec<ReferencePose>,
     /// Closed contacts.
     pub active: Vec<ActiveContact>,
+    /// Closed contacts between bodies that have met, by their two bodies.
+    pub met: Vec<MetContacts>,
     /// Devices whose force acts.
     pub links: Vec<ActiveLink>,
     /// Of each section of the bodies: whether it moves with G or a connection acts on it.
@@ -64,13 +68,14 @@ impl CoupledSystem {
         }
         let radii = bodies.iter().map(|&b| model.bodies[b].radius).collect();
         Self {
+            met: MetContacts::of(model, &bodies, &active),
             omega: fastest(model, &bodies, &active, &links),
             quickest: quickest(model, &active, &links),
             ..Self::without_rates((bodies, layout, bases), active, links, radii)
         }
     }
 
-    /// Without bounds on rates, which a step of known length does not need.
+    /// Without bounds on rates and without the bodies that have met, which a step of known length does not need.
     pub(in crate::dynamics) fn without_rates(
         (bodies, layout, bases): (Vec<usize>, StateLayout, Vec<ReferencePose>),
         active: Vec<ActiveContact>,
@@ -82,12 +87,18 @@ impl CoupledSystem {
         let of_contacts = active.iter().flat_map(|a| ends([a.node, a.face], a.sections));
         let of_links = links.iter().flat_map(|link| ends(link.ends, link.sections));
         first.chain(of_contacts).chain(of_links).for_each(|section| acted_on[section] = true);
-        Self { bodies, layout, bases, active, links, acted_on, radii, omega: 0.0, quickest: 0.0, decay: None }
+        let (met, omega, quickest) = (Vec::new(), 0.0, 0.0);
+        Self { bodies, layout, bases, active, met, links, acted_on, radii, omega, quickest, decay: None }
     }
 
     /// Whether no force acts between its bodies, or on them from the ground, but those of their bearings, standing or lost.
     pub(in crate::dynamics) fn is_free(&self, model: &Model) -> bool {
         self.active.is_empty() && self.acting(model).next().is_none()
+    }
+
+    /// Its bodies with poses `frames` of their sections relative to the reference poses.
+    pub(in crate::dynamics) fn at<'a>(&'a self, frames: &'a [Frame]) -> BodiesAt<'a> {
+        BodiesAt { layout: &self.layout, bases: &self.bases, active: &self.active, frames }
     }
 
     /// Devices but supports that are lost: the link of one takes away what the girder's bearing has, and together they have no

@@ -11,6 +11,8 @@ pub(in crate::dynamics) enum Reason {
     Edge,
     /// Beginning or end of a zero normal force under `clamp`, or the end of a phase of the normal law.
     Kink,
+    /// The two bodies, which have met, overlap by more than any contact between them carries.
+    Overlap,
 }
 
 /// Event of a closed contact.

@@ -4,7 +4,7 @@
 //! Five samples show every sign change within an explicit step, which is short against all motions in it, except a
 //! short excursion; three samples whose second difference points to 0 show that.
 
-use crate::contact::{Local, Mode, NormalLaw, locate};
+use crate::contact::{Frame, Local, Mode, NormalLaw, locate};
 use crate::dynamics::Model;
 use crate::dynamics::locate::first_rise::{EarliestEvent, first_rise};
 use crate::dynamics::locate::root::root;
@@ -48,6 +48,8 @@ pub(in crate::dynamics) fn function(
             }
             closed.kink(here)
         }
+        // Of all contacts between the two bodies, not of one.
+        Reason::Overlap => f64::NEG_INFINITY,
     }
 }
 
@@ -117,6 +119,21 @@ fn first_among<const N: usize>(model: &Model, island: &Island, simultaneity: f64
                 found.push((t, Due { number, reason }));
                 earliest = earliest.min(t);
             }
+        }
+    }
+    for met in &island.system.met {
+        let at = |i: usize| island.system.at(&frames[i * sections..]);
+        if (0..N).all(|i| met.is_carried(model, at(i))) {
+            continue;
+        }
+        let excess = |frames: &[Frame]| met.excess(model, island.system.at(frames));
+        let values: [f64; N] = std::array::from_fn(|i| met.excess(model, at(i)).value);
+        let value_at = |t: f64| excess(&island.frames_since(model, &[t])).value;
+        let first = EarliestEvent { at: earliest, together: simultaneity };
+        if let Some(t) = first_rise([&times, &values], 0.0, false, first, value_at) {
+            let number = excess(&island.frames_since(model, &[t])).deepest;
+            found.push((t, Due { number, reason: Reason::Overlap }));
+            earliest = earliest.min(t);
         }
     }
     if found.is_empty() {
@@ -207,7 +224,7 @@ fn dead_band(model: &Model, island: &Island, number: usize, reason: Reason, here
     // a tenth of it.
     let length = if here.gap_rate < 0.0 { entry.max(2.0 * here.gap) } else { PARTING_BAND * entry };
     match (reason, &closed.mode) {
-        (Reason::Edge, _) => 0.0,
+        (Reason::Edge | Reason::Overlap, _) => 0.0,
         (Reason::Opening, _) | (Reason::Switching, Mode::Stick { .. }) => length,
         // Over a long implicit step the round-off of a speed is that of positions over the length of the step.
         (Reason::Switching, Mode::Slip { .. }) => {
@@ -245,7 +262,7 @@ fn scale(island: &Island, number: usize, reason: Reason, samples: &[Local]) -> f
         (Reason::Opening, _) => depth,
         (Reason::Switching, Mode::Stick { .. }) => closed.law.mu_s * closed.law.normal.length(depth, closed.law.k_t),
         (Reason::Switching, Mode::Slip { .. }) => speed,
-        (Reason::Edge, _) => 0.0,
+        (Reason::Edge | Reason::Overlap, _) => 0.0,
         (Reason::Kink, _) => closed.law.kink_scale(depth, speed),
     }
 }

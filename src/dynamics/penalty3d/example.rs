@@ -71,6 +71,7 @@ pub(in crate::dynamics) fn closed(scene: &Scene, mode: impl Fn(&Local) -> Mode) 
             home: site.home,
             angle: None,
             depth: 0.0,
+            granted: 0.0,
         };
         // An edge node is one from the closing of its pair on.
         (site.edge.is_none() && is_over(&site.face, here.at)).then_some(active)

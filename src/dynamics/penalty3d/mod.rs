@@ -3,6 +3,7 @@
 
 pub(in crate::dynamics) mod active_contact;
 pub(in crate::dynamics) mod active_link;
+pub(in crate::dynamics) mod carried_overlap;
 pub(in crate::dynamics) mod collinear_island;
 pub(in crate::dynamics) mod constants;
 pub mod contact_force;

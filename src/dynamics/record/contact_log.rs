@@ -140,7 +140,7 @@ impl ContactLog {
                     Hold::Stick(anchor) => Mode::Stick { anchor: self.vectors[anchor as usize] },
                     Hold::Slip(direction) => Mode::Slip { direction: self.vectors[direction as usize] },
                 };
-                let solver = SolverState { regularisation, passing_stop, retries: 0, kept: 0.0 };
+                let solver = SolverState { regularisation, passing_stop, ..SolverState::default() };
                 Contact::Closed(ClosedContact { law, mode, held_at_zero, place, solver })
             }
         }

@@ -280,6 +280,7 @@ fn active(
         home,
         angle: None,
         depth: 0.0,
+        granted: 0.0,
     };
     active.find_sections(past.model, layout);
     Some(active)

@@ -21,6 +21,13 @@ pub(in crate::dynamics) fn crossing(world: &World, contact: usize, poses: Poses<
     is_free(world, contact, at, poses, 1.0).then_some(crossing)
 }
 
+/// The crossing of an edge node of bodies that have met, where the edges belong to the two faces; also of edges that bound a sliver.
+pub(in crate::dynamics) fn crossing_of_met(world: &World, contact: usize, poses: Poses<'_>) -> Option<Crossing> {
+    let edge = world.model.contacts[world.contacts[contact].site].edge.as_deref().filter(|edge| edge.is_of_met())?;
+    let [node, face] = poses(contact);
+    edge.crossing([&node, &face], edge.tolerance()).filter(|crossing| edge.is_between_faces(crossing, [&node, &face]))
+}
+
 /// Number of vertices of the polygon at which a pair touches, and for each of its contacts the number of nodes at its
 /// vertex. A node that is at no vertex counts alone, one of two edge nodes as that.
 pub(in crate::dynamics) fn sharers(world: &World, pair: usize, poses: Poses<'_>) -> (usize, Vec<usize>) {
@@ -185,7 +192,7 @@ fn edge_vertex(world: &World, contact: usize, poses: Poses<'_>, beyond: f64) -> 
     let edge = site.edge.as_deref()?;
     let [node, face] = poses(contact);
     let crossing = edge.crossing([&node, &face], beyond)?;
-    if !edge.is_between_faces(&crossing, [&node, &face]) {
+    if edge.is_sliver(&crossing, [&node, &face]) || !edge.is_between_faces(&crossing, [&node, &face]) {
         return None;
     }
     Some((crossing, edge.on_face(&crossing, !is_of_first(world, contact))))

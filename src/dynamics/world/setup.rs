@@ -120,6 +120,7 @@ impl World {
             closing: None,
             rearmed_at: None,
             log: ContactLog::default(),
+            granted: 0.0,
             changes: ChangeCount::default(),
         });
     }

@@ -153,7 +153,8 @@ fn a_girder_thrown_at_the_side_of_an_abutment_comes_back() {
 
 #[test]
 fn girders_thrown_at_each_other_from_anywhere_do_not_pass_through() {
-    for seed in family::FIRST_THROWN..family::FIRST_THROWN + 24 {
+    // In the last three another way becomes the shortest while they touch.
+    for seed in (0..24).chain([258, 403, 559]).map(|seed| family::FIRST_THROWN + seed) {
         let (_, scene) = family::scene(seed);
         let history = run(&scene);
         assert!(history.stop().is_none(), "seed {seed}: {:?}", history.stop());

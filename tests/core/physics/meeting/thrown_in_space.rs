@@ -12,9 +12,9 @@ use super::edges::angular_momentum;
 use super::{expect_carried, velocity};
 use crate::support::{run, within};
 
-/// Seeds of the family that are run with every test; more by `girderbench study stability --from 3000000`. What the next ones leave
-/// without a contact is in `docs/stability.md`.
-const SEEDS: u64 = 12;
+/// Seeds of the family that are run with every test; more by `girderbench study stability --from 3000000`. In the last one another way
+/// becomes the shortest while the bodies touch.
+const SEEDS: u64 = 13;
 
 /// The runs of these seeds.
 static RUNS: LazyLock<Vec<History>> = LazyLock::new(|| (0..SEEDS).map(|seed| run(&thrown(seed))).collect());
@@ -116,13 +116,9 @@ fn the_mirror_image_has_the_mirrored_answer() {
 }
 
 #[test]
-#[ignore = "minutes: the seeds that are listed in docs/stability.md"]
-fn what_the_next_seeds_leave_without_a_contact_is_reported_and_shallow() {
-    for seed in SEEDS..20 {
-        let history = run(&thrown(seed));
-        assert!(history.balance().holds(), "seed {seed}: {:?}", history.balance());
-        for overlap in history.overlaps() {
-            within(&format!("depth, seed {seed}"), overlap.depth.value, 1e-2);
-        }
+#[ignore = "minutes: more seeds of the same"]
+fn nor_do_those_of_the_next_seeds() {
+    for seed in SEEDS..40 {
+        expect_carried(&run(&thrown(seed)));
     }
 }

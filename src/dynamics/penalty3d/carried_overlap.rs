@@ -1,0 +1,107 @@
+//! The least overlap of two bodies that have met, against the penetrations of the contacts between them
+//! (`docs/physics.md#contact-wherever-bodies-meet`).
+//!
+//! A contact keeps its normal as long as it lasts, while the shortest way by which the bodies part can turn to another face or to two
+//! other edges. Where the overlap along that way comes to exceed the penetration of the deepest contact, what is there takes over. Both
+//! are equal then, and so are the energies in their springs.
+
+use crate::contact::Frame;
+use crate::dynamics::Model;
+use crate::dynamics::model::coordinates::state_layout::StateLayout;
+use crate::dynamics::model::reference_pose::ReferencePose;
+use crate::dynamics::penalty3d::active_contact::ActiveContact;
+use crate::dynamics::penalty3d::constants::UNCARRIED;
+
+/// The contacts of an island between two bodies that have met.
+#[derive(Clone, Debug)]
+pub(in crate::dynamics) struct MetContacts {
+    /// Number in the model of the meeting of the two.
+    meeting: usize,
+    /// Of each of the two, its index in the island and its pose where it has none.
+    sides: [(Option<usize>, Frame); 2],
+    /// Numbers of the contacts in the island.
+    contacts: Vec<usize>,
+    /// Overlap beyond the deepest penetration that is granted \[m\].
+    granted: f64,
+}
+
+/// The bodies of an island at an instant.
+#[derive(Clone, Copy, Debug)]
+pub(in crate::dynamics) struct BodiesAt<'a> {
+    /// Positions of the sections of each body in `frames`.
+    pub layout: &'a StateLayout,
+    /// Reference poses.
+    pub bases: &'a [ReferencePose],
+    /// Closed contacts of the island.
+    pub active: &'a [ActiveContact],
+    /// Poses of the sections relative to the reference poses.
+    pub frames: &'a [Frame],
+}
+
+/// What no contact carries.
+#[derive(Clone, Copy, Debug)]
+pub(in crate::dynamics) struct Excess {
+    /// Least overlap less the deepest penetration and what is granted \[m\].
+    pub value: f64,
+    /// Number in the island of the deepest contact.
+    pub deepest: usize,
+}
+
+impl MetContacts {
+    /// The contacts between bodies that have met, by their two bodies.
+    pub(in crate::dynamics) fn of(model: &Model, bodies: &[usize], active: &[ActiveContact]) -> Vec<Self> {
+        let mut all: Vec<Self> = Vec::new();
+        if model.meetings.is_empty() {
+            return all;
+        }
+        for (number, contact) in active.iter().enumerate() {
+            let site = &model.contacts[contact.site];
+            let pair = &model.pairs[site.pair];
+            let ids = [pair.first.solid(), pair.second.solid()];
+            let Some(meeting) = model.meetings.iter().position(|meeting| meeting.ids == ids) else { continue };
+            let own = contact.granted.max(UNCARRIED * model.meetings[meeting].least_side);
+            if let Some(known) = all.iter_mut().find(|known| known.meeting == meeting) {
+                known.contacts.push(number);
+                known.granted = known.granted.max(own);
+                continue;
+            }
+            let side = |body: Option<usize>| {
+                (body.and_then(|body| bodies.iter().position(|&other| other == body)), site.stand)
+            };
+            all.push(Self { meeting, sides: pair.bodies.map(side), contacts: vec![number], granted: own });
+        }
+        all
+    }
+
+    /// Overlap that no contact carries.
+    pub(in crate::dynamics) fn excess(&self, model: &Model, bodies: BodiesAt<'_>) -> Excess {
+        let (deepest, penetration) = self.deepest(model, bodies);
+        let poses = [0, 1].map(|side| self.pose(side, bodies));
+        let overlap = model.meetings[self.meeting].least_overlap([&poses[0], &poses[1]]);
+        Excess { value: overlap - penetration - self.granted, deepest }
+    }
+
+    /// Whether the deepest contact carries the overlap along its own normal, which is not less than the least.
+    pub(in crate::dynamics) fn is_carried(&self, model: &Model, bodies: BodiesAt<'_>) -> bool {
+        let (deepest, penetration) = self.deepest(model, bodies);
+        let poses = [0, 1].map(|side| self.pose(side, bodies));
+        let contact = &bodies.active[deepest];
+        let out = usize::from(contact.face != self.sides[0].0);
+        let normal = contact.normal(model, bodies.frames);
+        let along = model.meetings[self.meeting].overlap_along(normal, out, [&poses[0], &poses[1]]);
+        along - penetration - self.granted < 0.0
+    }
+
+    /// Number and penetration \[m\] of the deepest contact.
+    fn deepest(&self, model: &Model, bodies: BodiesAt<'_>) -> (usize, f64) {
+        let depth = |&number: &usize| (number, bodies.active[number].look(model, bodies.frames).penetration());
+        let deeper = |a: (usize, f64), b: (usize, f64)| if b.1 > a.1 { b } else { a };
+        self.contacts.iter().map(depth).fold((self.contacts[0], f64::NEG_INFINITY), deeper)
+    }
+
+    /// Pose of one of the two relative to its placed pose.
+    fn pose(&self, side: usize, BodiesAt { layout, bases, frames, .. }: BodiesAt<'_>) -> Frame {
+        let (index, stand) = &self.sides[side];
+        index.map_or(*stand, |index| bases[index].whole(&frames[layout.sections(index).start]))
+    }
+}
