@@ -36,7 +36,10 @@ run-pier = pier { $name }
 run-overlap-of = { $one } and { $other }, without contact: from { $t } s, { $depth } mm deep at { $td } s
 run-overlap-more = { $more } more
 run-too-deep-of = { $node } in { $face }: { $depth } mm at { $t } s, more than a tenth of the shortest side ({ $allowed } mm)
-run-left-face-of = { $count } times with { $energy } J in the springs, { $share } of the largest energy; { $node } from { $face } at { $t } s the most
+run-left-face-of = { $count ->
+        [one] once
+       *[other] { $count } times
+    } with { $energy } J in the springs, { $share } of the largest energy; { $node } from { $face } at { $t } s the most
 run-outside-more = and { $more } more
 run-none-lasting = none that lasts
 run-force-lasting = { $force } of a single corner, lasting
@@ -220,7 +223,10 @@ run-device-never = its force never sets in
 run-device-part = , { $part } % of its strength
 run-device-yields = ; it yields from { $t } s on
 run-device-breaks = ; it breaks at { $t } s
-run-device-of = { $force } at { $t } s{ $part }; moves { $least } to { $greatest } mm; acts { $times } times from { $first } s on{ $yields }{ $breaks }
+run-device-of = { $force } at { $t } s{ $part }; moves { $least } to { $greatest } mm; acts { $times ->
+        [one] once, at { $first } s
+       *[other] { $times } times from { $first } s on
+    }{ $yields }{ $breaks }
 kind-restrainer = restrainer
 kind-bumper = bumper
 kind-damper = damper
@@ -248,7 +254,7 @@ render-finished-pictures = { $finished } of { $count } pictures are finished, in
 render-finished-frames = { $finished } of { $count } frames are finished, in { $place }
 render-frames = { $place }: { $count } frames, { $drawn } different
 wrong-no-quantity = { $name }: the run has no such quantity{ $meant }; `--list` prints all names
-wrong-girder-flag = --girder { $name }: nobody is called that; there are { $names }
+wrong-girder-flag = --girder { $name }: no girder has this name; there are { $names }
 wrong-no-wave = no girder bends, so no wave runs in one: give it [girder.elastic], and contacts stiff enough that it softens them
 wrong-force-in-space = { $force } is a section force of spatial scenes: set kind = "spatial", or ask for another
 wrong-picture-backwards = --to { $to }: the picture begins at { $from } s: give a later time
@@ -296,6 +302,7 @@ sweep-refused = refused
 
 ## what compare, identify, measure and study print
 compare-instants = { $count } instants in both
+compare-until = { $which } ends at { $t } s: what the other has later is not compared
 compare-instants-only = { $count } instants in both, { $others } in one only
 compare-quantity = quantity
 compare-difference = difference

@@ -293,6 +293,7 @@ sweep-refused = 拒否
 
 ## compare、identify、measure、study の表示
 compare-instants = 両方にある時刻 { $count } 個
+compare-until = { $which } は { $t } s で終わる。もう一方のそれ以後は比べない
 compare-instants-only = 両方にある時刻 { $count } 個、一方だけの時刻 { $others } 個
 compare-quantity = 量
 compare-difference = 差

@@ -6,6 +6,7 @@
 pub mod format;
 pub mod fourier;
 pub mod integrate;
+mod largest;
 pub mod matching;
 pub mod oscillator;
 pub mod process;

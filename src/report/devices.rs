@@ -1,6 +1,7 @@
 //! Table of what a run did to devices.
 
 use super::sections::{at, head, row};
+use super::units::force;
 use crate::language::Text;
 use crate::tables::Report;
 
@@ -19,12 +20,12 @@ pub(super) fn table(report: &Report) -> String {
     ]);
     for device in &report.devices {
         let when = |t: Option<f64>| t.map_or("–".to_owned(), |t| format!("{t:.3}"));
-        let force = device.first.map_or("–".to_owned(), |_| at(format!("{:.1}", device.force / 1e3), device.t));
+        let largest = device.first.map_or("–".to_owned(), |_| at(force(device.force), device.t));
         let part = device.part_of_strength.map_or("–".to_owned(), |part| format!("{:.0} %", 100.0 * part));
         let [least, greatest] = device.deformation.map(|length| format!("{:.1}", 1e3 * length));
         let (moves, ends) =
             (format!("{least} … {greatest}"), format!("{}, {}", when(device.yielded_at), when(device.broke_at)));
-        html.push_str(&row(&device.name, &[force, part, moves, device.times.to_string(), ends]));
+        html.push_str(&row(&device.name, &[largest, part, moves, device.times.to_string(), ends]));
     }
     html + "</table>\n"
 }

@@ -13,8 +13,10 @@ use crate::study::plot::COLORS;
 use crate::study::plot::chart::{Chart, Curve, Panel};
 use crate::study::plot::draw::escape;
 
-/// Samples of a history that is drawn, and of a ground motion whose spectrum is computed.
+/// Samples of a history that is drawn, and of a ground motion that is no record.
 const SAMPLES: u32 = 4000;
+/// Most samples of a record that are drawn one by one.
+const MOST_SAMPLES: usize = 20_000;
 /// Periods of the spectrum: from, to \[s\], count.
 const PERIODS: ([f64; 2], u32) = ([0.05, 5.0], 120);
 
@@ -42,42 +44,54 @@ fn supports(history: &History) -> String {
 }
 
 /// A ground motion that is drawn.
-struct Drawn {
+struct Drawn<'a> {
     name: String,
-    /// Acceleration at the times of the picture \[m/s²\].
+    ground: &'a Ground,
+    /// Interval of its samples \[s\]: a record's own.
+    dt: f64,
+    /// Acceleration at them \[m/s²\].
     samples: Vec<[f64; 3]>,
 }
 
-impl Drawn {
+impl<'a> Drawn<'a> {
+    fn of(name: &str, ground: &'a Ground, history: &History) -> Self {
+        let name = name.to_owned();
+        if let Some((dt, samples)) = ground.samples_until(history.end()) {
+            return Self { name, ground, dt, samples: samples.into_iter().map(|a| a.to_array()).collect() };
+        }
+        let samples = times(history).map(|t| ground.acceleration(t).to_array()).collect();
+        Self { name, ground, dt: history.end() / f64::from(SAMPLES), samples }
+    }
+
+    /// Points of the picture along an axis \[s, g\].
+    fn points(&self, axis: usize, history: &History) -> Vec<[f64; 2]> {
+        if self.samples.len() > MOST_SAMPLES {
+            return times(history).map(|t| [t, self.ground.acceleration(t)[axis] / STANDARD_GRAVITY]).collect();
+        }
+        let points = self.samples.iter().enumerate();
+        points.map(|(i, a)| [self.dt * i as f64, a[axis] / STANDARD_GRAVITY]).collect()
+    }
+
     fn moves(&self, axis: usize) -> bool {
         self.samples.iter().any(|a| a[axis] != 0.0)
     }
 }
 
 /// The ground of `[motion]`, and those with names that supports stand on.
-fn grounds(history: &History) -> Vec<Drawn> {
+fn grounds(history: &History) -> Vec<Drawn<'_>> {
     let (model, scene) = (history.model(), history.scene());
-    let drawn = |name: &str, ground: &Ground| Drawn {
-        name: name.to_owned(),
-        samples: times(history).map(|t| ground.acceleration(t).to_array()).collect(),
-    };
     let used: BTreeSet<usize> =
         moved_supports(scene, model).iter().map(|moved| moved.motion.ground).filter(|number| *number > 0).collect();
     let named = model.moving.iter().flat_map(|moving| {
-        used.iter().map(|&number| drawn(&scene.grounds[number - 1].name, moving.ground(number))).collect::<Vec<_>>()
+        let of = |&number: &usize| Drawn::of(&scene.grounds[number - 1].name, moving.ground(number), history);
+        used.iter().map(of).collect::<Vec<_>>()
     });
-    std::iter::once(drawn("[motion]", &model.ground)).chain(named).collect()
+    std::iter::once(Drawn::of("[motion]", &model.ground, history)).chain(named).collect()
 }
 
-/// Part of a peak from which a sample is at one: of a sine every crest is, and its samples differ. Chosen.
-const AT_PEAK: f64 = 0.999;
-
 /// A line of the table of peaks: the largest, and when it is reached first.
-fn peak_row(name: &str, series: &[f64], history: &History) -> String {
-    let value = series.iter().fold(0.0f64, |most, a| most.max(a.abs()));
-    let t = series.iter().zip(times(history)).find(|(a, _)| a.abs() >= AT_PEAK * value).map_or(0.0, |(_, t)| t);
-    let value = value / STANDARD_GRAVITY;
-    let name = escape(name);
+fn peak_row(name: &str, [value, t]: [f64; 2]) -> String {
+    let (name, value) = (escape(name), value / STANDARD_GRAVITY);
     format!("<tr><td>{name}</td><td class=\"number\">{value:.4}</td><td class=\"number\">{t:.3}</td></tr>\n")
 }
 
@@ -100,11 +114,9 @@ pub(super) fn section(history: &History) -> String {
             let name = if alone { names[axis].to_owned() } else { format!("{} {}", ground.name, names[axis]) };
             let color = if alone { axis } else { number * 3 + axis };
             let series: Vec<f64> = ground.samples.iter().map(|a| a[axis]).collect();
-            html += &peak_row(&name, &series, history);
-            let points = times(history).zip(&series).map(|(t, a)| [t, a / STANDARD_GRAVITY]).collect();
-            curves.push(curve(&name, color, points));
-            let dt = history.end() / f64::from(SAMPLES);
-            let responses = spectrum(&series, dt, &periods(PERIODS.0, PERIODS.1), DESIGN_DAMPING);
+            html += &peak_row(&name, ground.ground.largest(axis, history.end()));
+            curves.push(curve(&name, color, ground.points(axis, history)));
+            let responses = spectrum(&series, ground.dt, &periods(PERIODS.0, PERIODS.1), DESIGN_DAMPING);
             let points = responses.iter().map(|r| [r.period, r.pseudo_acceleration() / STANDARD_GRAVITY]).collect();
             spectra.push(curve(&name, color, points));
         }
@@ -115,16 +127,15 @@ pub(super) fn section(history: &History) -> String {
     let spectrum = Chart { title: String::new(), x: Text::new("report-period").into(), panels: vec![spectrum] };
     let _ = writeln!(
         html,
-        "</table>\n{}<div class=\"picture\">{}</div>\n<div class=\"picture\">{}</div>\n<p>{}</p>",
+        "</table>\n{}<div class=\"picture\">{}</div>\n<div class=\"picture\">{}</div>",
         supports(history),
         motion.to_svg(),
         spectrum.to_svg(),
-        said!(
-            "report-samples",
-            "count" => (SAMPLES + 1).to_string(),
-            "interval" => format!("{:.4}", history.end() / f64::from(SAMPLES))
-        )
     );
+    if let Some(ground) = grounds.iter().find(|ground| matches!(ground.ground, Ground::Sine { .. })) {
+        let (count, interval) = (ground.samples.len().to_string(), format!("{:.4}", ground.dt));
+        let _ = writeln!(html, "<p>{}</p>", said!("report-samples", "count" => count, "interval" => interval));
+    }
     html
 }
 

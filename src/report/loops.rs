@@ -1,13 +1,20 @@
 //! Hysteresis loops: force against displacement of bearings that yield or slide, of devices and of backfill.
 
+use glam::DVec2;
+
 use crate::language::{Text, said};
 use crate::sim::quantity::{OfBearing, OfLink};
 use crate::sim::{History, Quantity};
 use crate::study::plot::COLORS;
 use crate::study::plot::chart::{Chart, Curve, Panel};
 
-/// Points of a loop.
+/// Points of a loop that are equally far apart in time; between two of them more are taken where it bends.
 const POINTS: u32 = 4000;
+/// Distance of a loop from the line between two of its points, in parts of its width and height, above which a point is taken between
+/// them \[–\], and most halvings of the time between two. Chosen: half the width of its line, and a hit of tens of milliseconds in a
+/// run of a minute.
+const BENDS: f64 = 2e-3;
+const MOST_HALVINGS: u32 = 5;
 /// Loops of a page at most; the rest has none.
 const MOST_LOOPS: usize = 12;
 
@@ -47,13 +54,48 @@ fn links(history: &History) -> Vec<(String, String)> {
 /// A loop in mm and kN; `None` where no force acts.
 fn curve(history: &History, name: &str, color: usize, [x, y]: [Quantity; 2]) -> Option<Curve> {
     let end = history.end();
-    let point = |i: u32| {
-        let t = end * f64::from(i) / f64::from(POINTS);
+    let point = |i: f64| {
+        let t = end * i / f64::from(POINTS);
         [1e3 * x.at(history, t), 1e-3 * y.at(history, t)]
     };
-    let points: Vec<[f64; 2]> = (0..=POINTS).map(point).collect();
-    let acts = points.iter().any(|[_, force]| *force != 0.0);
-    acts.then(|| Curve { name: name.to_owned(), color: COLORS[color].to_owned(), dashes: "none", points })
+    let even: Vec<[f64; 2]> = (0..=POINTS).map(|i| point(f64::from(i))).collect();
+    let acts = even.iter().any(|[_, force]| *force != 0.0);
+    if !acts {
+        return None;
+    }
+    let size = [0, 1].map(|axis| {
+        let values = even.iter().map(|p| p[axis]);
+        let most = values.clone().fold(f64::NEG_INFINITY, f64::max);
+        (most - values.fold(f64::INFINITY, f64::min)).max(f64::MIN_POSITIVE)
+    });
+    let mut points = vec![even[0]];
+    for (i, two) in even.windows(2).enumerate() {
+        let from = i as f64;
+        between(&point, [(from, two[0]), (from + 1.0, two[1])], size, MOST_HALVINGS, &mut points);
+        points.push(two[1]);
+    }
+    Some(Curve { name: name.to_owned(), color: COLORS[color].to_owned(), dashes: "none", points })
+}
+
+/// Adds points between two where the loop is off the line through them; `size` is its width and height.
+fn between(
+    point: &impl Fn(f64) -> [f64; 2],
+    [(from, a), (to, b)]: [(f64, [f64; 2]); 2],
+    size: [f64; 2],
+    halvings: u32,
+    points: &mut Vec<[f64; 2]>,
+) {
+    let middle = from.midpoint(to);
+    let at = point(middle);
+    let seen = |p: [f64; 2]| DVec2::new(p[0] / size[0], p[1] / size[1]);
+    let (way, off) = (seen(b) - seen(a), seen(at) - seen(a));
+    let along = (off.dot(way) / way.length_squared().max(f64::MIN_POSITIVE)).clamp(0.0, 1.0);
+    if halvings == 0 || (off - along * way).length() <= BENDS {
+        return;
+    }
+    between(point, [(from, a), (middle, at)], size, halvings - 1, points);
+    points.push(at);
+    between(point, [(middle, at), (to, b)], size, halvings - 1, points);
 }
 
 fn drawn(name: &str, curves: Vec<Curve>) -> Option<(String, String)> {

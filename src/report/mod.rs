@@ -1,6 +1,7 @@
 //! A run on one page of HTML to hand to a colleague: scene with its numbers, assumptions, motion, the hardest hit, readings against
 //! limits and codes, errors, ledger, versions. Every picture is inside; nothing outside is linked.
 
+mod assumptions;
 mod bending;
 mod devices;
 mod ground;
@@ -10,6 +11,7 @@ mod plan;
 mod sections;
 mod supports;
 mod trust;
+mod units;
 
 use std::fmt::Write as _;
 
@@ -34,7 +36,7 @@ pub fn html(history: &History, options: &TableOptions) -> String {
     figure(&mut page, &Plan::as_placed(history).svg(), &Text::new("report-plan-placed"));
     page.push_str(&sections::scene(history));
     heading(&mut page, Text::new("report-assumptions"));
-    page.push_str(&sections::assumptions(history, &report));
+    page.push_str(&assumptions::section(history, &report));
     heading(&mut page, Text::new("report-ground"));
     page.push_str(&ground::section(history));
     heading(&mut page, Text::new("report-hardest"));

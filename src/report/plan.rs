@@ -4,6 +4,7 @@ use std::fmt::Write as _;
 
 use glam::DVec2;
 
+use super::units::force;
 use crate::geometry::{End, Prism};
 use crate::language::said;
 use crate::scene::placed::{abutment_depth, abutment_face};
@@ -39,7 +40,7 @@ pub(super) fn hardest(history: &History) -> Option<(String, Vec<(String, String)
     let (t, now) = (touch.peak_time, history.contact_at(touch.contact, touch.peak_time));
     let site = history.model().contacts.get(touch.contact)?;
     let force = if touch.peak_force > 0.0 {
-        format!("{:.1} kN", touch.peak_force / 1e3)
+        force(touch.peak_force)
     } else {
         said!("report-impulse", "impulse" => format!("{:.3e}", touch.impulse))
     };
@@ -200,7 +201,7 @@ impl<'a> Plan<'a> {
             };
             let (left, right) = (barb(0.45), barb(-0.45));
             let _ = writeln!(svg, r#"<polygon points="{:.1},{:.1} {left} {right}" fill="{FORCE}"/>"#, tip.0, tip.1);
-            let words = format!("{:.1} kN", now.force.length() / 1e3);
+            let words = force(now.force.length());
             let anchor = if way.x < 0.0 { "end" } else { "start" };
             text(svg, (tip.0 + 7.0 * way.x.signum(), tip.1 - 5.0), 11.0, anchor, FORCE, &words);
         }

@@ -3,10 +3,11 @@
 use std::fmt::Write as _;
 
 use super::plan::trimmed;
+use super::units::{force, mass};
 use crate::codes::{Input, RotationCondition, Source};
 use crate::language::{Text, said, six};
 use crate::scene::keys::word_told;
-use crate::scene::{BearingKind, Bearings, ContactSettings, Girder, Kind, Limits, ModelKind, Setting};
+use crate::scene::{Girder, Kind, Limits, ModelKind, Setting};
 use crate::sim::{History, readings};
 use crate::study::plot::draw::escape;
 use crate::tables::{DemandReport, Report, SeatReport, corner_angle};
@@ -68,7 +69,9 @@ pub(super) fn headline(report: &Report) -> String {
     let mut html = String::new();
     if !off.is_empty() {
         let words = said!("report-comes-off", "ends" => off.join(", "));
-        let _ = writeln!(html, "<p class=\"no\">{}</p>", escape(&words));
+        // Bearings that stand on what they lose stop carrying; what becomes of the run then is said of each.
+        let carried = if report.lost_supports.is_empty() { Text::new("report-goes-on").as_str() } else { "" };
+        let _ = writeln!(html, "<p class=\"no\">{} {carried}</p>", escape(&words));
     }
     if let Some(stop) = &report.gave_up {
         let (t, place, reason) = (six(stop.t), stop.place.as_str(), stop.reason.to_string());
@@ -77,7 +80,8 @@ pub(super) fn headline(report: &Report) -> String {
     }
     for verdict in &report.verdicts {
         let class = if verdict.stays { "" } else { " class=\"no\"" };
-        let _ = writeln!(html, "<p{class}>{} {}</p>", escape(&verdict.girder), escape(&verdict.told));
+        let words = said!("report-verdict", "girder" => verdict.girder.as_str(), "told" => verdict.told.as_str());
+        let _ = writeln!(html, "<p{class}>{}</p>", escape(&words));
     }
     let dimensions = match report.kind {
         Kind::Planar => Text::new("report-planar"),
@@ -85,15 +89,25 @@ pub(super) fn headline(report: &Report) -> String {
     };
     let (end, duration) = (six(report.end), six(report.duration));
     let computed = said!("report-computed-of", "end" => end, "duration" => duration);
-    html + &facts([
+    let mut rows = vec![
         fact(Text::new("report-model"), format!("{}, {dimensions}", word_told(ModelKind::WORDS, report.model))),
         fact(Text::new("report-computed"), computed),
         fact(Text::new("report-max-displacement"), format!("{:.2} mm", 1e3 * n.max_displacement)),
         fact(Text::new("report-max-rotation"), format!("{:.4}°", n.max_rotation.to_degrees())),
-        fact(Text::new("report-max-total"), format!("{:.1} kN", n.peak_total / 1e3)),
-        fact(Text::new("report-max-force"), format!("{:.1} kN", n.peak_force / 1e3)),
-        fact(Text::new("report-hits"), format!("{}", n.hits)),
-    ])
+    ];
+    if let Some(tilt) = report.max_tilt {
+        rows.push(fact(Text::new("report-max-tilt"), format!("{:.4}°", tilt.to_degrees())));
+    }
+    // Hits of the impact model take no time; forces are those of lasting contact.
+    if let Some(impulse) = n.peak_impulse {
+        rows.push(fact(Text::new("report-max-impulse"), format!("{} N·s", six(impulse))));
+        rows.push(fact(Text::new("report-max-lasting"), force(n.peak_force)));
+    } else {
+        rows.push(fact(Text::new("report-max-total"), force(n.peak_total)));
+        rows.push(fact(Text::new("report-max-force"), force(n.peak_force)));
+    }
+    rows.push(fact(Text::new("report-hits"), format!("{}", n.hits)));
+    html + &facts(rows)
 }
 
 /// Numbers of girders, bearings, abutments and contact.
@@ -126,7 +140,7 @@ pub(super) fn scene(history: &History) -> String {
             trimmed(girder.width),
             trimmed(girder.thickness),
             trimmed(girder.skew_deg),
-            trimmed(girder.mass / 1e3),
+            mass(girder.mass),
             bearings(girder, body.bearings.len(), scene.setting()),
             seats.join(", ")
         );
@@ -144,104 +158,6 @@ fn bearings(girder: &Girder, count: usize, setting: Setting) -> String {
     }
 }
 
-/// The table that a key stands in, by its path; none at the top.
-fn whose(path: &str) -> Option<&str> {
-    path.rsplit_once('.').map(|(table, _)| table)
-}
-
-/// What is assumed: of the model, numbers that stand at the program's default, inputs of codes that the scene does not give.
-pub(super) fn assumptions(history: &History, report: &Report) -> String {
-    let (contact, default) = (&history.scene().contact, ContactSettings::default());
-    let mark = format!("<b class=\"part\">{}</b>", Text::new("report-assumed"));
-    let scene = history.scene();
-    let bends = |number: &usize| history.flexible(*number).is_some();
-    let bending: Vec<&str> =
-        (0..scene.girders.len()).filter(bends).map(|number| scene.girders[number].name.as_str()).collect();
-    let girders = if bending.is_empty() {
-        Text::new("report-assume-rigid").into()
-    } else {
-        escape(&said!("report-assume-elastic", "girders" => bending.join(", ")))
-    };
-    let one = history.model().moving.is_none();
-    let ground = if one { "report-one-ground" } else { "report-moving-supports" };
-    let mut items: Vec<String> = vec![
-        girders,
-        Text::new(ground).into(),
-        Text::new("report-assume-contact").into(),
-        Text::new("report-assume-seats").into(),
-    ];
-    let numbers = [
-        (
-            "restitution_normal",
-            Text::new("report-e-normal").as_str(),
-            contact.restitution_normal,
-            default.restitution_normal,
-        ),
-        (
-            "restitution_tangential",
-            Text::new("report-e-tangential").as_str(),
-            contact.restitution_tangential,
-            default.restitution_tangential,
-        ),
-        ("mu_static", "μ_s", contact.mu_static, default.mu_static),
-        ("mu_kinetic", "μ_k", contact.mu_kinetic, default.mu_kinetic),
-    ];
-    let mut listed = history.scene().assumed_numbers();
-    for (key, name, value, assumed) in numbers {
-        let own = listed.iter().position(|(path, _)| path.strip_prefix("contact.") == Some(key));
-        let why = match own.map(|own| listed.remove(own)) {
-            Some(_) => Some("report-not-given"),
-            None => (value == assumed).then_some("report-by-default"),
-        };
-        let why = why.map_or(String::new(), |why| format!(" {mark} {}", Text::new(why)));
-        items.push(format!("{name} = {}{why}", trimmed(value)));
-    }
-    match contact.stiffness {
-        Some(_) if listed.iter().any(|(path, _)| path == "contact.stiffness_n_per_m") => {}
-        Some(k) => items.push(format!("K = {k:e} N/m")),
-        None => items.push(format!("{} {mark}", Text::new("report-assume-stiffness"))),
-    }
-    // The numbers of one table in one line.
-    for table in listed.chunk_by(|(a, _), (b, _)| whose(a) == whose(b)) {
-        let keys = table.iter().map(|(path, value)| {
-            let key = whose(path).map_or(path.as_str(), |of| &path[of.len() + 1..]);
-            format!("{} = {}", escape(key), escape(value))
-        });
-        let of =
-            table.first().and_then(|(path, _)| whose(path)).map_or(String::new(), |of| format!("{}: ", escape(of)));
-        items.push(format!("{of}{} {mark} {}", keys.collect::<Vec<_>>().join(", "), Text::new("report-not-given")));
-    }
-    for girder in &history.scene().girders {
-        let Some(Bearings::Deck(deck)) = &girder.bearings else { continue };
-        let assumed = deck.assumed().into_iter().map(|(key, number)| format!("{key} = {}", trimmed(number)));
-        let assumed: Vec<String> = assumed.collect();
-        if !assumed.is_empty() {
-            let (name, kind) = (escape(&girder.name), word_told(BearingKind::WORDS, deck.kind.label()));
-            let whose = said!("report-bearings-of", "kind" => kind, "name" => name);
-            items.push(format!("{whose} {} {mark}", assumed.join(", ")));
-        }
-    }
-    let mut inputs: Vec<String> = Vec::new();
-    for DemandReport { demand, .. } in report.seats.iter().flat_map(|seat| &seat.codes) {
-        let assumed = demand.inputs.iter().filter(|input| input.source == Source::Assumed);
-        let values: Vec<String> = assumed.map(input_words).collect();
-        let words = format!("{}: {} {mark}", escape(&demand.rule), values.join(", "));
-        if !values.is_empty() && !inputs.contains(&words) {
-            inputs.push(words);
-        }
-    }
-    items.extend(inputs);
-    let outside = report.outside_domain.iter().map(|d| {
-        let what = format!("{}, {} = {} {}: {}", d.place, d.quantity, trimmed(d.value), d.unit, d.consequence);
-        format!("<b class=\"no\">{}</b>: {}", Text::new("report-outside"), escape(&what))
-    });
-    let mut html = String::from("<ul>\n");
-    for item in items.into_iter().chain(outside) {
-        let _ = writeln!(html, "<li>{item}</li>");
-    }
-    html + "</ul>\n"
-}
-
 /// Extremes of every girder.
 pub(super) fn readings(history: &History) -> String {
     let mut html = head(&[
@@ -255,7 +171,7 @@ pub(super) fn readings(history: &History) -> String {
         let reading = readings::reading(history, number);
         let drift = reading.drift.map(|e| format!("{:.1}", 1e3 * e.value)).join(", ");
         let gap = reading.gap.map_or("–".to_owned(), |e| at(format!("{:.2}", 1e3 * e.value), e.t));
-        let force = reading.force.map_or("–".to_owned(), |e| at(format!("{:.1}", e.value / 1e3), e.t));
+        let force = reading.force.map_or("–".to_owned(), |e| at(force(e.value), e.t));
         let _ = writeln!(
             html,
             "<tr><td>{}</td><td class=\"number\">{}</td><td class=\"number\">{drift}</td>\
@@ -346,7 +262,7 @@ fn seat_table(seat: &SeatReport) -> String {
 }
 
 /// Symbol, value and unit of an input.
-fn input_words(input: &Input) -> String {
+pub(super) fn input_words(input: &Input) -> String {
     let space = if matches!(input.unit, "" | "°") { "" } else { " " };
     format!("{} = {}{space}{}", escape(input.symbol), trimmed(input.value), input.unit)
 }

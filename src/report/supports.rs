@@ -1,6 +1,7 @@
 //! Tables of what a run did to piers and to the soil behind backwalls.
 
 use super::sections::{at, head, row};
+use super::units::force;
 use crate::language::Text;
 use crate::tables::Report;
 
@@ -23,7 +24,7 @@ pub(super) fn piers(report: &Report) -> String {
         let numbers = [
             format!("{along:.3}, {across:.3}"),
             at(format!("{:.1}", 1e3 * pier.drift), pier.drift_t),
-            at(format!("{:.1}", pier.shear / 1e3), pier.shear_t),
+            at(force(pier.shear), pier.shear_t),
             format!("{:.2}", pier.moment / 1e6),
             yielded,
         ];
@@ -47,7 +48,7 @@ pub(super) fn soils(report: &Report) -> String {
     for soil in &report.backfill {
         let numbers = [
             at(format!("{:.1}", 1e3 * soil.push), soil.t),
-            format!("{:.1}", soil.force / 1e3),
+            force(soil.force),
             format!("{:.0} %", 100.0 * soil.force / soil.ultimate),
             format!("{:.1}", 1e3 * soil.remaining_gap),
         ];

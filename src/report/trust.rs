@@ -3,9 +3,14 @@
 use super::bending;
 use super::plan::trimmed;
 use super::sections::{fact, facts};
+use super::units::force;
 use crate::language::{Text, said};
 use crate::study::plot::draw::escape;
 use crate::tables::Report;
+
+/// Part of the largest energy below which springs that contacts left do not head the page in alarm \[–\]. Chosen: a displacement differs
+/// by its root at the most, 3 %.
+const SMALL_SHARE: f64 = 1e-3;
 
 /// Where the answer does not hold or a designer must look, a line each: girders that bend beyond their model, bearings that lift or pull,
 /// bodies inside each other without a contact, contacts beyond the sense of their law.
@@ -26,18 +31,32 @@ pub(super) fn departures(report: &Report) -> String {
         let (node, face, share) = (dropped.node.as_str(), dropped.face.as_str(), trimmed(100.0 * dropped.share));
         said!("dropped", "node" => node, "face" => face, "t" => time(dropped.t), "share" => share)
     });
-    let kilonewtons = |newtons: f64| format!("{:.1} kN", newtons / 1e3);
     let uplifts = report.uplifts.iter().map(|uplift| {
         let (bearing, t) = (uplift.bearing.as_str(), time(uplift.t));
-        let pull = kilonewtons(uplift.pull);
+        let pull = force(uplift.pull);
         match (uplift.pull > 0.0, uplift.lifts) {
             (false, _) => said!("bearing-lifts", "bearing" => bearing, "t" => t),
             (true, true) => said!("bearing-damped", "bearing" => bearing, "t" => t, "pull" => pull),
             (true, false) => said!("bearing-pulls", "bearing" => bearing, "t" => t, "pull" => pull),
         }
     });
+    let lost = report
+        .lost_supports
+        .iter()
+        .map(|lost| said!("report-lost", "bearing" => lost.bearing.as_str(), "t" => time(lost.t)));
+    // What no other contact took over and is too little to be seen is said, and does not alarm.
+    let class = |share: f64| if share < SMALL_SHARE { "" } else { " class=\"no\"" };
+    let dropped = dropped.zip(report.dropped.iter().map(|dropped| class(dropped.share)));
+    let dropped = dropped.map(|(words, class)| format!("<p{class}>{}</p>\n", escape(&words)));
     let line = |words: String| format!("<p class=\"no\">{}</p>\n", escape(&words));
-    bending::departures(report).chain(uplifts).chain(overlaps).chain(deep).chain(dropped).map(line).collect()
+    bending::departures(report)
+        .chain(lost)
+        .chain(uplifts)
+        .chain(overlaps)
+        .chain(deep)
+        .chain(dropped)
+        .map(line)
+        .collect()
 }
 
 /// Error, ledger, versions and digest.

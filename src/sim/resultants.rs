@@ -15,6 +15,9 @@ use crate::scene::facing::SolidId;
 /// Most instants of a hit, those of the largest forces of single contacts, at which the sum is looked at first. Chosen: contacts that
 /// chatter under another one that stays closed are many, and their peaks alike.
 const MOST_LOOKS: usize = 64;
+/// Parts of the time from the highest look to its neighbours at whose ends the sum is looked at again. Chosen: a 30 m deck of concrete
+/// rings some eight times in a hit.
+const LOOKS_BETWEEN: u32 = 8;
 
 impl History {
     /// Force of the second body of a pair on its first, of all contacts between the two \[N\].
@@ -123,7 +126,16 @@ impl History {
             let now = closed.then(|| self.contact_at(touch.contact, t))??;
             Some(now.force * self.sign(touch.contact, solids)?)
         };
-        largest(&times, |t| hit.iter().filter_map(|touch| of(touch, t)).sum::<DVec3>().length())
+        let sum = |t: f64| hit.iter().filter_map(|touch| of(touch, t)).sum::<DVec3>().length();
+        // Girders that ring have several humps between the peaks of two contacts.
+        let highest = (0..times.len()).max_by(|&a, &b| sum(times[a]).total_cmp(&sum(times[b]))).unwrap_or(0);
+        let about = [highest.saturating_sub(1), highest, (highest + 1).min(times.len() - 1)].map(|i| times[i]);
+        let between =
+            |[a, b]: [f64; 2]| (1..LOOKS_BETWEEN).map(move |i| a + (b - a) * f64::from(i) / f64::from(LOOKS_BETWEEN));
+        times.extend(between([about[0], about[1]]).chain(between([about[1], about[2]])));
+        times.sort_by(f64::total_cmp);
+        times.dedup();
+        largest(&times, sum)
     }
 }
 

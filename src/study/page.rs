@@ -8,6 +8,7 @@ th, td { border-bottom: 1px solid #ddd; padding: 0.25em 0.6em; text-align: left;
 th { background: #f4f4f4; } .number { font-variant-numeric: tabular-nums; } .word { white-space: nowrap; }
 .yes { color: #00694d; font-weight: 600; } .part { color: #8a5a00; font-weight: 600; }
 .no { color: #a83f00; font-weight: 600; } .open { color: #6b6b6b; }
+td .yes, td .no { white-space: nowrap; }
 .picture { overflow-x: auto; } .picture svg { max-width: 100%; height: auto; }
 figure { margin: 1.4em 0; } figcaption { color: #444; font-size: 0.93em; }
 details { border-bottom: 1px solid #ddd; } summary { padding: 0.35em 0; cursor: pointer; }
