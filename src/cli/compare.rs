@@ -42,14 +42,27 @@ struct Answer {
     events: Vec<EventRow>,
 }
 
+impl Answer {
+    /// Its last instant \[s\].
+    fn end(&self) -> f64 {
+        self.trajectory.t.last().copied().unwrap_or(0.0)
+    }
+}
+
 /// Does it.
 ///
 /// # Errors
 /// Bad input; changes to a scene where none is run; two answers that share no instant or no quantity.
 pub(super) fn run(args: &CompareArgs, console: &mut Console) -> Result<(), Failure> {
     args.refuse_changes_to_nothing()?;
-    let a = answer(&args.a, args, console)?;
-    let b = answer(&args.b, args, console)?;
+    let mut a = answer(&args.a, args, console)?;
+    let mut b = answer(&args.b, args, console)?;
+    // What one has beyond the end of the other is no difference.
+    let [end_a, end_b] = [&a, &b].map(Answer::end);
+    let until = end_a.min(end_b);
+    for answer in [&mut a, &mut b] {
+        answer.events.retain(|event| event.t <= until);
+    }
     let comparison = compare(&a.trajectory, &b.trajectory, args.within);
     if comparison.instants == 0 || comparison.differences.is_empty() {
         return Err(Failure::Input(said!(
@@ -59,6 +72,10 @@ pub(super) fn run(args: &CompareArgs, console: &mut Console) -> Result<(), Failu
             "instants" => comparison.instants,
             "quantities" => comparison.differences.len()
         )));
+    }
+    if end_a != end_b {
+        let shorter = if end_a < end_b { "A" } else { "B" };
+        console.print(&format!("{}\n", said!("compare-until", "which" => shorter, "t" => six(until))));
     }
     console.print(&motion_text(&comparison, args.within));
     let events = compare_events(&a.events, &b.events);

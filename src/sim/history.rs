@@ -194,6 +194,10 @@ impl History {
         }
         let Some(met) = self.overlaps().first() else { return self };
         let (t, [one, other]) = (met.first(), met.bodies.map(|body| body.name(&self.scene)));
+        // A run that has ended by then says why.
+        if self.stop.as_ref().is_some_and(|stop| stop.t <= t) {
+            return self;
+        }
         let place = format!("{one}, {other}");
         let reason = Text::new("stop-no-contact").into();
         self.stop = Some(Stop { cause: Cause::NoContact, t, place, reason });

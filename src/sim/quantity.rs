@@ -206,13 +206,15 @@ impl Quantity {
                 all.extend(OF_PIER.map(|(of, what)| (format!("{name}.{of}"), Self::Pier(number, what))));
                 continue;
             }
-            all.extend(OF_GIRDER.map(|(of, what)| (format!("{name}.{of}"), Self::Girder(i, what))));
+            let of_body = OF_GIRDER.into_iter().filter(|(_, what)| model.kind == Kind::Spatial || *what != OfGirder::Z);
+            all.extend(of_body.map(|(of, what)| (format!("{name}.{of}"), Self::Girder(i, what))));
             for corner in 0..4 {
                 let of_corner = OF_CORNER
                     .map(|(of, what)| (format!("{name}.corner{}.{of}", corner + 1), Self::Corner(i, corner, what)));
                 all.extend(of_corner);
             }
-            all.extend(End::BOTH.map(|end| (format!("{name}{}.seat", end.label()), Self::Seat(i, end))));
+            let seats = End::BOTH.into_iter().filter(|end| has_seat(history, i, *end));
+            all.extend(seats.map(|end| (format!("{name}{}.seat", end.label()), Self::Seat(i, end))));
             let sections = section_quantity::named(history, i).into_iter();
             all.extend(sections.map(|(of, station, what)| (format!("{name}.{of}"), Self::Section(i, station, what))));
         }
@@ -241,7 +243,7 @@ impl Quantity {
         for (i, link) in model.links.iter().enumerate() {
             let of_bearing = |body: usize| {
                 let own = |what: &str| link.name.starts_with(&format!("{}.{what}", model.bodies[body].name));
-                own("bearing") || own("drop")
+                own("bearing") || own("corner")
             };
             // The links of a bearing are in the bearing's quantities; the drop watch of a corner has no force.
             if !link.bodies[0].is_some_and(of_bearing) {
@@ -351,6 +353,15 @@ fn of_girder(history: &History, i: usize, what: OfGirder, t: f64) -> f64 {
         OfGirder::Vy => motion.velocity.y,
         OfGirder::Omega => motion.spin.z,
     }
+}
+
+/// Whether a body is a girder with a seat under this end.
+fn has_seat(history: &History, body: usize, end: End) -> bool {
+    let seat = history.scene().girders.get(body).map(|girder| &girder.seat);
+    seat.is_some_and(|seat| match end {
+        End::Plus => seat.plus.is_some(),
+        End::Minus => seat.minus.is_some(),
+    })
 }
 
 fn of_contact(now: &ContactNow, what: OfContact) -> f64 {

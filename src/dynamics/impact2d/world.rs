@@ -193,7 +193,9 @@ fn body_track(model: &Model, body: usize) -> BodyTrack {
     let state: PlanarState = std::array::from_fn(|i| initial[i]);
     let motion = Motion::Flight(system.fly(0.0, state));
     let (segments, pairs) = (Vec::new(), Vec::new());
-    BodyTrack { body, system, motion, segments, since: 0.0, state: State::Free, pairs }
+    let [.., theta, _, _, spin] = state;
+    let at_start = if theta != 0.0 || spin != 0.0 { State::FreeTurning } else { State::Free };
+    BodyTrack { body, system, motion, segments, since: 0.0, state: at_start, pairs }
 }
 
 fn site_track(model: &Model, site: usize) -> SiteTrack {

@@ -103,7 +103,7 @@ impl Model {
         let corners = self.bodies[body].prism.corners();
         let lowest = corners.iter().map(|corner| corner.z).fold(f64::INFINITY, f64::min);
         for (number, corner) in corners.into_iter().filter(|corner| corner.z <= lowest).enumerate() {
-            let name = format!("{}.drop{}", self.bodies[body].name, number + 1);
+            let name = format!("{}.corner{}", self.bodies[body].name, number + 1);
             self.add_to_ground(body, name, corner, Arc::new(Drop(depth)));
         }
     }

@@ -116,7 +116,7 @@ pub const MEASURES: &[Measure] = &[
         name: "least_gap",
         label: Text::new("measured-least-gap"),
         unit: "m",
-        meaning: "least gap of any facing pair, negative in contact; none without pairs",
+        meaning: "least gap of any facing pair, square to its face, negative in contact; none without pairs",
         drawn: MILLIMETRES,
         of: |run| girders(run).filter_map(|reading| reading.gap).map(|gap| gap.value).reduce(f64::min),
     },
