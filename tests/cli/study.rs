@@ -53,7 +53,7 @@ fn waves_are_drawn_and_what_does_not_bend_is_told() {
     assert_eq!(table.lines().count(), 161 * 81 + 1, "a heading and a line each");
     for (args, word) in [
         (vec!["skew45-abutment"], "no girder bends"),
-        (vec!["deck-30m-elastic", "--girder", "bridge"], "nobody is called that; there are deck"),
+        (vec!["deck-30m-elastic", "--girder", "bridge"], "no girder has this name; there are deck"),
         (vec!["deck-30m-elastic", "--until", "1", "--from", "2"], "--from 2: the run ends at 1 s"),
         (vec!["deck-30m-elastic", "--until", "1", "--to", "0.5"], "--to without --from"),
     ] {
