@@ -30,6 +30,17 @@ pub(in crate::dynamics) struct LeastOverlap {
     pub depth: f64,
 }
 
+/// The shortest way by which two bodies part.
+#[derive(Clone, Copy, Debug)]
+pub(in crate::dynamics) struct ShortestWay {
+    /// Overlap along it \[m\].
+    pub least: f64,
+    /// Overlap that counts \[m\].
+    pub counts: f64,
+    /// The contact along whose normal it is, where there is one that is as deep.
+    pub contact: Option<usize>,
+}
+
 impl AtInstant<'_> {
     /// The overlaps of a contact's two bodies, which have met, by the faces of both, the least first.
     fn overlaps(&self, contact: usize) -> Vec<LeastOverlap> {
@@ -105,20 +116,21 @@ impl AtInstant<'_> {
         all.min_by(|a, b| a.depth.total_cmp(&b.depth))
     }
 
-    /// The least overlap of a contact's two bodies, which have met \[m\], and the contact along whose normal it is, where there is one
-    /// that is as deep.
-    pub(in crate::dynamics) fn shortest_way(&self, contact: usize) -> Option<(f64, Option<usize>)> {
+    /// The shortest way by which a contact's two bodies part; `None` where they have not met.
+    pub(in crate::dynamics) fn shortest_way(&self, contact: usize) -> Option<ShortestWay> {
         let pair = &self.world.pairs[self.world.contacts[contact].pair];
-        let meeting = &self.world.model.meetings[pair.meeting?];
+        // The contact may be of ends that face each other as placed.
+        let ids = self.world.model.pairs[pair.pair].solids();
+        let meeting = self.world.model.meetings.iter().find(|meeting| meeting.ids == ids)?;
         let [node, face] = self.sides(contact);
         let of_first = self.world.contacts[contact].slots[0] == pair.slots[0];
         let poses = if of_first { [&node, &face] } else { [&face, &node] };
         let least = meeting.least_overlap(poses);
-        let limit = least + UNCARRIED * meeting.least_side;
+        let counts = UNCARRIED * meeting.least_side;
         let by_face = self.overlaps(contact).first().copied();
         let all = by_face.into_iter().chain(self.across_edges(contact));
-        let way = all.filter(|way| way.depth <= limit).min_by(|a, b| a.depth.total_cmp(&b.depth));
-        Some((least, way.map(|way| way.contact)))
+        let way = all.filter(|way| way.depth <= least + counts).min_by(|a, b| a.depth.total_cmp(&b.depth));
+        Some(ShortestWay { least, counts, contact: way.map(|way| way.contact) })
     }
 
     /// Contact in which a node that crosses a plane of another body closes; `None` where other contacts carry the overlap of the bodies.

@@ -6,6 +6,7 @@ use crate::contact::{FrictionLaw, Mode, NormalLaw};
 use crate::dynamics::contact_model::at_instant::{AtInstant, EventInstant};
 use crate::dynamics::contact_model::constants::{CONTACT_EVENTS_PER_INSTANT, CONTACT_EVENTS_PER_TOUCH};
 use crate::dynamics::contact_model::contact_law;
+use crate::dynamics::contact_model::least_overlap::ShortestWay;
 use crate::dynamics::event_loop::schedule::Schedule;
 use crate::dynamics::model::edge_node::NodePlace;
 use crate::dynamics::model::reference_pose;
@@ -269,9 +270,12 @@ impl Transitions<'_> {
     /// takes over, at the same depth. Where there is none, or it is closed already, as much again is granted.
     fn hand_over(&mut self, contact: usize, closed: &ClosedContact) {
         let here = self.at().local(contact).penetration();
-        let Some((least, to)) = self.at().shortest_way(contact) else { return };
+        let Some(ShortestWay { least, counts, contact: to }) = self.at().shortest_way(contact) else {
+            self.world.contacts[contact].granted = f64::INFINITY;
+            return;
+        };
         let Some(to) = to.filter(|&to| self.world.contacts[to].state.closed().is_none()) else {
-            self.world.contacts[contact].granted = 2.0 * (least - here);
+            self.world.contacts[contact].granted = 2.0 * (least - here).max(counts);
             return;
         };
         self.open(contact, closed, EventKind::LeftFace);
