@@ -54,8 +54,8 @@ pub(super) fn departures(report: &Report) -> String {
         .chain(uplifts)
         .chain(overlaps)
         .chain(deep)
-        .chain(dropped)
         .map(line)
+        .chain(dropped)
         .collect()
 }
 

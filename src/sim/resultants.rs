@@ -128,7 +128,8 @@ impl History {
         };
         let sum = |t: f64| hit.iter().filter_map(|touch| of(touch, t)).sum::<DVec3>().length();
         // Girders that ring have several humps between the peaks of two contacts.
-        let highest = (0..times.len()).max_by(|&a, &b| sum(times[a]).total_cmp(&sum(times[b]))).unwrap_or(0);
+        let seen: Vec<f64> = times.iter().map(|&t| sum(t)).collect();
+        let highest = (0..seen.len()).max_by(|&a, &b| seen[a].total_cmp(&seen[b])).unwrap_or(0);
         let about = [highest.saturating_sub(1), highest, (highest + 1).min(times.len() - 1)].map(|i| times[i]);
         let between =
             |[a, b]: [f64; 2]| (1..LOOKS_BETWEEN).map(move |i| a + (b - a) * f64::from(i) / f64::from(LOOKS_BETWEEN));

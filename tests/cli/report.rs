@@ -116,6 +116,13 @@ fn a_report_of_a_girder_that_bends_has_its_forces_and_says_where_it_is_not_elast
 }
 
 #[test]
+fn energy_that_a_contact_leaves_with_is_said_in_a_line_of_the_page() {
+    let page = page("row-of-5", &[]);
+    assert!(page.contains("<p>g3.corner2 left g4-x over its edge"), "too little to alarm");
+    assert!(!page.contains("&lt;p"), "a line, not its text");
+}
+
+#[test]
 fn a_report_is_a_file_of_html() {
     let said = call(&["report", "skew45-abutment", "--out", "page.pdf"]);
     assert_eq!(said.status, Some(2), "{}", said.out);

@@ -87,23 +87,11 @@ pub(in crate::dynamics) fn assemble(
         .filter_map(|contact| {
             let track = &world.contacts[contact];
             let closed = *track.state.closed()?;
-            let [node, face] = track.slots.map(index);
-            let sides = [node, face].map(|i| bases.get(i?));
+            let ends = track.slots.map(index);
+            let sides = ends.map(|i| bases.get(i?));
             let home = reference_pose::seen_from(&world.model.contacts[track.site], &closed.place, sides);
-            Some((
-                contact,
-                ActiveContact {
-                    site: track.site,
-                    node,
-                    face,
-                    sections: [0; 2],
-                    closed,
-                    home,
-                    angle: None,
-                    depth: 0.0,
-                    granted: track.granted,
-                },
-            ))
+            let active = ActiveContact::new(track.site, ends, closed, home);
+            Some((contact, ActiveContact { granted: track.granted, ..active }))
         })
         .collect();
     let bodies = members.iter().map(|&slot| world.bodies[slot].body).collect();

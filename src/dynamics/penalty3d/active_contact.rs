@@ -35,6 +35,16 @@ pub(in crate::dynamics) struct ActiveContact {
 }
 
 impl ActiveContact {
+    /// At this site of the model, between bodies of these indices, node then face, with its contact geometry at their reference poses.
+    pub(in crate::dynamics) fn new(
+        site: usize,
+        [node, face]: [Option<usize>; 2],
+        closed: ClosedContact,
+        home: Home,
+    ) -> Self {
+        Self { site, node, face, sections: [0; 2], closed, home, angle: None, depth: 0.0, granted: 0.0 }
+    }
+
     /// Position and velocity of the node relative to the face, with poses `frames` of the island's bodies relative to
     /// their reference poses.
     pub(in crate::dynamics) fn look(&self, model: &Model, frames: &[Frame]) -> Local {

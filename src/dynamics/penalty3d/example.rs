@@ -61,18 +61,7 @@ pub(in crate::dynamics) fn closed(scene: &Scene, mode: impl Fn(&Local) -> Mode) 
         let pair = &model.pairs[site.pair];
         let nodes = sharers(pair.contacts.clone().map(|n| (&model.contacts[n].face, local(&model.contacts[n]).at)));
         let closed = ClosedContact::new(pair.law.shared(nodes), mode(&here), 0.0);
-        let (node, face) = (site.node_body, site.face_body);
-        let active = ActiveContact {
-            site: number,
-            node,
-            face,
-            sections: [0; 2],
-            closed,
-            home: site.home,
-            angle: None,
-            depth: 0.0,
-            granted: 0.0,
-        };
+        let active = ActiveContact::new(number, [site.node_body, site.face_body], closed, site.home);
         // An edge node is one from the closing of its pair on.
         (site.edge.is_none() && is_over(&site.face, here.at)).then_some(active)
     });

@@ -267,21 +267,11 @@ fn active(
 ) -> Option<ActiveContact> {
     let site = &past.model.contacts[logged.site as usize];
     let index = |body: Option<usize>| body.and_then(|body| bodies.iter().position(|&b| b == body));
-    let [node, face] = [site.node_body, site.face_body].map(index);
-    let sides = [node, face].map(|i| bases.get(i?));
+    let ends = [site.node_body, site.face_body].map(index);
+    let sides = ends.map(|i| bases.get(i?));
     let closed = past.logs[logged.site as usize].closed(logged.entry)?;
     let home = reference_pose::seen_from(site, &closed.place, sides);
-    let mut active = ActiveContact {
-        site: logged.site as usize,
-        node,
-        face,
-        sections: [0; 2],
-        closed,
-        home,
-        angle: None,
-        depth: 0.0,
-        granted: 0.0,
-    };
+    let mut active = ActiveContact::new(logged.site as usize, ends, closed, home);
     active.find_sections(past.model, layout);
     Some(active)
 }

@@ -36,7 +36,7 @@ fn pressed(scene: &Scene) -> (Model, Vec<ActiveContact>) {
         let closed = ClosedContact::new(law, mode, 0.0);
         let ContactSite { node_body: node, face_body: face, .. } = model.contacts[site];
         let home = model.contacts[site].home;
-        ActiveContact { site, node, face, sections: [0; 2], closed, home, angle: None, depth: 0.0, granted: 0.0 }
+        ActiveContact::new(site, [node, face], closed, home)
     };
     let mut active: Vec<ActiveContact> = (0..model.contacts.len()).map(stick).collect();
     for a in &mut active {
