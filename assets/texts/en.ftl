@@ -857,6 +857,9 @@ still-coarse = The run is not computed in full yet: nothing was written; ask aga
 ## the report
 report-scene = Scene
 report-plan-placed = Plan as placed, to scale. Dots: bearings; red: front edges of the seats, under the deck; numbers: corners.
+report-plan-gaps = { " " }Millimetres at joints: gap along the axis.
+report-plan-piers = { " " }Dotted: caps of piers, under the deck.
+report-plan-devices = { " " }Thick, with squares: devices and the points that they join.
 report-assumptions = Assumptions
 report-ground = Ground motion
 report-hardest = Hardest hit
@@ -902,7 +905,6 @@ report-at-corner = {" "}(at corner { $number } of the plan)
 report-hit = { $node }{ $near } against { $face }: { $force } at { $t } s.
 report-plan-at = Plan at { $t } s, to scale; dashed as placed. Arrows: forces on the bodies of the nodes.
 report-plan-close = The same about the hit, { $width } m wide.
-report-gap = gap { $gap } mm along the axis
 report-model = model
 report-computed = computed
 report-max-displacement = largest displacement of a G

@@ -840,6 +840,9 @@ still-coarse = 本計算がまだ終わっていないので何も書きませ�
 ## 報告書
 report-scene = シーン
 report-plan-placed = 初期配置の平面図（実寸比）。点：支承、赤：桁の下の桁かかりの前縁、数字：隅角部の番号。
+report-plan-gaps = 継目の数値（mm）：橋軸方向の遊間。
+report-plan-piers = 点線：桁の下の橋脚の天端。
+report-plan-devices = 両端に点のある線：装置とその取付点。
 report-assumptions = 仮定
 report-ground = 地震動
 report-hardest = 最大の衝突
@@ -885,7 +888,6 @@ report-at-corner = （平面図の隅角部 { $number }）
 report-hit = { $node }{ $near } が { $face } に衝突：{ $force }、{ $t } s。
 report-plan-at = { $t } s の平面図（実寸比）。破線：初期配置、矢印：節点をもつ側に働く力。
 report-plan-close = 衝突点の周り（幅 { $width } m）。
-report-gap = 遊間 { $gap } mm（橋軸方向）
 report-model = モデル
 report-computed = 計算時間
 report-max-displacement = 重心の最大変位

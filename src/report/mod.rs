@@ -33,7 +33,7 @@ pub fn html(history: &History, options: &TableOptions) -> String {
     page.push_str(&trust::departures(&report));
     page.push_str(&sections::headline(&report));
     heading(&mut page, Text::new("report-scene"));
-    figure(&mut page, &Plan::as_placed(history).svg(), &Text::new("report-plan-placed"));
+    figure(&mut page, &Plan::as_placed(history).svg(), &plan::caption(history));
     page.push_str(&sections::scene(history));
     heading(&mut page, Text::new("report-assumptions"));
     page.push_str(&assumptions::section(history, &report));

@@ -6,7 +6,8 @@ use glam::DVec2;
 
 use super::units::force;
 use crate::geometry::{End, Prism};
-use crate::language::said;
+use crate::language::{Text, said};
+use crate::scene::facing::Side;
 use crate::scene::placed::{abutment_depth, abutment_face};
 use crate::scene::{Abutment, Scene};
 use crate::sim::seats::Ledge;
@@ -18,6 +19,7 @@ const MARGIN: f64 = 46.0;
 const INK: &str = "#222222";
 const GREY: &str = "#6b6b6b";
 const FORCE: &str = "#D55E00";
+const DEVICE: &str = "#882255";
 /// Longest arrow of a force \[pixels\].
 const ARROW: f64 = 90.0;
 /// Half height of the plan around a hit that is drawn large, in widths of the girder; half its width is twice that (chosen).
@@ -32,6 +34,19 @@ pub(super) struct Plan<'a> {
     window: [DVec2; 2],
     /// Whether dimensions are written.
     dimensions: bool,
+}
+
+/// What the plan as placed shows.
+pub(super) fn caption(history: &History) -> String {
+    let model = history.model();
+    let facing = model.pairs.iter().any(|pair| !pair.met);
+    let parts = [
+        (true, "report-plan-placed"),
+        (facing, "report-plan-gaps"),
+        (!model.piers.is_empty(), "report-plan-piers"),
+        (!history.links(0.0).is_empty() && !model.devices.is_empty(), "report-plan-devices"),
+    ];
+    parts.into_iter().filter(|(shown, _)| *shown).map(|(_, name)| Text::new(name).as_str().to_owned()).collect()
 }
 
 /// Hardest hit: what it is, and pictures with their captions.
@@ -114,27 +129,43 @@ impl<'a> Plan<'a> {
         for abutment in &scene.abutments {
             if let Some(corners) = abutment_plan(scene, abutment) {
                 self.polygon(&mut svg, &corners, r##"fill="#d9dce0" stroke="#6b6b6b""##);
-                if self.dimensions {
-                    self.label_abutment(&mut svg, abutment, &corners);
-                }
             }
         }
-        for girder in 0..self.history.model().girders().len() {
-            self.girder(&mut svg, girder);
+        let girders = 0..self.history.model().girders().len();
+        girders.clone().for_each(|girder| self.girder(&mut svg, girder));
+        for pier in &self.history.model().piers {
+            let cap = self.corners(pier.body);
+            self.polygon(
+                &mut svg,
+                &cap,
+                r##"fill="none" stroke="#222222" stroke-width="1.3" stroke-dasharray="1.5 3""##,
+            );
         }
+        self.devices(&mut svg);
+        // Texts lie above all that is drawn, with a rim in the colour of the paper.
+        svg.push_str("<g paint-order=\"stroke\" stroke=\"#ffffff\" stroke-width=\"2.5\" stroke-linejoin=\"round\">\n");
+        if self.dimensions {
+            girders.for_each(|girder| self.dimensions(&mut svg, girder));
+            self.label_joints(&mut svg);
+        }
+        svg.push_str("</g>\n");
         self.forces(&mut svg);
         self.scale_bar(&mut svg, height);
         svg.push_str("</svg>\n");
         svg
     }
 
+    /// Corners of a body at the time of the plan.
+    fn corners(&self, number: usize) -> [DVec2; 4] {
+        self.at.as_ref().map_or_else(|| placed(self.history, number), |(t, _)| corners_at(self.history, number, *t))
+    }
+
     fn girder(&self, svg: &mut String, number: usize) {
         let body = &self.history.model().bodies[number];
         let placed = placed(self.history, number);
-        let now = self.at.as_ref().map(|(t, _)| corners_at(self.history, number, *t));
         let solid = r##"fill="#e9e3d6" fill-opacity="0.9" stroke="#222222" stroke-width="1.3""##;
-        self.polygon(svg, &now.unwrap_or(placed), solid);
-        if now.is_some() {
+        self.polygon(svg, &self.corners(number), solid);
+        if self.at.is_some() {
             self.polygon(svg, &placed, r##"fill="none" stroke="#9aa0a6" stroke-dasharray="4 3""##);
         } else {
             let home = self.history.motion(number, 0.0);
@@ -146,8 +177,21 @@ impl<'a> Plan<'a> {
         for end in End::BOTH {
             self.front_edge(svg, number, end, &placed);
         }
-        if self.dimensions {
-            self.dimensions(svg, number, &placed);
+    }
+
+    /// Devices: a line from point to point, a square at each.
+    fn devices(&self, svg: &mut String) {
+        let t = self.at.as_ref().map_or(0.0, |(t, _)| *t);
+        for link in self.history.model().devices.iter().flat_map(|device| device.links.clone()) {
+            let Some(now) = self.history.link(link, t) else { continue };
+            let points: Vec<(f64, f64)> = now.line.iter().map(|point| self.place(point.truncate())).collect();
+            for pair in points.windows(2) {
+                line(svg, pair[0], pair[1], &format!(r#"stroke="{DEVICE}" stroke-width="2.2""#));
+            }
+            for (x, y) in now.ends.map(|end| self.place(end.truncate())) {
+                let (left, top) = (x - 2.5, y - 2.5);
+                let _ = writeln!(svg, r#"<rect x="{left:.1}" y="{top:.1}" width="5" height="5" fill="{DEVICE}"/>"#);
+            }
         }
     }
 
@@ -160,7 +204,8 @@ impl<'a> Plan<'a> {
     }
 
     /// Name, length, width and skew of a girder as placed.
-    fn dimensions(&self, svg: &mut String, number: usize, corners: &[DVec2; 4]) {
+    fn dimensions(&self, svg: &mut String, number: usize) {
+        let corners = placed(self.history, number);
         let girder = &self.history.scene().girders[number];
         let middle = |a: DVec2, b: DVec2| self.place(0.5 * (a + b));
         let (x, y) = middle(corners[0], corners[2]);
@@ -171,18 +216,41 @@ impl<'a> Plan<'a> {
         let (x, y) = middle(corners[3], corners[2]);
         let width = format!("b₀ = {} m, β = {}°", trimmed(girder.width), trimmed(girder.skew_deg));
         text(svg, (x, y - 7.0), 12.0, "middle", INK, &width);
+        // Beside the girder and towards its middle: beyond its end is the neighbour.
+        let along = (corners[1] - corners[0]).normalize_or_zero();
+        let across = along.perp();
         for (number, corner) in corners.iter().enumerate() {
-            let (x, y) = self.place(*corner + 0.035 * (*corner - 0.5 * (corners[0] + corners[2])));
+            let inward = if matches!(number, 0 | 3) { along } else { -along };
+            let outward = if number < 2 { -across } else { across };
+            let (x, y) = self.place(*corner + (9.0 / self.scale()) * (inward + outward));
             text(svg, (x, y + 4.0), 10.0, "middle", GREY, &(number + 1).to_string());
         }
     }
 
-    fn label_abutment(&self, svg: &mut String, abutment: &Abutment, corners: &[DVec2; 4]) {
-        let (x, y) = self.place(0.25 * (corners[0] + corners[1] + corners[2] + corners[3]));
-        text(svg, (x.clamp(30.0, WIDTH - 30.0), y), 12.0, "middle", INK, &escape(&abutment.name));
-        if let Some(gap) = abutment.gap {
-            let words = said!("report-gap", "gap" => trimmed(1e3 * gap));
-            text(svg, (x.clamp(44.0, WIDTH - 44.0), y + 15.0), 11.0, "middle", GREY, &words);
+    /// Names of abutments and piers, and the gaps at both.
+    fn label_joints(&self, svg: &mut String) {
+        let (scene, model) = (self.history.scene(), self.history.model());
+        let gap = |gap: f64| format!("{} mm", trimmed(1e3 * gap));
+        for abutment in &scene.abutments {
+            let Some(corners) = abutment_plan(scene, abutment) else { continue };
+            let (x, y) = self.place(0.25 * (corners[0] + corners[1] + corners[2] + corners[3]));
+            text(svg, (x.clamp(30.0, WIDTH - 30.0), y), 12.0, "middle", INK, &escape(&abutment.name));
+            if let Some(own) = abutment.gap {
+                text(svg, (x.clamp(30.0, WIDTH - 30.0), y + 15.0), 11.0, "middle", GREY, &gap(own));
+            }
+        }
+        for pair in model.pairs.iter().filter(|pair| !pair.met) {
+            let (Side::Girder(first, end), Side::Girder(..)) = (pair.first, pair.second) else { continue };
+            let corners = Prism::end_corners(end).map(|corner| placed(self.history, first)[corner]);
+            let top = corners.into_iter().map(|corner| self.place(corner)).min_by(|a, b| a.1.total_cmp(&b.1));
+            let (x, y) = top.unwrap_or_default();
+            text(svg, (x, y - 22.0), 11.0, "middle", GREY, &gap(pair.gap));
+        }
+        for (pier, body) in scene.piers.iter().zip(&model.piers) {
+            let corners = placed(self.history, body.body).map(|corner| self.place(corner));
+            let low = corners.into_iter().max_by(|a, b| a.1.total_cmp(&b.1));
+            let (x, y) = low.unwrap_or_default();
+            text(svg, (x, y + 17.0), 12.0, "middle", INK, &escape(&pier.name));
         }
     }
 

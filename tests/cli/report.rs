@@ -101,6 +101,23 @@ fn a_report_of_a_viaduct_has_its_piers_and_their_height() {
     assert!(page.contains("<th>pier</th>"), "a row for each");
     assert!(page.contains("H = 9 m <span class=\"open\">(scene)</span>"), "columns as high as the piers of the scene");
     assert!(!page.contains("H = 0 m"), "at abutments too");
+    let (plan, _) = page.split_once("</svg>").expect("the plan");
+    for name in ["p1", "p4"] {
+        assert!(plan.contains(&format!(">{name}</text>")), "{name} has its name in the plan");
+    }
+    assert_eq!(plan.matches(">50 mm</text>").count(), 6, "the gap at every joint");
+    assert!(
+        page.contains("caps of piers") && !page.contains("Thick, with squares: devices"),
+        "what is drawn, in words"
+    );
+}
+
+#[test]
+fn a_plan_has_the_devices_of_its_scene() {
+    let page = page("twin-span-restrained", &[]);
+    let (plan, _) = page.split_once("</svg>").expect("the plan");
+    assert!(plan.matches("stroke=\"#882255\"").count() >= 2, "two cables");
+    assert!(page.contains("Thick, with squares: devices"), "in words");
 }
 
 #[test]
