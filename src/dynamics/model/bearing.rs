@@ -4,7 +4,7 @@
 //! spatial one sees each at its true attachment point. The printed (2c,d) pair `k_x` with `l_x²`; a spring along x has
 //! the lever `l_y`, as here.
 
-use glam::{DMat3, DVec3};
+use glam::{DMat2, DMat3, DVec2, DVec3};
 
 use crate::dynamics::connection::{Connection, Separation};
 
@@ -12,6 +12,9 @@ use crate::dynamics::connection::{Connection, Separation};
 const DECOUPLED: f64 = 1e-14;
 /// What bearings leave of a weight, or of its moment, is rounding of [`carry`] below this part of it.
 const CARRIED: f64 = 1e-12;
+/// Part of the mean square of the bearings' distances from G below which their spread across a line is its rounding: bearings within 1e-7
+/// of their distance from one line stand on it.
+const ON_A_LINE: f64 = 1e-14;
 
 /// One bearing of a girder.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -134,27 +137,29 @@ fn ratio(part: f64, whole: f64) -> f64 {
     if whole == 0.0 { 0.0 } else { part / whole }
 }
 
-/// Vertical forces that carry a weight on the bearings without a moment about G, shared by vertical stiffness: the
-/// least-norm answer of `Σ f = W`, `Σ f l = 0`. Bearings on a line or a point leave a moment.
+/// Vertical forces that carry a weight on the bearings, shared by vertical stiffness as by a rigid girder (`docs/physics.md#weight`):
+/// `f = k (W/Σk + μ·(l − c))` about the centroid `c` of the stiffness, so that `Σ f = W` whatever `μ`, with `S μ = -W c`,
+/// `S = Σ k (l − c)(l − c)ᵀ`, for no moment about G. Across a line or a point on which all bearings stand, `S` has no stiffness and a
+/// moment `W c` is left.
 pub fn carry(weight: f64, bearings: &mut [Bearing], axes: DMat3) -> Standing {
-    let levers: Vec<DVec3> = bearings.iter().map(|b| axes * b.place).collect();
+    let levers: Vec<DVec2> = bearings.iter().map(|b| (axes * b.place).truncate()).collect();
     let shares: Vec<f64> = bearings.iter().map(|b| b.stiffness.z).collect();
-    let mut gram = DMat3::ZERO;
-    for (l, k) in levers.iter().zip(&shares) {
-        let row = DVec3::new(1.0, l.x, l.y);
-        gram += DMat3::from_cols(row * (row.x * k), row * (row.y * k), row * (row.z * k));
-    }
-    // 1e-14 of the moment stiffness on the diagonal keeps the matrix of bearings on a line regular; with bearings in plan it
-    // changes the forces by as small a part.
-    let floor = 1e-14 * (gram.y_axis.y + gram.z_axis.z).max(f64::MIN_POSITIVE);
-    gram.y_axis.y += floor;
-    gram.z_axis.z += floor;
-    if gram.x_axis.x == 0.0 {
+    let whole: f64 = shares.iter().sum();
+    if whole == 0.0 {
         return Standing { left: -weight, first_moment: DVec3::ZERO };
     }
-    let factor = gram.inverse() * DVec3::new(weight, 0.0, 0.0);
+    let parts = || levers.iter().zip(shares.iter().map(|k| k / whole));
+    let centre: DVec2 = parts().map(|(l, part)| *l * part).sum();
+    // S/Σk and the mean square of the distances from G.
+    let mut spread = DMat2::ZERO;
+    for (arm, part) in parts().map(|(l, part)| (*l - centre, part)) {
+        spread += DMat2::from_cols(arm * arm.x, arm * arm.y) * part;
+    }
+    let reach2: f64 = parts().map(|(l, part)| l.length_squared() * part).sum();
+    let held = principal(spread).into_iter().filter(|(_, spread)| *spread > ON_A_LINE * reach2);
+    let slope: DVec2 = held.map(|(axis, spread)| axis * (-axis.dot(centre) * weight / (spread * whole))).sum();
     for ((bearing, l), k) in bearings.iter_mut().zip(&levers).zip(&shares) {
-        bearing.preload = DVec3::Z * (k * (factor.x + factor.y * l.x + factor.z * l.y));
+        bearing.preload = DVec3::Z * (k * (weight / whole + slope.dot(*l - centre)));
     }
     let forces: f64 = bearings.iter().map(|b| b.preload.z).sum();
     let moment: DVec3 = bearings.iter().map(|b| b.place * b.preload.z).sum();
@@ -164,6 +169,16 @@ pub fn carry(weight: f64, bearings: &mut [Bearing], axes: DMat3) -> Standing {
         left: unless_rounding(forces - weight, weight),
         first_moment: DVec3::new(unless_rounding(moment.x, size), unless_rounding(moment.y, size), moment.z),
     }
+}
+
+/// Unit vectors along the principal axes of a symmetric matrix without negative principal values, and those, the larger first.
+fn principal(m: DMat2) -> [(DVec2, f64); 2] {
+    let (mean, half, xy) = (0.5 * (m.x_axis.x + m.y_axis.y), 0.5 * (m.x_axis.x - m.y_axis.y), m.x_axis.y);
+    let most = mean + half.hypot(xy);
+    // The smaller one by the determinant: a difference of mean and radius would lose the digits of a small one.
+    let least = if most > 0.0 { (m.determinant() / most).max(0.0) } else { 0.0 };
+    let long = DVec2::from_angle(0.5 * xy.atan2(half));
+    [(long, most), (long.perp(), least)]
 }
 
 /// Whether the off-diagonal entries are round-off, relative to the geometric mean of the diagonal it couples.
@@ -213,6 +228,40 @@ mod tests {
         let away = (first_moment - DVec3::new(10.0, 0.0, -5.0)).length();
         assert!(away < 1e-9 && left.abs() < 1e-9, "{first_moment}, {left} left");
         assert_eq!(carry(50.0, &mut [], DMat3::IDENTITY).left, -50.0, "none carries nothing");
+    }
+
+    #[test]
+    fn bearings_on_a_line_or_a_point_carry_the_whole_weight() {
+        let places: [&[[f64; 2]]; 5] = [
+            &[[0.0, 0.0]],
+            &[[3.0, 0.0]],
+            &[[9.0, 3.0], [9.0, -3.0]],
+            &[[9.0, 3.0], [9.0, 1.0], [9.0, -3.0]],
+            &[[1.0, 2.0], [2.0, 3.0], [4.0, 5.0]],
+        ];
+        for stiffness in [1e2, 1e6, 1.3e9] {
+            for places in places {
+                let leg = |[x, y]: [f64; 2]| Bearing {
+                    place: DVec3::new(x, y, 0.0),
+                    stiffness: DVec3::splat(stiffness),
+                    ..legs(0.0)[0]
+                };
+                let mut bearings: Vec<Bearing> = places.iter().map(|&place| leg(place)).collect();
+                let standing = carry(1e6, &mut bearings, DMat3::from_rotation_z(0.3));
+                let total: f64 = bearings.iter().map(|b| b.preload.z).sum();
+                assert!((total - 1e6).abs() < 1e-8, "{places:?} on {stiffness}: {total}");
+                assert_eq!(standing.left, 0.0, "{places:?} on {stiffness}");
+                let moment: DVec3 = bearings.iter().map(|b| b.place * b.preload.z).sum();
+                // No line of these goes through G; the moment left is that of the weight at the foot of the perpendicular from G.
+                let from_g = match places {
+                    [[x, y]] => DVec2::new(*x, *y),
+                    [[9.0, _], ..] => DVec2::new(9.0, 0.0),
+                    _ => DVec2::new(-0.5, 0.5),
+                };
+                let away = moment.truncate() - 1e6 * from_g;
+                assert!(away.length() < 1e-6, "{places:?} on {stiffness}: {moment}");
+            }
+        }
     }
 
     #[test]
