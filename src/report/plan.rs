@@ -44,7 +44,7 @@ pub(super) fn caption(history: &History) -> String {
         (true, "report-plan-placed"),
         (facing, "report-plan-gaps"),
         (!model.piers.is_empty(), "report-plan-piers"),
-        (!history.links(0.0).is_empty() && !model.devices.is_empty(), "report-plan-devices"),
+        (model.devices.iter().any(|device| history.link(device.links.start, 0.0).is_some()), "report-plan-devices"),
     ];
     parts.into_iter().filter(|(shown, _)| *shown).map(|(_, name)| Text::new(name).as_str().to_owned()).collect()
 }
@@ -227,19 +227,20 @@ impl<'a> Plan<'a> {
         }
     }
 
-    /// Names of abutments and piers, and the gaps at both.
+    /// Names of abutments and piers, and the gap at every joint.
     fn label_joints(&self, svg: &mut String) {
         let (scene, model) = (self.history.scene(), self.history.model());
         let gap = |gap: f64| format!("{} mm", trimmed(1e3 * gap));
-        for abutment in &scene.abutments {
+        let facing = || model.pairs.iter().filter(|pair| !pair.met);
+        for (number, abutment) in scene.abutments.iter().enumerate() {
             let Some(corners) = abutment_plan(scene, abutment) else { continue };
             let (x, y) = self.place(0.25 * (corners[0] + corners[1] + corners[2] + corners[3]));
             text(svg, (x.clamp(30.0, WIDTH - 30.0), y), 12.0, "middle", INK, &escape(&abutment.name));
-            if let Some(own) = abutment.gap {
-                text(svg, (x.clamp(30.0, WIDTH - 30.0), y + 15.0), 11.0, "middle", GREY, &gap(own));
+            if let Some(pair) = facing().find(|pair| pair.second == Side::Abutment(number)) {
+                text(svg, (x.clamp(30.0, WIDTH - 30.0), y + 15.0), 11.0, "middle", GREY, &gap(pair.gap));
             }
         }
-        for pair in model.pairs.iter().filter(|pair| !pair.met) {
+        for pair in facing() {
             let (Side::Girder(first, end), Side::Girder(..)) = (pair.first, pair.second) else { continue };
             let corners = Prism::end_corners(end).map(|corner| placed(self.history, first)[corner]);
             let top = corners.into_iter().map(|corner| self.place(corner)).min_by(|a, b| a.1.total_cmp(&b.1));

@@ -4,7 +4,8 @@
 //! spatial one sees each at its true attachment point. The printed (2c,d) pair `k_x` with `l_x²`; a spring along x has
 //! the lever `l_y`, as here.
 
-use glam::{DMat2, DMat3, DVec2, DVec3};
+use glam::{DMat3, DVec2, DVec3};
+use nalgebra::{Matrix2, SymmetricEigen};
 
 use crate::dynamics::connection::{Connection, Separation};
 
@@ -151,12 +152,14 @@ pub fn carry(weight: f64, bearings: &mut [Bearing], axes: DMat3) -> Standing {
     let parts = || levers.iter().zip(shares.iter().map(|k| k / whole));
     let centre: DVec2 = parts().map(|(l, part)| *l * part).sum();
     // S/Σk and the mean square of the distances from G.
-    let mut spread = DMat2::ZERO;
+    let mut spread = Matrix2::zeros();
     for (arm, part) in parts().map(|(l, part)| (*l - centre, part)) {
-        spread += DMat2::from_cols(arm * arm.x, arm * arm.y) * part;
+        spread += part * Matrix2::new(arm.x * arm.x, arm.x * arm.y, arm.x * arm.y, arm.y * arm.y);
     }
     let reach2: f64 = parts().map(|(l, part)| l.length_squared() * part).sum();
-    let held = principal(spread).into_iter().filter(|(_, spread)| *spread > ON_A_LINE * reach2);
+    let SymmetricEigen { eigenvalues, eigenvectors } = spread.symmetric_eigen();
+    let principal = eigenvectors.column_iter().map(|axis| DVec2::new(axis[0], axis[1])).zip(&eigenvalues);
+    let held = principal.filter(|(_, spread)| **spread > ON_A_LINE * reach2);
     let slope: DVec2 = held.map(|(axis, spread)| axis * (-axis.dot(centre) * weight / (spread * whole))).sum();
     for ((bearing, l), k) in bearings.iter_mut().zip(&levers).zip(&shares) {
         bearing.preload = DVec3::Z * (k * (weight / whole + slope.dot(*l - centre)));
@@ -169,16 +172,6 @@ pub fn carry(weight: f64, bearings: &mut [Bearing], axes: DMat3) -> Standing {
         left: unless_rounding(forces - weight, weight),
         first_moment: DVec3::new(unless_rounding(moment.x, size), unless_rounding(moment.y, size), moment.z),
     }
-}
-
-/// Unit vectors along the principal axes of a symmetric matrix without negative principal values, and those, the larger first.
-fn principal(m: DMat2) -> [(DVec2, f64); 2] {
-    let (mean, half, xy) = (0.5 * (m.x_axis.x + m.y_axis.y), 0.5 * (m.x_axis.x - m.y_axis.y), m.x_axis.y);
-    let most = mean + half.hypot(xy);
-    // The smaller one by the determinant: a difference of mean and radius would lose the digits of a small one.
-    let least = if most > 0.0 { (m.determinant() / most).max(0.0) } else { 0.0 };
-    let long = DVec2::from_angle(0.5 * xy.atan2(half));
-    [(long, most), (long.perp(), least)]
 }
 
 /// Whether the off-diagonal entries are round-off, relative to the geometric mean of the diagonal it couples.
