@@ -41,6 +41,13 @@ impl Bearings {
 }
 
 impl Girder {
+    /// Puts all bearings on the ground.
+    pub fn stand_on_ground(&mut self) {
+        for on in self.bearings.iter_mut().flat_map(Bearings::support_names) {
+            *on = None;
+        }
+    }
+
     /// Puts the bearings nearer to an end on the pier of this name, or on the ground; whether there are any.
     pub fn stand_on(&mut self, end: End, pier: Option<&str>) -> bool {
         let shear = self.prism().shear();

@@ -2,14 +2,10 @@
 
 use glam::DVec3;
 
-use super::fresh::first_girder;
 use crate::geometry::End;
 use crate::scene::edit::{Edit, General, free_among, free_name};
 use crate::scene::facing::{self, Side};
-use crate::scene::keys::Editable as _;
-use crate::scene::{
-    Abutment, ContactSettings, Girder, GroundId, Initial, Motion, NamedGround, Pier, Scene, Wave, placed,
-};
+use crate::scene::{Abutment, ContactSettings, Girder, GroundId, Motion, NamedGround, Pier, Scene, Wave, placed};
 use crate::view::Target;
 use crate::view::block::abutment_block;
 
@@ -21,27 +17,6 @@ pub(in crate::app) fn girder(i: usize, girder: Girder) -> Edit {
 /// Gives an abutment other numbers.
 pub(in crate::app) fn abutment(i: usize, abutment: Abutment) -> Edit {
     Edit::ReplaceAbutment(i, Box::new(abutment))
-}
-
-/// Turns the ends of one girder, or of all.
-pub(in crate::app) fn skew(scene: &Scene, one: Option<usize>, skew_deg: f64) -> Edit {
-    let turned = scene.girders.iter().enumerate().filter(|(i, _)| one.is_none_or(|one| one == *i));
-    Edit::Batch(turned.map(|(i, g)| girder(i, Girder { skew_deg, ..g.clone() })).collect())
-}
-
-/// A girder with other numbers; each number that was changed goes to the other selected girders too.
-pub(in crate::app) fn girders_alike(scene: &Scene, i: usize, new: &Girder, selected: &[Target]) -> Edit {
-    let Some(old) = scene.girders.get(i) else { return girder(i, new.clone()) };
-    let mut edits = vec![girder(i, new.clone())];
-    for target in selected {
-        let Target::Girder(k) = *target else { continue };
-        if let Some(other) = scene.girders.get(k).filter(|_| k != i) {
-            let mut other = other.clone();
-            other.carry(old, new);
-            edits.push(girder(k, other));
-        }
-    }
-    if edits.len() == 1 { girder(i, new.clone()) } else { Edit::Batch(edits) }
 }
 
 /// Gives the contact other numbers.
@@ -208,70 +183,6 @@ pub(in crate::app) fn remove(target: Target) -> Option<Edit> {
     }
 }
 
-/// The name without the number at its end, so that copies count on.
-pub(super) fn stem(name: &str) -> &str {
-    let stem = name.trim_end_matches(|c: char| c.is_ascii_digit());
-    if stem.is_empty() { name } else { stem }
-}
-
-/// A copy of a girder beyond the `+x` end of the row, one gap away.
-pub(in crate::app) fn add_girder(scene: &Scene, like: Option<usize>) -> Edit {
-    let model = like.and_then(|i| scene.girders.get(i)).or(scene.girders.last());
-    let mut new = model.cloned().unwrap_or_else(first_girder);
-    new.name = free_name(scene, stem(&new.name));
-    new.initial = Initial::default();
-    let along = placed::axes(&new).x_axis;
-    let gap = gap_of(scene).unwrap_or(0.003).max(new.length * 0.005);
-    let end = scene.girders.iter().map(|g| DVec3::from(g.position).dot(along) + g.length / 2.0);
-    let walls = scene.abutments.iter().filter_map(|a| wall_end(scene, a, along));
-    if let Some(farthest) = end.chain(walls).reduce(f64::max) {
-        let place = DVec3::from(new.position);
-        let there = place + along * (farthest + gap + new.length / 2.0 - place.dot(along));
-        new.position = tidy(there);
-    }
-    Edit::AddGirder(scene.girders.len(), Box::new(new))
-}
-
-/// One more span beyond the `+x` end of the row. The abutment that stood before that end stands before the new span's.
-pub(in crate::app) fn add_span(scene: &Scene, like: Option<usize>) -> Edit {
-    let added = add_girder(scene, like);
-    let Edit::AddGirder(at, mut new) = added else { return added };
-    let along = placed::axes(&new).x_axis;
-    let reach = |girder: &Girder| DVec3::from(girder.position).dot(along) + girder.length / 2.0;
-    let last = scene.girders.iter().max_by(|a, b| reach(a).total_cmp(&reach(b)));
-    let stands = |last: &Girder, wall: &Abutment| {
-        wall.faces == last.name && wall.end == End::Plus && wall.polygon.is_none() && placed::axes(last).x_axis == along
-    };
-    let wall = last.and_then(|last| scene.abutments.iter().position(|wall| stands(last, wall)));
-    let Some((last, number)) = last.zip(wall) else { return Edit::AddGirder(at, new) };
-    let gap = gap_of(scene).unwrap_or(0.0).max(new.length * 1e-3);
-    let place = DVec3::from(last.position) + along * (f64::midpoint(last.length, new.length) + gap);
-    new.position = tidy(place);
-    let moved = Abutment { faces: new.name.clone(), ..scene.abutments[number].clone() };
-    Edit::Batch(vec![Edit::AddGirder(at, new), abutment(number, moved)])
-}
-
-/// Copies of a girder in a row beyond its `+x` end: so many spans, the first of them itself, `gap` apart \[m\]. The
-/// abutment that stood before that end stands before the row's end then.
-pub(in crate::app) fn array(scene: &Scene, first: usize, spans: usize, gap: f64) -> Edit {
-    let mut scene = scene.clone();
-    let mut edits = Vec::with_capacity(spans);
-    for span in 1..spans {
-        let Some(model) = scene.girders.get(first) else { break };
-        let way = placed::axes(model).x_axis * ((model.length + gap) * span as f64);
-        let mut new = model.clone();
-        new.name = free_name(&scene, stem(&new.name));
-        new.position = tidy(DVec3::from(new.position) + way);
-        scene.girders.push(new.clone());
-        edits.push(Edit::AddGirder(scene.girders.len() - 1, Box::new(new)));
-    }
-    let Some((model, last)) = scene.girders.get(first).zip(scene.girders.last()) else { return Edit::Batch(edits) };
-    let walls = scene.abutments.iter().enumerate();
-    let before = walls.filter(|(_, a)| a.faces == model.name && a.end == End::Plus && a.polygon.is_none());
-    edits.extend(before.map(|(i, a)| abutment(i, Abutment { faces: last.name.clone(), ..a.clone() })));
-    Edit::Batch(edits)
-}
-
 /// A body moved over the ground \[m\] and turned \[degrees\]; an abutment that follows a girder goes with its gap and
 /// offset, and does not turn.
 pub(in crate::app) fn shifted(scene: &Scene, target: Target, [dx, dy]: [f64; 2], turn_deg: f64) -> Option<Edit> {
@@ -324,7 +235,7 @@ fn shifted_abutment(scene: &Scene, number: usize, way: glam::DVec2) -> Option<Ed
 }
 
 /// How far a wall reaches along a direction \[m\].
-fn wall_end(scene: &Scene, abutment: &Abutment, along: DVec3) -> Option<f64> {
+pub(super) fn wall_end(scene: &Scene, abutment: &Abutment, along: DVec3) -> Option<f64> {
     let block = abutment_block(scene, abutment)?;
     block.corners().iter().map(|c| c.dot(along)).reduce(f64::max)
 }

@@ -1,17 +1,20 @@
 //! Devices to begin with: between a girder and what it faces, with values that fit its weight and its length. None of them
 //! is given: the window says that they are assumed.
 
+use std::cmp::Reverse;
+
 use glam::DVec3;
 
 use super::bridge::BEARING_FREQUENCY;
 use super::change::tidy;
 use crate::geometry::End;
 use crate::scene::device::{Device, DeviceKind, point_on};
-use crate::scene::edit::{Edit, free_name};
+use crate::scene::edit::{Edit, free_name, free_name_after};
 use crate::scene::facing::{self, Side};
 use crate::scene::{
     Bearings, Bumper, Damper, DeviceId, Girder, PerDirection, Restrainer, Scene, Sides, Stopper, placed,
 };
+use crate::view::Target;
 
 /// A device's points from the girder's axis, in parts of its width, kind by kind: they do not lie upon each other.
 const ASIDE: [f64; 4] = [0.35, 0.25, 0.15, 0.35];
@@ -33,11 +36,27 @@ pub(in crate::app) fn device(id: DeviceId, device: Device) -> Edit {
     Edit::ReplaceDevice(id, Box::new(device))
 }
 
+/// Points of a device that is to act on another body: those of a new one where that body is before another end of the girder than
+/// the device is at; none where the device can stay.
+pub(in crate::app) fn points_before(
+    scene: &Scene,
+    device: &Device,
+    to: Option<&str>,
+) -> Option<([f64; 3], Option<[f64; 3]>)> {
+    let ends = device.part().ends();
+    let girder = scene.girders.iter().position(|girder| girder.name == ends.girder)?;
+    let wall = scene.abutments.iter().position(|wall| Some(wall.name.as_str()) == to).map(Target::Abutment);
+    let other = scene.girders.iter().position(|girder| Some(girder.name.as_str()) == to).map(Target::Girder);
+    let new = new_device(scene, device.kind(), &[wall.or(other)?, Target::Girder(girder)])?;
+    let there = new.part().ends();
+    (there.to == to && there.at[0] * ends.at[0] < 0.0).then_some((there.at, there.to_at))
+}
+
 /// A copy of a device on the other side of its girder.
 pub(super) fn copy(scene: &Scene, id: DeviceId) -> Option<Device> {
     let mut copy = scene.device(id)?;
     let ends = copy.part_mut().ends_mut();
-    *ends.name = free_name(scene, ends.name);
+    *ends.name = free_name_after(scene, ends.name);
     ends.at[1] = -ends.at[1];
     if let Some(to) = ends.to_at {
         to[1] = -to[1];
@@ -53,12 +72,20 @@ struct Before {
     gap: f64,
 }
 
-/// A new device of a kind at a girder, at its first end that faces something; none without a girder.
-pub(super) fn new_device(scene: &Scene, kind: DeviceKind, girder: usize) -> Option<Device> {
+/// A new device of a kind at the girder that is selected, the one at the abutment or on the pier that is, or the first; none without
+/// a girder. It goes to what is selected beside the girder, else to the end with the fewest of its kind.
+pub(super) fn new_device(scene: &Scene, kind: DeviceKind, selected: &[Target]) -> Option<Device> {
+    let wanted = wanted(scene, selected);
+    let girder = selected.iter().rev().find_map(|t| if let Target::Girder(i) = t { Some(*i) } else { None });
+    let girder = girder.or_else(|| scene.girders.iter().position(|girder| wanted.contains(&girder.name.as_str())));
+    let girder = girder.unwrap_or_default();
     let body = scene.girders.get(girder)?;
-    let before = before(scene, girder);
+    let before = before(scene, girder, kind, &wanted);
     let own = DeviceKind::ALL.iter().zip(ASIDE).find(|(known, _)| **known == kind).map_or(0.0, |(_, part)| part);
-    let aside = if scene.count_of(kind).is_multiple_of(2) { own } else { -own } * body.width;
+    // Stoppers stand in the ground, whatever is before the end.
+    let to = before.to.as_deref().filter(|_| kind != DeviceKind::Stopper);
+    let beside = count_between(scene, kind, (&body.name, to));
+    let aside = if beside.is_multiple_of(2) { own } else { -own } * body.width;
     let axes = placed::axes(body);
     let (half, shear, sign) = (body.length / 2.0, body.prism().shear(), before.end.sign());
     // Along the girder from its skewed end.
@@ -86,8 +113,38 @@ fn gravity(scene: &Scene) -> f64 {
     if scene.gravity > 0.0 { scene.gravity } else { crate::scene::STANDARD_GRAVITY }
 }
 
-/// The first of its ends that faces an abutment, else another girder; else its far end before nothing.
-fn before(scene: &Scene, girder: usize) -> Before {
+/// Names of girders and abutments that are selected; of an abutment the girder that it faces, of a pier the girders on it.
+fn wanted<'a>(scene: &'a Scene, selected: &[Target]) -> Vec<&'a str> {
+    let girder = |i: usize| scene.girders.get(i).map(|girder| girder.name.as_str());
+    let names = |target: &Target| match *target {
+        Target::Girder(i) => girder(i).into_iter().collect(),
+        Target::Abutment(i) => {
+            scene.abutments.get(i).map_or(Vec::new(), |wall| vec![wall.name.as_str(), wall.faces.as_str()])
+        }
+        Target::Pier(pier) => {
+            let on = |girder: &&Girder| End::BOTH.iter().any(|end| scene.pier_under(girder, *end) == Some(pier));
+            scene.girders.iter().filter(on).map(|girder| girder.name.as_str()).collect()
+        }
+        Target::Device(_) | Target::Contact(_) => Vec::new(),
+    };
+    selected.iter().flat_map(names).collect()
+}
+
+/// How many devices of a kind act between two bodies.
+fn count_between(scene: &Scene, kind: DeviceKind, (one, other): (&str, Option<&str>)) -> usize {
+    let devices = scene.devices();
+    let between = devices.iter().filter(|(id, device)| {
+        let ends = device.ends();
+        id.kind == kind
+            && (((ends.girder, ends.to) == (one, other)) || (other, Some(one)) == (Some(ends.girder), ends.to))
+    });
+    between.count()
+}
+
+/// What is before the end of a girder that a new device goes to: what is wanted, else the end with the fewest pairs of devices of
+/// this kind, of equals an abutment; else its far end before nothing.
+fn before(scene: &Scene, girder: usize, kind: DeviceKind, wanted: &[&str]) -> Before {
+    let own = scene.girders[girder].name.as_str();
     let pairs = facing::find(scene).unwrap_or_default();
     let of = |pair: &facing::Facing| {
         let (end, other) = match (pair.first, pair.second) {
@@ -100,10 +157,12 @@ fn before(scene: &Scene, girder: usize) -> Before {
             Side::Abutment(wall) => scene.abutments.get(wall)?.name.clone(),
             Side::Flank(..) | Side::Rear(..) => return None,
         };
-        Some((matches!(other, Side::Abutment(_)), Before { end, to: Some(to), gap: pair.gap.max(0.0) }))
+        let pairs_there = count_between(scene, kind, (own, Some(&to))) / 2;
+        let rank = (wanted.contains(&to.as_str()), Reverse(pairs_there), matches!(other, Side::Abutment(_)));
+        Some((rank, Before { end, to: Some(to), gap: pair.gap.max(0.0) }))
     };
-    let all: Vec<_> = pairs.iter().filter_map(of).collect();
-    let best = all.into_iter().max_by_key(|(is_wall, _)| *is_wall).map(|(_, before)| before);
+    // Of equals the first.
+    let best = pairs.iter().filter_map(of).reduce(|a, b| if b.0 > a.0 { b } else { a }).map(|(_, before)| before);
     best.unwrap_or(Before { end: End::Plus, to: None, gap: 0.0 })
 }
 
@@ -207,7 +266,7 @@ mod tests {
             scene.girders.iter_mut().for_each(|girder| girder.elastic = None);
             for kind in DeviceKind::ALL {
                 for _ in 0..2 {
-                    let new = new_device(&scene, *kind, 0).expect("there is a girder");
+                    let new = new_device(&scene, *kind, &[]).expect("there is a girder");
                     Edit::AddDevice(scene.count_of(*kind), Box::new(new)).apply(&mut scene).expect("fits");
                 }
             }
@@ -218,9 +277,31 @@ mod tests {
     }
 
     #[test]
+    fn a_device_goes_to_what_is_selected_and_then_to_the_next_end() {
+        let mut scene = presets::load("viaduct-5").expect("ships");
+        let mut add = |selected: &[Target]| {
+            let new = new_device(&scene, DeviceKind::Restrainer, selected).expect("there are girders");
+            let ends = new.part().ends();
+            let between = (ends.girder.to_owned(), ends.to.map(str::to_owned));
+            let number = scene.count_of(DeviceKind::Restrainer);
+            Edit::AddDevice(number, Box::new(new)).apply(&mut scene).expect("fits");
+            (between.0, between.1.unwrap_or_default())
+        };
+        let named = |one: &str, other: &str| (one.to_owned(), other.to_owned());
+        assert_eq!(add(&[Target::Girder(1), Target::Girder(2)]), named("g3", "g2"), "the joint of two girders");
+        assert_eq!(add(&[Target::Pier(3)]), named("g4", "g5"), "the joint on a pier");
+        assert_eq!(add(&[Target::Abutment(1)]), named("g5", "east"), "an abutment and its girder");
+        for other in ["west", "west", "g2", "g2"] {
+            assert_eq!(add(&[Target::Girder(0)]), named("g1", other), "two at an end, then at the next");
+        }
+    }
+
+    #[test]
     fn values_fit_the_size_of_the_girder() {
         let scene = presets::load("deck-30m").expect("ships");
-        let Some(Device::Restrainer(cable)) = new_device(&scene, DeviceKind::Restrainer, 0) else { panic!("a cable") };
+        let Some(Device::Restrainer(cable)) = new_device(&scene, DeviceKind::Restrainer, &[]) else {
+            panic!("a cable")
+        };
         let weight = scene.girders[0].mass * scene.gravity;
         let part = cable.yield_force.expect("yields") / weight;
         assert!((part - 0.25).abs() < 0.02, "a quarter of the weight: {part}");

@@ -1,8 +1,8 @@
 //! Edits of piers: under a joint, like another, moved.
 
-use super::change::{girder, micrometres, stem};
+use super::change::{girder, micrometres};
 use crate::geometry::End;
-use crate::scene::edit::{Edit, free_name};
+use crate::scene::edit::{Edit, free_name, free_name_after};
 use crate::scene::facing::{self, Side};
 use crate::scene::{CONCRETE_MODULUS, ColumnTop, Girder, PerDirection, Pier, Scene};
 
@@ -84,7 +84,7 @@ pub(super) fn add_pier_like(scene: &Scene, like: usize) -> Option<Edit> {
     let (here, old) = (scene.pier(like), scene.piers.get(like)?);
     let beside = here.top + here.axes.y_axis * (1.5 * here.cap[1]);
     let position = Some([beside.x, beside.y].map(micrometres));
-    let new = Pier { name: free_name(scene, stem(&old.name)), position, cap: Some(here.cap), ..old.clone() };
+    let new = Pier { name: free_name_after(scene, &old.name), position, cap: Some(here.cap), ..old.clone() };
     Some(Edit::AddPier(scene.piers.len(), Box::new(new)))
 }
 

@@ -1,9 +1,10 @@
 //! Adds, copies, arrays, nudges and removes: from a command and what is selected to an edit.
 
-use super::change::{add_abutment, add_girder, add_span, array, gap_of, remove, shifted};
+use super::change::{add_abutment, gap_of, remove, shifted};
 use super::devices::{copy, new_device};
 use super::piers::{add_pier, add_pier_like};
 use super::selection::Selection;
+use super::spans::{add_girder, add_span, array};
 use crate::app::command::{Nudge, PlaceCommand, RowDraft};
 use crate::scene::edit::Edit;
 use crate::scene::{DeviceId, Scene};
@@ -44,7 +45,7 @@ pub(super) fn placed(command: PlaceCommand, scene: &Scene, selection: &Selection
         }
         PlaceCommand::AddPier => (add_pier(scene, girder)?, Some(vec![Target::Pier(scene.piers.len())])),
         PlaceCommand::AddDevice(kind) => {
-            let new = new_device(scene, kind, girder.unwrap_or_default())?;
+            let new = new_device(scene, kind, selection.all())?;
             let number = scene.count_of(kind);
             let target = Target::Device(DeviceId { kind, number });
             (Edit::AddDevice(number, Box::new(new)), Some(vec![target]))

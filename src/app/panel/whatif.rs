@@ -34,7 +34,7 @@ pub(in crate::app) fn show(ui: &mut Ui, shown: Shown<'_>, out: &mut Vec<Command>
     let Shown { document, replay, display, plots } = shown;
     let form = Form { scene: document.scene(), problems: replay.runner.problems() };
     fold::head(ui, Pane::WhatIf, out, |_, _| ());
-    geometry(ui, form, chosen(document), out);
+    geometry(ui, form, &chosen(document), out);
     section(ui, text::MOTION_SECTION.as_str(), |ui| {
         motion(ui, form, replay.runner.answer().map_or(&[], |answer| &answer.cut), out);
     });
@@ -58,24 +58,29 @@ fn push(out: &mut Vec<Command>, change: Option<Change>, edit: impl FnOnce() -> E
     }
 }
 
-/// The girder whose skew the slider turns, or none: all of them.
-fn chosen(document: &Document) -> Option<usize> {
-    match document.selection().lead() {
-        Some(Target::Girder(i)) if i < document.scene().girders.len() => Some(i),
-        _ => None,
-    }
+/// The girders whose skew the slider turns, the one that is shown first, or none: all of them.
+fn chosen(document: &Document) -> Vec<usize> {
+    let selection = document.selection();
+    let Some(Target::Girder(lead)) = selection.lead() else { return Vec::new() };
+    let others = selection.girders().filter(|girder| *girder != lead);
+    let there = |girder: &usize| *girder < document.scene().girders.len();
+    std::iter::once(lead).chain(others).filter(there).collect()
 }
 
-fn geometry(ui: &mut Ui, form: Form<'_>, one: Option<usize>, out: &mut Vec<Command>) {
+fn geometry(ui: &mut Ui, form: Form<'_>, these: &[usize], out: &mut Vec<Command>) {
     let scene = form.scene;
-    let Some(girder) = scene.girders.get(one.unwrap_or(0)) else { return };
+    let Some(girder) = scene.girders.get(these.first().copied().unwrap_or(0)) else { return };
     let (table, size) = (format!("girder.{}", girder.name), Size::of(girder));
     let mut skew = girder.skew_deg;
-    let whose =
-        if one.is_some() || scene.girders.len() == 1 { girder.name.as_str() } else { text::ALL_GIRDERS.as_str() };
-    ui.label(RichText::new(format!("{whose}: {}", text::us_skew(skew))).weak());
+    let named: Vec<&str> = these.iter().map(|i| scene.girders[*i].name.as_str()).collect();
+    let whose = match (these, scene.girders.len()) {
+        ([], 1) => girder.name.clone(),
+        ([], _) => text::ALL_GIRDERS.to_string(),
+        _ => named.join(", "),
+    };
+    ui.add(egui::Label::new(RichText::new(format!("{whose}: {}", text::us_skew(skew))).weak()).truncate());
     let change = slider_at(ui, &form.look_of(&table, size), "skew_deg", &mut skew);
-    push(out, change, || edits::skew(scene, one, skew));
+    push(out, change, || edits::skew(scene, these, skew));
     let gaps = edits::gaps(scene);
     if let Some(&(mut gap)) = gaps.first() {
         // Between girders alone the file has no such place: the key is that of a wall all the same.

@@ -40,6 +40,22 @@ pub(in crate::scene) fn bearing_place(girder: &Girder, of: Setting) -> f64 {
     bearings.iter().map(|bearing| bearing.place.length()).fold(0.0, f64::max) / radius(girder)
 }
 
+/// Distance of the farthest bearing of each end from the top of the pier that it stands on, along the pier's first axis, in parts
+/// of the girder's length, with the key of the girder's bearings.
+pub(super) fn pier_places(scene: &Scene) -> Vec<(String, f64)> {
+    let piers: Vec<_> = (0..scene.piers.len()).map(|number| scene.pier(number)).collect();
+    let of_girder = |girder: &Girder| {
+        let (home, axes) = (DVec3::from(girder.position), placed::axes(girder));
+        let bearings = girder.supports(scene.setting()).into_iter().zip(scene.supports(girder));
+        let apart = bearings.filter_map(|(bearing, pier)| {
+            let pier = &piers[pier?];
+            Some((home + axes * bearing.place - pier.top).dot(pier.axes.x_axis).abs() / girder.length)
+        });
+        Some((format!("girder.{}.bearings", girder.name), apart.reduce(f64::max)?))
+    };
+    if piers.is_empty() { Vec::new() } else { scene.girders.iter().filter_map(of_girder).collect() }
+}
+
 /// Distance of each point of a device that is on a girder from its G, in parts of that of the farthest corner, with its key.
 pub(in crate::scene) fn device_places(scene: &Scene, ends: &Ends<'_>) -> Vec<(&'static str, f64)> {
     let place = |name: &str, at: [f64; 3]| {

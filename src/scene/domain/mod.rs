@@ -85,6 +85,15 @@ pub const DEVICE_PLACE: Limit = Limit {
     beyond: [NOTHING, Some(Text::new("domain-above-device-place"))],
     remedy: Text::new("domain-mend-bearing-place"),
 };
+/// Distance of a bearing from the top of the pier that it stands on, along the pier's first axis, over the girder's length. Ends
+/// on one cap are a seat and a gap apart, some hundredths of a span (chosen: a quarter).
+pub const PIER_PLACE: Limit = Limit {
+    quantity: Text::new("domain-pier-place"),
+    unit: "",
+    range: [0.0, 0.25],
+    beyond: [NOTHING, Some(Text::new("domain-above-pier-place"))],
+    remedy: Text::new("domain-mend-pier-place"),
+};
 /// `K/M`, with the reduced mass M of (65). Below: a blow at 1 m/s presses the faces by 1 m, `v/√(K/M)`. Above: an acceleration
 /// of 1e-3 m/s² presses a face that rests by 1e-12 m, `a M/K`, where places of 1 m round by 2e-16 m.
 pub const STIFFNESS: Limit = Limit {
@@ -155,6 +164,7 @@ pub const LIMITS: &[Limit] = &[
     SKEW,
     BEARING_PLACE,
     DEVICE_PLACE,
+    PIER_PLACE,
     STIFFNESS,
     CONTACT_PHASE,
     MOTION_PHASE,
@@ -224,6 +234,9 @@ pub fn outside(scene: &Scene) -> Vec<Departure> {
     }
     for girder in &scene.girders {
         look_at_girder(scene, girder, &mut found);
+    }
+    for (bearing, place) in measures::pier_places(scene) {
+        found.look(bearing, place, PIER_PLACE);
     }
     for (id, device) in scene.devices() {
         let ends = device.ends();

@@ -75,6 +75,18 @@ fn each_quantity_of_a_girder_is_named_by_its_key() {
 }
 
 #[test]
+fn an_end_stands_on_a_pier_under_it() {
+    let mut scene = presets::load("viaduct-5").unwrap_or_else(|errors| panic!("{errors}"));
+    let Some(Bearings::Shared(bearings)) = &mut scene.girders[4].bearings else { panic!("shared") };
+    bearings.on_plus_x = Some("p4".to_owned());
+    let found = outside(&scene);
+    let places: Vec<&str> = found.iter().map(|d| d.place.as_str()).collect();
+    // The pier takes its place in the middle of its bearings: half a span from either end of g5.
+    assert_eq!(places, ["girder.g4.bearings", "girder.g5.bearings"], "{found:?}");
+    assert!(found.iter().all(|d| d.limit == PIER_PLACE && d.value > 0.4 && d.value < 0.6), "{found:?}");
+}
+
+#[test]
 fn a_device_acts_on_its_girder() {
     let mut scene = presets::load("twin-span-restrained").unwrap_or_else(|errors| panic!("{errors}"));
     let (name, girder) = (scene.restrainers[0].name.clone(), scene.restrainers[0].girder.clone());

@@ -11,5 +11,5 @@ mod names;
 mod undo;
 
 pub use kinds::{Edit, EditError, General};
-pub use names::{free_among, free_name};
+pub use names::{free_among, free_name, free_name_after};
 pub use undo::UndoStack;

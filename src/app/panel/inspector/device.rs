@@ -79,17 +79,23 @@ fn ends(ui: &mut Ui, place: Place<'_>, scene: &Scene, unit: Unit, device: &mut D
     let walls = scene.abutments.iter().map(|wall| Some(wall.name.clone()));
     let others = girders.iter().filter(|name| name.as_deref() != Some(&girder)).cloned();
     let bodies: Vec<Option<String>> = std::iter::once(None).chain(others).chain(walls).collect();
+    let as_it_was = device.clone();
+    let anew = |to: Option<&str>| edits::points_before(scene, &as_it_was, to);
     let ends = device.part_mut().ends_mut();
     let mut from = Some(girder.clone());
     let mut change = body(ui, place, ("girder", text::DEVICE_ON.as_str()), &mut from, &girders);
     if let (Some(_), Some(name)) = (change, from) {
         *ends.girder = name;
     }
-    let (at, mut onto) = (ends.at, to.clone());
-    for (axis, value) in ["x", "y", "z"].into_iter().zip(at).take(axes) {
+    let mut onto = to.clone();
+    for (axis, value) in ["x", "y", "z"].into_iter().zip(&mut *ends.at).take(axes) {
         change = change.or(number(ui, place, ("at_m", &format!("{} {axis}", text::DEVICE_AT)), value, unit));
     }
     let chosen = body(ui, place, ("to", text::DEVICE_TO.as_str()), &mut onto, &bodies);
+    if let Some((at, to_at)) = anew(onto.as_deref()).filter(|_| chosen.is_some()) {
+        (*ends.to, *ends.at, *ends.to_at) = (onto, at, to_at);
+        return chosen;
+    }
     if chosen.is_some() {
         // The point stays where it is, seen from another body.
         let there = joint.and_then(|joint| crate::scene::device::point_on(scene, onto.as_deref(), joint.points[1]));

@@ -157,14 +157,14 @@ fn length(pull: &Pull<'_>, i: usize, end: End) -> Option<Pulled> {
     // The other end stays where it is.
     let position = edits::tidy(DVec3::from(girder.position) + outward * ((length - girder.length) / 2.0));
     let new = Girder { length, position, ..stretched(girder, length / girder.length, 1.0, girder.skew_deg) };
-    Some(plain(edits::girder(i, new), text::dragged(text::LONG.as_str(), &text::exact_length(length))))
+    Some(plain(edits::reshaped(pull.scene, i, new), text::dragged(text::LONG.as_str(), &text::exact_length(length))))
 }
 
 fn width(pull: &Pull<'_>, i: usize, flank: Flank) -> Option<Pulled> {
     let (girder, _, y) = pull.girder(i)?;
     let width = pull.or_typed((girder.width + 2.0 * pull.along(y * flank.sign())).max(girder.width * LEAST));
     let new = Girder { width, ..stretched(girder, 1.0, width / girder.width, girder.skew_deg) };
-    Some(plain(edits::girder(i, new), text::dragged(text::WIDE.as_str(), &text::exact_length(width))))
+    Some(plain(edits::reshaped(pull.scene, i, new), text::dragged(text::WIDE.as_str(), &text::exact_length(width))))
 }
 
 fn skew(pull: &Pull<'_>, i: usize, end: End, flank: Flank) -> Option<Pulled> {
@@ -177,7 +177,7 @@ fn skew(pull: &Pull<'_>, i: usize, end: End, flank: Flank) -> Option<Pulled> {
     let new = Girder { skew_deg: skew, ..stretched(girder, 1.0, 1.0, skew) };
     let mut words = vec![text::skewed_to(&unit::trimmed(skew), end)];
     words.extend(to);
-    Some(Pulled { edit: edits::girder(i, new), words, guides: Vec::new() })
+    Some(Pulled { edit: edits::reshaped(pull.scene, i, new), words, guides: Vec::new() })
 }
 
 /// A girder whose bearings keep their places as shares of its plan.
