@@ -240,6 +240,17 @@ fn a_preset_replaces_unsaved_work_only_after_asking() {
 }
 
 #[test]
+fn presets_that_are_only_looked_at_leave_nothing_to_save() {
+    let mut harness = open(presets::OPENING);
+    for name in ["span-as-built", "twin-span-restrained", "viaduct-5", "span-as-built", "deck-30m-elastic", "deck-30m"]
+    {
+        choose_preset(&mut harness, name);
+        let document = &harness.state().files.document;
+        assert_eq!((document.scene().name.as_str(), document.is_dirty()), (name, false), "{:?}", document.undo_label());
+    }
+}
+
+#[test]
 fn all_unsaved_work_is_asked_about_at_once_each_by_its_name() {
     let folder = tempfile::tempdir().expect("a folder");
     let mut scenes = Vec::new();

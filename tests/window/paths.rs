@@ -5,7 +5,7 @@ use std::time::Duration;
 
 use super::harness::{open, press, settle, slide};
 use egui::accesskit::Role;
-use egui::{Key, Modifiers};
+use egui::{Event, Key, Modifiers};
 use egui_kittest::Harness;
 use egui_kittest::kittest::{NodeT as _, Queryable as _};
 use girderbench::app::{FilmPlan, Filming, Workbench};
@@ -54,6 +54,21 @@ fn told(harness: &mut Harness<'_, Workbench>) -> String {
         std::thread::sleep(Duration::from_millis(10));
     }
     panic!("nothing was told in half a minute");
+}
+
+#[test]
+fn letters_that_come_in_one_frame_with_enter_count() {
+    let folder = tempfile::tempdir().expect("a folder");
+    let mut harness = asking();
+    choose(&mut harness, "Save as…");
+    harness.key_press_modifiers(Modifiers::COMMAND, Key::A);
+    settle(&mut harness);
+    let file = folder.path().join("fast.toml");
+    let enter =
+        Event::Key { key: Key::Enter, physical_key: None, pressed: true, repeat: false, modifiers: Modifiers::NONE };
+    harness.input_mut().events.extend([Event::Text(file.display().to_string()), enter]);
+    settle(&mut harness);
+    assert!(file.is_file(), "saved under the whole name");
 }
 
 #[test]

@@ -47,12 +47,16 @@ fn path(ui: &mut Ui, asked: &Asked, out: &mut Vec<PathCommand>) {
     let pressed = |key| ui.input(|i| i.key_pressed(key));
     let entered = response.lost_focus() && pressed(Key::Enter);
     take_focus(ui, &response, &asked.text);
+    let typed = text != asked.text;
     if entered {
-        out.push(if asked.question.is_some() { PathCommand::Confirm } else { PathCommand::Take });
+        // Letters may come in one frame with the Enter after them; a question was about the text before them.
+        let confirms = asked.question.is_some() && !typed;
+        out.extend(typed.then_some(PathCommand::Type(text)));
+        out.push(if confirms { PathCommand::Confirm } else { PathCommand::Take });
     } else if let Some(goes_on) = goes_on.filter(|_| response.has_focus() && pressed(Key::Tab)) {
         set_cursor(ui, &response, goes_on.chars().count());
         out.push(PathCommand::Type(goes_on));
-    } else if text != asked.text {
+    } else if typed {
         out.push(PathCommand::Type(text));
     }
     let whole = asked.path().display().to_string();

@@ -239,8 +239,9 @@ impl Document {
 
 /// An edit with what it says of assumed values: a number that it changes is given now.
 fn with_assumed(edit: Edit, before: &Scene, after: &Scene) -> Edit {
-    // Another scene, or the list itself, comes with its own; a renamed body's paths have been renamed.
-    if before.assumed != after.assumed || before.assumed.is_empty() {
+    // Another scene comes with its own list, which may read as the one before; so does the list itself, and a renamed body's paths have
+    // been renamed.
+    if matches!(edit, Edit::Scene(_)) || before.assumed != after.assumed || before.assumed.is_empty() {
         return edit;
     }
     let left = before.still_assumed(after);

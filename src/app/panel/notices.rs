@@ -119,7 +119,7 @@ pub(in crate::app) fn over_all(ui: &mut Ui, window: &WindowState, out: &mut Vec<
             Next::Close => (text::CLOSE_ANYWAY, WindowCommand::CloseAnyway),
             Next::File(_) | Next::Learn(_) => (text::GIVE_UP, WindowCommand::GiveUp),
         };
-        egui::Modal::new(Id::unique("unsaved")).show(ui, |ui| {
+        let asked = egui::Modal::new(Id::unique("unsaved")).show(ui, |ui| {
             ui.label(text::UNSAVED_QUESTION);
             ui.horizontal(|ui| {
                 for (words, command) in [
@@ -133,5 +133,9 @@ pub(in crate::app) fn over_all(ui: &mut Ui, window: &WindowState, out: &mut Vec<
                 }
             });
         });
+        // Escape, or a click beside it, is no answer: nothing is lost.
+        if asked.should_close() {
+            out.push(WindowCommand::KeepOpen.into());
+        }
     }
 }
