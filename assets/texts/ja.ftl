@@ -736,7 +736,7 @@ used-up = 必要長はあるが、この計算では不足
 from-memory = （記憶による引用、未確認）
 demand = 必要 { $needed }、実際 { $there }、使用 { $used }：{ $verdict }{ $doubt }
 orbit-of = 桁かかり上の隅角部 { $corner }（実寸比）。赤は前縁、輪は最小の位置、点は今、濃いほど後
-seat-left = { $seat } のうち残り { $least }。隅角部で { $corners }
+seat-left = 前縁に直角に { $seat } のうち残り { $least }。隅角部で { $corners }
 bearing-lifts = { $bearing } の荷重が { $t } s に 0 となり、浮き上がる
 bearing-damped = { $bearing } の荷重が { $t } s に 0 となり、浮き上がる。ばねがまだ押されている間に鉛直の減衰が最大 { $pull } で引く
 bearing-pulls = { $bearing } の荷重が { $t } s に 0 となり、最大 { $pull } で引く：浮き上がりは扱わない
@@ -826,12 +826,15 @@ ground-unknown = 方向不明
 ground-more = ほか { $count } 成分
 
 ## 桁かかりの判定
-verdict-stays = 落橋しない：桁かかり長 { $placed } のうち最小で { $left } が残る（{ $end } 端、{ $t } s）
-verdict-support-lost = 支承 { $bearing } が { $t } s に支持を失う：桁かかり長 { $placed } のうち最小で { $left } が残る（{ $end } 端）
+verdict-stays = 落橋しない：前縁に直角に測った桁かかり長 { $placed } のうち最小で { $left } が残る（{ $end } 端、{ $t } s）
+verdict-support-lost = 支承 { $bearing } が { $t } s に支持を失う：前縁に直角に測った桁かかり長 { $placed } のうち最小で { $left } が残る（{ $end } 端）
 verdict-tipped = { $t } s から { $limit }° を超えて傾く（最大 { $tilt }°）
 verdict-over-side = 桁かかりから外れる：隅角部 { $corner } が側方へ（{ $end } 端、{ $t } s）
 verdict-corner-off = 桁かかりから外れる：隅角部 { $corner }（{ $end } 端、{ $t } s）、最大で前縁から { $beyond }（{ $worst } s）
 verdict-lost = 落橋：{ $end } 端全体が { $t } s に外れる（最初の隅角部は { $first } s）
+falls-seat = 桁かかりから外れる（{ $t } s）
+falls-support = 支持を失う（{ $t } s）
+falls-tips = 傾く（{ $t } s）
 verdicts = 落橋の判定
 coarse = 粗い計算（本計算中）
 coarse-means = 先に許容誤差 1e-4 で計算した結果です。限度、判定、比較、ファイルは本計算を待ちます

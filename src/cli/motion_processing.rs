@@ -12,10 +12,10 @@ use crate::scene::{Baseline, Processing};
 /// What is done to the samples, in this order
 #[derive(Clone, Debug, clap::Args)]
 pub(super) struct ProcessingArgs {
-    /// Cut the record to begin here, time of the file [s]
+    /// Cut the record to begin here, after its first sample [s]
     #[arg(long, value_name = "S", value_parser = not_negative)]
     from: Option<f64>,
-    /// Cut the record to end here, time of the file [s]
+    /// Cut the record to end here, after its first sample [s]
     #[arg(long, value_name = "S", value_parser = not_negative)]
     to: Option<f64>,
     /// Take off the mean, the line of least squares, or the parabola that leaves the least velocity: none, mean, linear,

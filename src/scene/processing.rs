@@ -30,8 +30,8 @@ table! {
     #[derive(Clone, Copy, Debug, PartialEq, Serialize, Deserialize)]
     default struct Processing, PROCESSING {
         from: Option<f64> = "from_s" as "field-cut-from", Range::NotNegative, Fallback::Words("its start"),
-            "where the record is cut to begin, time of the file, s";
-        until: Option<f64> = "to_s" as "field-cut-to", Range::NotNegative, Fallback::Words("its end"), "where it is cut to end, time of the file, s";
+            "where the record is cut to begin, after its first sample, s";
+        until: Option<f64> = "to_s" as "field-cut-to", Range::NotNegative, Fallback::Words("its end"), "where it is cut to end, after its first sample, s";
         baseline: Baseline = "baseline" as "field-baseline", Range::Words(Baseline::WORDS), Baseline::FALLBACK,
             "what is taken off: nothing, its mean, its line of least squares, or the parabola that leaves the least velocity (Berg and Housner)";
         taper: f64 = "taper_s" as "field-taper", Range::NotNegative, Fallback::Number(0.0),
@@ -93,8 +93,9 @@ impl Processing {
     pub fn fault(&self, dt: f64, count: usize) -> Option<(&'static str, f64, Message)> {
         let (first, end) = self.kept(dt, count);
         let length = (end - first).saturating_sub(1) as f64 * dt;
-        let key = if self.from.is_some() { "from_s" } else { "to_s" };
-        let stated = self.from.or(self.until);
+        let backwards = self.from.zip(self.until).is_some_and(|(from, until)| until <= from);
+        let key = if self.from.is_some() && !backwards { "from_s" } else { "to_s" };
+        let stated = if backwards { self.until } else { self.from.or(self.until) };
         if let (Some(stated), true) = (stated, end - first < 2) {
             let whole = count.saturating_sub(1) as f64 * dt;
             return Some((key, stated, message!("wrong-cut", "whole" => whole)));

@@ -35,10 +35,19 @@ pub struct Passed {
     pub limit: &'static str,
     /// By whom: a girder, or a pair.
     pub whose: String,
+    /// Of a seat, under which end.
+    pub end: Option<End>,
     /// When for the first time \[s\].
     pub t: f64,
     /// How far at the most, SI; degrees for the rotation.
     pub reached: f64,
+}
+
+impl Passed {
+    /// Whose it is, with the end of its seat: `deck+x`.
+    pub fn whose(&self) -> String {
+        format!("{}{}", self.whose, self.end.map_or("", End::label))
+    }
 }
 
 /// Displacement of a corner in plan, at mid-depth \[m\].
@@ -167,25 +176,25 @@ pub fn passed(history: &History) -> Vec<Passed> {
 fn of_girder(history: &History, girder: usize, name: &str, all: &mut Vec<Passed>) {
     let limits = history.scene().limits;
     let times = touches::looks(history, girder);
-    let mut watch = |limit: &'static str, most: f64, sign: f64, value: &dyn Fn(f64) -> f64| {
+    let mut watch = |limit: &'static str, end: Option<End>, (most, sign): (f64, f64), value: &dyn Fn(f64) -> f64| {
         if let Some(t) = first(&times, history.end(), |t| sign * (value(t) - most)) {
             let reached = sign * largest(&times, |t| sign * value(t)).value;
-            all.push(Passed { limit, whose: name.to_owned(), t, reached });
+            all.push(Passed { limit, whose: name.to_owned(), end, t, reached });
         }
     };
     if let Some(most) = limits.rotation_deg {
-        watch("rotation_deg", most, 1.0, &|t| history.motion(girder, t).theta.abs().to_degrees());
+        watch("rotation_deg", None, (most, 1.0), &|t| history.motion(girder, t).theta.abs().to_degrees());
     }
     if let Some(most) = limits.drift {
         let farthest = |t| {
             let way = |corner| corner_way(history, girder, corner, t).truncate().length();
             (0..4).map(way).fold(0.0, f64::max)
         };
-        watch("drift_m", most, 1.0, &farthest);
+        watch("drift_m", None, (most, 1.0), &farthest);
     }
     for end in End::BOTH {
         if let Some(least) = limits.remaining_seat.filter(|_| seats::length(history, girder, end).is_some()) {
-            watch("remaining_seat_m", least, -1.0, &|t| seats::remaining(history, girder, end, t));
+            watch("remaining_seat_m", Some(end), (least, -1.0), &|t| seats::remaining(history, girder, end, t));
         }
     }
 }
@@ -197,7 +206,7 @@ fn of_resultants(history: &History, limit: f64) -> Vec<Passed> {
         let force = |t: f64| history.resultant(of.pair, t).length() - limit;
         let t = first(&[hit.start, hit.peak.t], history.end(), force).unwrap_or(hit.peak.t);
         let whose = history.model().pairs[of.pair].name.clone();
-        Some(Passed { limit: "total_force_n", whose, t, reached: of.most()?.value })
+        Some(Passed { limit: "total_force_n", whose, end: None, t, reached: of.most()?.value })
     };
     history.poundings().iter().filter_map(passed).collect()
 }
@@ -212,7 +221,7 @@ fn of_forces(history: &History, limit: f64) -> Vec<Passed> {
         let force = |t: f64| history.contact_at(touch.contact, t).map_or(0.0, |c| c.force.length()) - limit;
         let t = first(&[touch.start, touch.peak_time], history.end(), force).unwrap_or(touch.peak_time);
         let reached = over.iter().map(|touch| touch.peak_force).fold(0.0, f64::max);
-        all.push(Passed { limit: "force_n", whose: pair.name.clone(), t, reached });
+        all.push(Passed { limit: "force_n", whose: pair.name.clone(), end: None, t, reached });
     }
     all
 }

@@ -43,10 +43,6 @@ pub enum Verdict {
         t: f64,
         /// Its largest tilt \[rad\].
         tilt: f64,
-        /// The end with the least left.
-        end: End,
-        /// Its corner with the least left, by its number in plan.
-        corner: usize,
     },
     /// A corner comes off, and its end is not lost.
     CornerOff {
@@ -74,20 +70,18 @@ pub enum Verdict {
     },
 }
 
-/// The verdict on a girder; none where the scene gives it no seats.
+/// The verdict on a girder; none where the scene gives it no seats, unless it tips.
 pub fn verdict(history: &History, girder: usize) -> Option<Verdict> {
     of_seats(&seats::of_girder(history, girder), history.first_lost_bearing(girder), history.tipped(girder))
 }
 
 /// The verdict on the seats of one girder, of which a bearing has lost its support, number and time \[s\], or which has tipped, time and
-/// largest tilt \[s, rad\]; none without seats.
+/// largest tilt \[s, rad\]; none without seats of a girder that stays upright.
 pub fn of_seats(seats: &[Seat], bearing: Option<(usize, f64)>, tipped: Option<(f64, f64)>) -> Option<Verdict> {
-    let verdict = lost(seats).or_else(|| corner_off(seats)).or_else(|| stays(seats))?;
+    let off = lost(seats).or_else(|| corner_off(seats));
+    let tips = || tipped.map(|(t, tilt)| Verdict::Tipped { t, tilt });
+    let verdict = off.or_else(tips).or_else(|| stays(seats))?;
     Some(match (verdict, bearing) {
-        (Verdict::Stays { end, corner, .. }, _) if tipped.is_some() => {
-            let (t, tilt) = tipped.unwrap_or_default();
-            Verdict::Tipped { t, tilt, end, corner }
-        }
         (Verdict::Stays { end, corner, least, placed }, Some((bearing, t))) => {
             Verdict::SupportLost { bearing, t, end, corner, least, placed }
         }
@@ -143,18 +137,19 @@ impl Verdict {
         }
     }
 
-    /// The corner that decides it, by its number in plan.
-    pub fn corner(&self) -> usize {
+    /// The corner that decides it, by its number in plan; none of a girder that tips.
+    pub fn corner(&self) -> Option<usize> {
         match self {
             Self::Stays { corner, .. }
             | Self::SupportLost { corner, .. }
-            | Self::Tipped { corner, .. }
             | Self::CornerOff { corner, .. }
-            | Self::Lost { corner, .. } => *corner,
+            | Self::Lost { corner, .. } => Some(*corner),
+            Self::Tipped { .. } => None,
         }
     }
 
-    /// In words, in the language of this thread: `stays on its seats: at worst 1.36 m of 1.50 m left, end +x, 4.18 s`.
+    /// In words, in the language of this thread: `stays on its seats: at worst 1.36 m of 1.50 m left square to the
+    /// edge, end +x, 4.18 s`.
     pub fn words(&self) -> String {
         match self {
             Self::Stays { end, least, placed, .. } => {
@@ -228,7 +223,8 @@ mod tests {
         let Verdict::Stays { least, placed, .. } = kept else { panic!("{kept:?}") };
         assert!(least.value > 0.0 && least.value < placed, "a part of it: {kept:?}");
         assert!(
-            kept.words().starts_with("stays on its seats: at worst ") && kept.words().contains(" left, end "),
+            kept.words().starts_with("stays on its seats: at worst ")
+                && kept.words().contains(" left square to the edge, end "),
             "said"
         );
         // The seat that is left at the worst is the seat less what was used: as long as that it just does not hold.
@@ -257,6 +253,7 @@ mod tests {
     fn without_seats_there_is_no_verdict() {
         let history = History::of(&presets::load(presets::OPENING).expect("ships")).expect("runs");
         assert_eq!(verdict(&history, 0), None, "none is given");
+        assert_eq!(of_seats(&[], None, Some((1.0, 3.1))), Some(Verdict::Tipped { t: 1.0, tilt: 3.1 }), "but it tips");
     }
 
     #[test]

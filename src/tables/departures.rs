@@ -12,7 +12,7 @@ use crate::sim::{History, LostSupport, Overlap, TooDeep, Uplift, Upright, readin
 pub struct PassedReport {
     /// Its key in the scene's `[limits]`.
     pub limit: &'static str,
-    /// The girder or pair.
+    /// The girder or pair; of a seat the girder with its end: `deck+x`.
     pub whose: String,
     /// When for the first time \[s\].
     pub t: f64,
@@ -131,7 +131,7 @@ pub struct OutsideReport {
 /// Limits of the scene that were passed.
 pub(super) fn passed(history: &History) -> Vec<PassedReport> {
     let passed = readings::passed(history).into_iter();
-    passed.map(|p| PassedReport { limit: p.limit, whose: p.whose, t: p.t, reached: p.reached }).collect()
+    passed.map(|p| PassedReport { limit: p.limit, whose: p.whose(), t: p.t, reached: p.reached }).collect()
 }
 
 pub(super) fn lost(history: &History) -> Vec<LostReport> {

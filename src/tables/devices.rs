@@ -73,7 +73,9 @@ pub fn devices(history: &History, out: &mut dyn Write) -> std::io::Result<()> {
         let [fx, fy, fz] = xyz(now.reaction);
         let (name, state) =
             (history.model().links[link].name.clone(), Language::English.within(|| now.state.to_string()));
-        let [deformation, gap] = [now.along.deformation[0], now.gap].map(number);
+        // A bearing whose travel has no end has no distance to it.
+        let [deformation, gap] =
+            [now.along.deformation[0], now.gap].map(|v| if v.is_nan() { String::new() } else { number(v) });
         Some(vec![number(t), name, state, deformation, gap, fx, fy, fz])
     };
     to_csv(&HEADER.map(str::to_owned), changes.into_iter().filter_map(row), out)

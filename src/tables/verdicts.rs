@@ -22,7 +22,7 @@ pub struct VerdictReport {
     pub told: String,
 }
 
-/// Of the girders that have seats.
+/// Of the girders that have seats, or tip.
 pub(super) fn of(history: &History) -> Vec<VerdictReport> {
     let report = |(number, girder): (usize, &Girder)| {
         let verdict = verdict::verdict(history, number)?;

@@ -245,7 +245,8 @@ fn a_verdict_and_every_reading_lead_to_their_moment_and_their_place() {
     assert_eq!(harness.state().replay.playback.clock.t, verdict.t(), "the moment that decides it");
     let at = |harness: &Window, point: glam::DVec3| super::harness::on_screen(harness, point);
     let motion = answer.history.motion(0, verdict.t());
-    let corner = answer.history.model().bodies[0].prism.plan_corners()[verdict.corner()].extend(0.0);
+    let corner =
+        answer.history.model().bodies[0].prism.plan_corners()[verdict.corner().expect("of a seat")].extend(0.0);
     let middle = super::harness::view(&harness).center();
     let off = at(&harness, motion.place + motion.attitude * corner).distance(middle);
     assert!(off < 3.0, "its corner in the middle of the view: {off} points aside");

@@ -6,7 +6,7 @@ use egui::{DragValue, Id, Response, Ui, vec2};
 
 use super::entry::{Done, Field};
 use super::frame::{self, Own, SIGN, complain, reset_sign};
-use super::parse;
+use super::parse::{self, read};
 use super::place::{CLICK, Change, Place, change};
 use crate::app::style::theme::Palette;
 use crate::app::text;
@@ -197,7 +197,11 @@ impl Field<'_> {
         match typed.into_inner() {
             Some(Ok(Some(number))) => {
                 forget(ui, self.refused());
-                let number = number / self.unit.factor;
+                // A field that is entered and left has given the digits that it showed, and changes none of those that it did not.
+                if read(&self.unit.written(before * self.unit.factor), self.unit) == Ok(Some(number)) {
+                    return None;
+                }
+                let number = decimal(number / self.unit.factor);
                 (!same(number, before)).then_some(Done::Set(number, Change { gesture: None }))
             }
             Some(Ok(None)) if own.words.is_some() => own.differs.then_some(Done::Reset),
@@ -213,12 +217,17 @@ impl Field<'_> {
                 if response.gained_focus() || taken.is_some() {
                     forget(ui, self.refused());
                 }
-                let number = self.range().nearest(wanted, before);
+                let number = self.range().nearest(decimal(wanted), before);
                 let moved = wanted.is_finite() && !same(number, before);
                 taken.filter(|_| moved).map(|change| Done::Set(number, change))
             }
         }
     }
+}
+
+/// To 15 significant digits: 700 mm are 0.7 m in the file, not 0.7000000000000001.
+fn decimal(value: f64) -> f64 {
+    format!("{value:.14e}").parse().unwrap_or(value)
 }
 
 /// The same but for the rounding of two conversions.

@@ -165,7 +165,8 @@ fn panels(bench: &Workbench, ui: &mut Ui, out: &mut Vec<Command>) {
     if let Some(lesson) = learning.lesson() {
         beside(ui, (Pane::Lesson, folded), out, |ui, out| {
             fold::head(ui, Pane::Lesson, out, |_, _| ());
-            let area = ScrollArea::vertical().id_salt("lesson").auto_shrink(false);
+            // A lesson begins at its head, wherever the one before was left.
+            let area = ScrollArea::vertical().id_salt(("lesson", &lesson.title)).auto_shrink(false);
             area.show(ui, |ui| lesson_panel::show(ui, lesson, out));
         });
     }
@@ -216,6 +217,7 @@ fn time_rows(scene: &Scene, replay: &Replay, ui: &mut Ui, (plots, right): (Optio
         end: replay.end(),
         answer: replay.runner.answer().map(|a| &**a),
         passed: replay.runner.passed(scene.limits).unwrap_or_default(),
+        falls: replay.runner.fresh_answer().map(|answer| answer.falls()).unwrap_or_default(),
     };
     timeline::show(ui, shown, [plots::AXIS_WIDTH, right], out);
 }

@@ -4,7 +4,7 @@ use egui::{Grid, RichText, Ui};
 
 use super::seat_orbit;
 use crate::app::command::{Command, Look, TimeCommand};
-use crate::app::run::answer::Answer;
+use crate::app::run::answer::{Answer, MOST_VERDICTS};
 use crate::app::run::spot::Spot;
 use crate::app::style::theme::Palette;
 use crate::app::time::replay::Replay;
@@ -71,9 +71,6 @@ fn verdict(ui: &mut Ui, (girder, name): (usize, &str), (answer, reading): (&Answ
         Spot::verdict(girder, &verdict).go(out);
     }
 }
-
-/// Most girders whose verdicts are listed together.
-const MOST_VERDICTS: usize = 12;
 
 /// The verdicts on all girders that have seats.
 pub(in crate::app) fn show_verdicts(ui: &mut Ui, answer: Option<&Answer>, out: &mut Vec<Command>) {
@@ -245,7 +242,7 @@ fn rows(c: &ContactNow) -> [(&'static str, String); 12] {
         (text::ELASTIC_FORCE.as_str(), newtons(c.elastic_force().length())),
         (text::NORMAL_SPRING.as_str(), newtons(c.normal_force)),
         (text::TANGENTIAL_SPRING.as_str(), newtons(c.tangential_force.length())),
-        (text::FORCE_RATIO.as_str(), text::one_of(&text::short(used), &text::short(c.mu_static))),
+        (text::FORCE_RATIO.as_str(), text::one_of(&text::short(used), &text::short(c.mu()))),
         (text::CONE_USED.as_str(), format!("{} %", text::short(100.0 * c.cone_use()))),
         (text::DASHPOTS.as_str(), newtons((c.normal * c.normal_damping + c.tangential_damping).length())),
         (text::OVERLAP.as_str(), format!("{} µm", text::short(c.penetration * 1e6))),

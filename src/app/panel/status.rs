@@ -37,6 +37,7 @@ pub(in crate::app) fn show(
         if let Some(answer) = runner.fresh_answer() {
             balance(ui, answer);
             outside(ui, answer);
+            falls(ui, answer, out);
             overlaps(ui, answer, out);
             law_sense(ui, answer, out);
             drifting(ui, answer);
@@ -62,6 +63,19 @@ fn balance(ui: &mut Ui, answer: &Answer) {
     if !answer.balance.holds() {
         let words = RichText::new(text::UNBALANCED).color(Palette::of(ui).problem);
         ui.label(words).on_hover_text(answer.balance.to_string());
+    }
+}
+
+/// The first girder that does not stay on its seats, and how many more; a click goes there.
+fn falls(ui: &mut Ui, answer: &Answer, out: &mut Vec<Command>) {
+    if let [(girder, verdict), more @ ..] = answer.falls() {
+        let more = if more.is_empty() { String::new() } else { format!(" (+{})", more.len()) };
+        let name = answer.history.scene().girders.get(*girder).map_or("", |girder| girder.name.as_str());
+        let words = format!("{name} {}", verdict.words());
+        let label = RichText::new(format!("{name} {}{more}", text::falls(verdict))).color(Palette::of(ui).problem);
+        if ui.link(label).on_hover_text(format!("{words}\n{}", text::GO_THERE)).clicked() {
+            Spot::verdict(*girder, verdict).go(out);
+        }
     }
 }
 
@@ -95,7 +109,7 @@ fn law_sense(ui: &mut Ui, answer: &Answer, out: &mut Vec<Command>) {
     if !words.is_empty() {
         let label = RichText::new(text::BEYOND_LAW).color(Palette::of(ui).problem);
         let deepest = answer.too_deep.first().map(|deep| Spot::contact(deep.contact, deep.depth.t));
-        let spot = deepest.or(answer.dropped.as_ref().map(|dropped| Spot::contact(dropped.contact, dropped.t)));
+        let spot = deepest.or(answer.dropped.as_ref().map(|dropped| Spot::end_of_touch(&answer.history, dropped)));
         let response = ui.link(label).on_hover_text(format!("{}\n{}", words.join("\n"), text::GO_THERE));
         if let Some(spot) = spot.filter(|_| response.clicked()) {
             spot.go(out);

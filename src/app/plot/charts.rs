@@ -5,9 +5,10 @@ use std::borrow::Cow;
 use egui::Color32;
 use egui_plot::LineStyle;
 
+use crate::app::plot::resolution::Curve;
 use crate::app::plot::sampled::Sampled;
 use crate::app::plot::source::Source;
-use crate::app::plot::traces::{Band, Curve, Traces};
+use crate::app::plot::traces::{Band, Traces};
 use crate::app::plot::value_axis::range;
 use crate::app::style::theme::{OWN, PINS, Palette};
 use crate::app::text;

@@ -5,6 +5,7 @@ mod charts;
 mod legend;
 pub(in crate::app) mod plot_files;
 pub(in crate::app) mod plots;
+mod resolution;
 pub(in crate::app) mod sampled;
 pub(in crate::app) mod source;
 pub(in crate::app) mod traces;

@@ -5,8 +5,8 @@ use egui::{Rect, Role, ScrollArea, Sense, Ui, WidgetInfo, pos2, vec2};
 
 use crate::app::command::Command;
 use crate::app::plot::charts::{self, Chart};
+use crate::app::plot::resolution::Curve;
 use crate::app::plot::source::Source;
-use crate::app::plot::traces::Curve;
 use crate::app::plot::value_axis::LEAST_HEIGHT;
 use crate::app::plot::{chart_view, wave_chart, windows};
 use crate::app::style::theme::Palette;
@@ -32,8 +32,10 @@ pub(in crate::app) fn show(ui: &mut Ui, source: &Source<'_>, out: &mut Vec<Comma
     let own = own + usize::from(wave_chart::is_shown(source));
     let least = (3 + own) as f32 * (LEAST_HEIGHT + BETWEEN) - BETWEEN;
     // The wheel zooms: what does not fit is reached by the bar.
+    // The bar takes of the legends, never of the axis of time: that is the timeline's.
+    let right = ui.max_rect().right() - legend;
     let area = ScrollArea::vertical().id_salt("plots").scroll_source(ScrollSource::SCROLL_BAR).auto_shrink(false);
-    area.show(ui, |ui| over_time(ui, source, [legend, height.max(least)], out));
+    area.show(ui, |ui| over_time(ui, source, (right, height.max(least)), out));
     windows::show(ui, source);
 }
 
@@ -47,10 +49,9 @@ fn wave_rows(source: &Source<'_>, height: f32, others: usize) -> usize {
     }
 }
 
-fn over_time(ui: &mut Ui, source: &Source<'_>, [legend, height]: [f32; 2], out: &mut Vec<Command>) {
+fn over_time(ui: &mut Ui, source: &Source<'_>, (right, height): (f32, f32), out: &mut Vec<Command>) {
     let (rect, _) = ui.allocate_exact_size(vec2(ui.available_width(), height), Sense::hover());
-    let strip =
-        Rect::from_min_max(pos2(rect.left() + AXIS_WIDTH, rect.top()), pos2(rect.right() - legend, rect.bottom()));
+    let strip = Rect::from_min_max(pos2(rect.left() + AXIS_WIDTH, rect.top()), pos2(right, rect.bottom()));
     let response = ui.interact(strip, ui.scope_id().with("strip"), Sense::click_and_drag());
     response.widget_info(|| WidgetInfo::labeled(Role::Canvas, true, text::PLOTS));
     let axis = TimeAxis::over(strip, source.playback.window, source.end);

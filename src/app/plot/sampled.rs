@@ -2,6 +2,7 @@
 
 use std::sync::Arc;
 
+use crate::app::plot::resolution::{self, Curve};
 use crate::app::run::answer::Answer;
 use crate::scene::{PlotSettings, PlotShows};
 use crate::sim::quantity::{Quantity, Unit};
@@ -115,13 +116,21 @@ fn spectrum(history: &History, plot: &PlotSettings, found: &[Found<'_>], window:
 /// Curves over time, or over another quantity.
 fn course(history: &History, plot: &PlotSettings, found: &[Found<'_>], (window, points): ([f64; 2], usize)) -> Sampled {
     let x = plot.x.as_ref().and_then(|name| Some((name, Quantity::find(history, name)?)));
-    let times = times(history, window, points);
+    let stacked = x.is_none() && found.len() > 1 && found.iter().all(|(_, q)| matches!(q, Quantity::Energy(_)));
+    let end = [window[0], window[1].min(history.end())];
+    let values = |t: f64| x.iter().chain(found).map(|(_, quantity)| quantity.at(history, t)).collect();
+    let intervals = points.max(2) - 1;
+    let fine = 1 + intervals * resolution::parts(end, intervals, MOST_POINTS, values);
+    let times = times(history, window, fine);
     let (factor_x, unit_x) = x.map_or((1.0, "s"), |(_, q)| shown(q.unit()));
     let level = |t: f64| x.map_or(t, |(_, q)| q.at(history, t) * factor_x);
     let curve = |(name, quantity): &Found<'_>| {
         let (factor, _) = shown(quantity.unit());
         let point = |&t: &f64| [level(t), quantity.at(history, t) * factor];
-        ((*name).clone(), times.iter().map(point).collect())
+        let curve: Curve = times.iter().map(point).collect();
+        // Against another quantity every point is a place; energies one upon the other share their times.
+        let by_time = x.is_none() && !stacked;
+        ((*name).clone(), if by_time { resolution::by_columns(curve, window, points.max(2)) } else { curve })
     };
     let unit = found.first().map_or("", |(_, q)| shown(q.unit()).1);
     Sampled {
@@ -130,7 +139,7 @@ fn course(history: &History, plot: &PlotSettings, found: &[Found<'_>], (window, 
         unit,
         log: [false, plot.log],
         x: x.map(|(name, _)| format!("{name} [{unit_x}]")),
-        stacked: x.is_none() && found.len() > 1 && found.iter().all(|(_, q)| matches!(q, Quantity::Energy(_))),
+        stacked,
     }
 }
 

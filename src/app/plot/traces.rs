@@ -1,6 +1,7 @@
 //! Curves for the plots: only what can be seen is sampled, and no force peak is lost.
 //!
-//! About two samples a pixel are taken of the motion. The force of a touch of 10 ms would fall between them, so every
+//! About two samples a pixel are taken of the motion, more where it is faster, and then the lowest and the highest of each pixel are
+//! drawn ([`resolution`]). The force of a touch of 10 ms would fall between them, so every
 //! touch in the window adds its start, its end and its peak; where there are more touches than pixels, the highest of
 //! each pixel stands for the rest.
 //!
@@ -9,12 +10,13 @@
 
 use std::sync::Arc;
 
+use crate::app::plot::resolution::{self, Curve};
 use crate::app::run::answer::Answer;
 use crate::app::run::comparison::Pin;
 use crate::sim::{History, Pounding, PoundingHit};
 
-/// A curve: `[t, value]`.
-pub(in crate::app) type Curve = Vec<[f64; 2]>;
+/// Most motions that are computed for the curves of one window: a tenth of a second.
+const MOST_MOTIONS: usize = 200_000;
 
 /// More girders, or pairs of bodies that hit, than this are a crowd.
 pub(in crate::app) const CROWD: usize = 8;
@@ -40,6 +42,27 @@ impl Band {
         let count = curves.first().map_or(0, Vec::len);
         let all = |pick: fn(f64, f64) -> f64| (0..count).map(|i| among(i, pick)).collect();
         Self { times, low: all(f64::min), high: all(f64::max) }
+    }
+
+    /// With at most one time a column: the lowest and the highest of the column.
+    fn by_columns(self, [from, to]: [f64; 2], columns: usize) -> Self {
+        if self.times.len() <= 2 * columns {
+            return self;
+        }
+        let per_column = (to - from) / columns as f64;
+        let mut drawn = Self::default();
+        let mut until = f64::NEG_INFINITY;
+        for ((t, low), high) in self.times.into_iter().zip(self.low).zip(self.high) {
+            if t >= until {
+                drawn.times.push(t);
+                drawn.low.push(low);
+                drawn.high.push(high);
+                until = t + per_column;
+            } else if let (Some(lowest), Some(highest)) = (drawn.low.last_mut(), drawn.high.last_mut()) {
+                (*lowest, *highest) = (lowest.min(low), highest.max(high));
+            }
+        }
+        drawn
     }
 }
 
@@ -128,17 +151,22 @@ fn kept(pin: &Pin, girder: &str, (window, points): ([f64; 2], usize), less: Opti
         [motion.displacement.x * 1e3, motion.displacement.y * 1e3, motion.theta.to_degrees()]
     };
     let end = now.map_or(history.end(), |(now, _)| now.end().min(history.end()));
-    let mut curves = [(); 3].map(|()| Vec::with_capacity(points));
-    for t in grid(window, points, end) {
+    let values = |t: f64| {
         let there = values(history, number, t);
-        let values = now.map_or(there, |(now, own)| {
+        now.map_or(there, |(now, own)| {
             let here = values(now, own, t);
             [0, 1, 2].map(|n| here[n] - there[n])
-        });
-        for (curve, value) in curves.iter_mut().zip(values) {
+        })
+    };
+    let shown = [window[0], window[1].min(end)];
+    let fine = 1 + (points - 1) * resolution::parts(shown, points - 1, MOST_MOTIONS, |t| values(t).to_vec());
+    let mut curves = [(); 3].map(|()| Vec::with_capacity(fine));
+    for t in grid(window, fine, end) {
+        for (curve, value) in curves.iter_mut().zip(values(t)) {
             curve.push([t, value]);
         }
     }
+    let curves = curves.map(|curve| resolution::by_columns(curve, window, points));
     Some(Kept { curves, color: pin.color, girder: number })
 }
 
@@ -155,21 +183,33 @@ fn sample(answer: &Answer, window: [f64; 2], points: usize) -> Traces {
         force: Vec::new(),
         bands: None,
     };
-    for t in grid(window, points, history.end()) {
+    let values = |history: &History, girder: usize, t: f64| {
+        let motion = history.motion(girder, t);
+        [motion.displacement.x * 1e3, motion.displacement.y * 1e3, motion.theta.to_degrees()]
+    };
+    let shown = [window[0], window[1].min(history.end())];
+    let all = |t: f64| (0..girders).flat_map(|girder| values(history, girder, t)).collect();
+    let fine = 1 + (points - 1) * resolution::parts(shown, points - 1, MOST_MOTIONS / girders.max(1), all);
+    for t in grid(window, fine, history.end()) {
         for girder in 0..girders {
-            let motion = history.motion(girder, t);
-            traces.x[girder].push([t, motion.displacement.x * 1e3]);
-            traces.y[girder].push([t, motion.displacement.y * 1e3]);
-            traces.theta[girder].push([t, motion.theta.to_degrees()]);
-            if let Some(ghost) = history.beside().map(|beside| beside.motion(girder, t)) {
-                let values = [ghost.displacement.x * 1e3, ghost.displacement.y * 1e3, ghost.theta.to_degrees()];
-                for (curves, value) in traces.ghosts.iter_mut().zip(values) {
-                    curves[girder].push([t, value]);
-                }
+            let own = [&mut traces.x, &mut traces.y, &mut traces.theta];
+            for (curves, value) in own.into_iter().zip(values(history, girder, t)) {
+                curves[girder].push([t, value]);
+            }
+            let Some(beside) = history.beside() else { continue };
+            for (curves, value) in traces.ghosts.iter_mut().zip(values(beside, girder, t)) {
+                curves[girder].push([t, value]);
             }
         }
     }
-    traces.bands = (girders > CROWD).then(|| [&traces.x, &traces.y, &traces.theta].map(|curves| Band::of(curves)));
+    traces.bands = (girders > CROWD)
+        .then(|| [&traces.x, &traces.y, &traces.theta].map(|curves| Band::of(curves).by_columns(window, points)));
+    let [one, two, three] = &mut traces.ghosts;
+    for curves in [&mut traces.x, &mut traces.y, &mut traces.theta, one, two, three] {
+        for curve in curves {
+            *curve = resolution::by_columns(std::mem::take(curve), window, points);
+        }
+    }
     let poundings = history.poundings();
     traces.force = poundings.iter().flat_map(|between| force(history, between, window, points)).collect();
     if poundings.len() > CROWD {

@@ -3,6 +3,7 @@
 //! Values are computed on an even grid of times and stations and coloured between its points. Where the window of time is so wide
 //! that a wave would fall between the times, nothing is drawn but a button that leads to the hardest hit.
 
+use egui::text::LayoutJob;
 use egui::{Align2, Button, Color32, FontId, Rect, Role, Sense, Shape, Stroke, Ui, WidgetInfo, pos2, vec2};
 
 use crate::app::command::{Command, TimeCommand};
@@ -79,6 +80,13 @@ pub(super) fn draw(ui: &mut Ui, source: &Source<'_>, over: &Over<'_>, palette: &
     bar(ui, over, (&title, said), (what, drawn.range), palette);
 }
 
+/// Lines of small letters between the values at both ends of a bar of this height \[points\].
+#[expect(clippy::cast_possible_truncation, clippy::cast_sign_loss, reason = "a height in points, at least 0")]
+fn rows_between(height: f32) -> usize {
+    const LINE: f32 = 13.0;
+    (height / LINE - 2.0).max(0.0) as usize
+}
+
 /// What the colours mean, at the right; the value pointed to.
 fn bar(
     ui: &mut Ui,
@@ -115,7 +123,12 @@ fn bar(
     }
     let words = said.unwrap_or_else(|| title.to_owned());
     response.widget_info(|| WidgetInfo::labeled(Role::Label, true, &words));
-    let galley = painter.layout(words.clone(), small, palette.weak, (place.right() - bar.right() - 8.0).max(20.0));
-    painter.galley(pos2(bar.right() + 4.0, place.center().y - 0.5 * galley.size().y), galley, palette.weak);
+    let mut job = LayoutJob::simple(words, small, palette.weak, (place.right() - bar.right() - 8.0).max(20.0));
+    // Between the two values, as many lines as there is room for.
+    job.wrap.max_rows = rows_between(place.height());
+    if job.wrap.max_rows > 0 {
+        let galley = painter.layout_job(job);
+        painter.galley(pos2(bar.right() + 4.0, place.center().y - 0.5 * galley.size().y), galley, palette.weak);
+    }
     response.on_hover_text(title);
 }

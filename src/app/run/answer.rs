@@ -5,10 +5,12 @@ use std::time::Duration;
 
 use crate::codes::{self, SeatDemands};
 use crate::language::Message;
+use crate::scene::Kind;
 use crate::scene::domain::{self, Departure};
 use crate::sim::moving_ground::{MovedSupport, moved_supports};
 use crate::sim::readings::{self, Passed, Reading};
 use crate::sim::seats::{self, OrbitPoint};
+use crate::sim::verdict::{self, Verdict};
 use crate::sim::{Balance, ContactState, Dropped, EventKind, History, Hit, Overlap, Quantity, Summary, TooDeep};
 
 /// A stretch of time that a contact of a pair spends in one state.
@@ -47,6 +49,9 @@ pub struct SeatAnswer {
 /// Intervals of an orbit: they are drawn in every frame.
 const ORBIT_INTERVALS: u32 = 1000;
 
+/// Most girders whose verdicts are found together: those of a long row take longer than a frame.
+pub(in crate::app) const MOST_VERDICTS: usize = 12;
+
 /// Instants at which the models are compared.
 const COMPARED: u32 = 1000;
 
@@ -84,6 +89,7 @@ pub struct Answer {
     pub cut: Vec<Message>,
     error: OnceLock<f64>,
     passed: OnceLock<Vec<Passed>>,
+    falls: OnceLock<Vec<(usize, Verdict)>>,
     readings: OnceLock<Vec<OnceLock<Reading>>>,
     quantities: OnceLock<Vec<(String, Quantity)>>,
     seats: OnceLock<Vec<SeatAnswer>>,
@@ -127,6 +133,7 @@ impl Answer {
             outside,
             error: OnceLock::new(),
             passed: OnceLock::new(),
+            falls: OnceLock::new(),
             readings: OnceLock::new(),
             quantities: OnceLock::new(),
             seats: OnceLock::new(),
@@ -160,6 +167,21 @@ impl Answer {
     /// Limits of the scene that were passed, the earliest first; reckoned when first asked for.
     pub fn passed(&self) -> &[Passed] {
         self.passed.get_or_init(|| readings::passed(&self.history))
+    }
+
+    /// Girders that come off their seats, lose a support or tip, with their verdicts, the earliest first, among the first
+    /// [`MOST_VERDICTS`] that could; found when first asked for.
+    pub fn falls(&self) -> &[(usize, Verdict)] {
+        self.falls.get_or_init(|| {
+            let girders = self.history.scene().girders.iter().enumerate();
+            let in_space = self.history.scene().kind == Kind::Spatial;
+            let could = girders.filter(|(_, girder)| in_space || girder.seat.plus.or(girder.seat.minus).is_some());
+            let verdicts =
+                could.take(MOST_VERDICTS).filter_map(|(i, _)| Some((i, verdict::verdict(&self.history, i)?)));
+            let mut falls: Vec<(usize, Verdict)> = verdicts.filter(|(_, verdict)| !verdict.stays()).collect();
+            falls.sort_by(|(_, a), (_, b)| a.t().total_cmp(&b.t()));
+            falls
+        })
     }
 
     /// What is read off a girder; reckoned when first asked for.

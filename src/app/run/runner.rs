@@ -172,7 +172,11 @@ impl Runner {
                 self.waiting = Some(Next { session, revision });
                 self.begin_waiting();
             }
-            Err(errors) => (self.problems, self.job) = (Some(errors), None),
+            Err(errors) => {
+                (self.problems, self.job) = (Some(errors), None);
+                // There is nothing that the answer before could be compared with.
+                self.shown = self.shown.take().filter(|_| !scene.girders.is_empty());
+            }
         }
     }
 

@@ -6,7 +6,7 @@ use crate::sim::quantity::{OfPair, Quantity};
 use crate::sim::readings::Extreme;
 use crate::sim::readings::Passed;
 use crate::sim::verdict::Verdict;
-use crate::sim::{History, Touch};
+use crate::sim::{Dropped, History, Touch};
 use crate::view::Target;
 
 /// A moment of a run, and what is to be looked at then.
@@ -19,6 +19,9 @@ pub(in crate::app) struct Spot {
     /// What the camera turns to.
     pub(in crate::app) look: Look,
 }
+
+/// Part of a touch before its end at which its contact is still seen closed (chosen).
+const BEFORE_THE_END: f64 = 1e-3;
 
 impl Spot {
     /// A girder, from above.
@@ -39,6 +42,14 @@ impl Spot {
     /// The peak of a touch.
     pub(in crate::app) fn touch(touch: &Touch) -> Self {
         Self::contact(touch.contact, touch.peak_time)
+    }
+
+    /// A contact just before it leaves its face: from then on it is open, and there is nothing to be seen of it.
+    pub(in crate::app) fn end_of_touch(history: &History, dropped: &Dropped) -> Self {
+        let mut touches = history.touches().iter().filter(|touch| touch.contact == dropped.contact);
+        let ends = touches.find(|touch| (touch.start..=touch.end).contains(&dropped.t));
+        let t = ends.map_or(dropped.t, |touch| dropped.t - BEFORE_THE_END * (dropped.t - touch.start));
+        Self::contact(dropped.contact, t)
     }
 
     /// Where what moves farthest is then.
@@ -73,7 +84,8 @@ impl Spot {
 
     /// What decides a verdict on a girder.
     pub(in crate::app) fn verdict(girder: usize, verdict: &Verdict) -> Self {
-        Self::corner(girder, verdict.corner(), verdict.t())
+        let t = verdict.t();
+        verdict.corner().map_or(Self::girder(girder, t), |corner| Self::corner(girder, corner, t))
     }
 
     /// The end of a girder at the gap of its pairs that is least then; the girder where it has none.
@@ -95,7 +107,8 @@ impl Spot {
     pub(in crate::app) fn passed(history: &History, passed: &Passed) -> Option<Self> {
         let model = history.model();
         if let Some(girder) = model.girders().iter().position(|body| body.name == passed.whose) {
-            return Some(Self::girder(girder, passed.t));
+            let look = passed.end.map_or(Look::Girder(girder), |end| Look::End(girder, end));
+            return Some(Self { look, ..Self::girder(girder, passed.t) });
         }
         let ours = |touch: &&Touch| model.pairs[touch.pair].name == passed.whose;
         let mut touches = history.touches().iter().filter(ours);

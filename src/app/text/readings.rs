@@ -4,6 +4,7 @@ use crate::codes::Demand;
 use crate::geometry::End;
 use crate::language::{Text, values};
 use crate::sim::readings::Passed;
+use crate::sim::verdict::Verdict;
 use crate::sim::{Dropped, History, Overlap, TooDeep};
 
 use super::{force, length, short};
@@ -106,6 +107,16 @@ pub(in crate::app) fn periods(count: f64) -> String {
     Text::new("periods").with(&values!["count" => format!("{count:.3}")])
 }
 
+/// That a girder does not stay on its seats, and when, in few words.
+pub(in crate::app) fn falls(verdict: &Verdict) -> String {
+    let text = match verdict {
+        Verdict::Tipped { .. } => Text::new("falls-tips"),
+        Verdict::SupportLost { .. } => Text::new("falls-support"),
+        Verdict::Stays { .. } | Verdict::CornerOff { .. } | Verdict::Lost { .. } => Text::new("falls-seat"),
+    };
+    text.with(&values!["t" => format!("{:.2}", verdict.t())])
+}
+
 /// Which bodies are inside each other without contact, how deep at the most and when.
 pub(in crate::app) fn overlap(history: &History, overlap: &Overlap) -> String {
     let [one, other] = overlap.bodies.map(|body| body.name(history.scene()));
@@ -154,7 +165,7 @@ pub(in crate::app) fn passed(flag: &Passed) -> String {
         _ => Text::new("passed-force").with(&values!["value" => force(flag.reached)]),
     };
     let t = format!("{:.4}", flag.t);
-    Text::new("passed").with(&values!["whose" => flag.whose.as_str(), "reached" => reached, "t" => t])
+    Text::new("passed").with(&values!["whose" => flag.whose(), "reached" => reached, "t" => t])
 }
 
 // What a device does at the time shown.

@@ -12,6 +12,7 @@ use crate::app::text;
 use crate::app::time::playback::Playback;
 use crate::app::time::time_axis::{TimeAxis, ticks};
 use crate::sim::readings::Passed;
+use crate::sim::verdict::Verdict;
 use crate::sim::{ContactState, Overlap};
 
 /// Height of the ticks' row \[points\].
@@ -40,13 +41,15 @@ pub(in crate::app) struct Shown<'a> {
     pub(in crate::app) answer: Option<&'a Answer>,
     /// Limits of the scene that were passed.
     pub(in crate::app) passed: &'a [Passed],
+    /// Girders that do not stay on their seats.
+    pub(in crate::app) falls: &'a [(usize, Verdict)],
 }
 
 /// Shows the timeline over the rest of the row, its time axis so far from both edges \[points\].
 pub(in crate::app) fn show(ui: &mut Ui, shown: Shown<'_>, [left, right]: [f32; 2], out: &mut Vec<Command>) {
     let size = vec2(ui.available_width(), RULER + LANES);
     let (rect, response) = ui.allocate_exact_size(size, Sense::click_and_drag());
-    let Shown { playback, end, answer, passed } = shown;
+    let Shown { playback, end, answer, passed, falls } = shown;
     let t = playback.clock.t;
     response.widget_info(|| {
         let mut info = WidgetInfo::labeled(Role::Slider, true, text::TIMELINE);
@@ -71,7 +74,8 @@ pub(in crate::app) fn show(ui: &mut Ui, shown: Shown<'_>, [left, right]: [f32; 2
         bracket(&painter, &axis, strip, span, &palette);
     }
     let overlaps = answer.map_or(&[][..], |answer| answer.history.overlaps());
-    let times = passed.iter().map(|flag| flag.t).chain(overlaps.iter().map(Overlap::first));
+    let falls = falls.iter().map(|(_, verdict)| verdict.t());
+    let times = passed.iter().map(|flag| flag.t).chain(falls).chain(overlaps.iter().map(Overlap::first));
     flags(&painter, times, &axis, strip, &palette);
     if let Some(x) = axis.pointed(ui) {
         painter.vline(x, strip.y_range(), Stroke::new(1.0, palette.weak));
@@ -96,7 +100,7 @@ fn bracket(painter: &Painter, axis: &TimeAxis, strip: Rect, span: [f64; 2], pale
     }
 }
 
-/// A little flag where a limit is passed or bodies overlap without contact for the first time.
+/// A little flag where a limit is passed, a girder comes off its seat or bodies overlap without contact for the first time.
 fn flags(painter: &Painter, times: impl Iterator<Item = f64>, axis: &TimeAxis, strip: Rect, palette: &Palette) {
     for t in times {
         let x = axis.x(t);

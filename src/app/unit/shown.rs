@@ -27,9 +27,9 @@ impl Unit {
         format!("{}{}", self.written(value * self.factor), self.suffix)
     }
 
-    /// A shown number.
+    /// A shown number, to six significant digits where it is not a small part.
     pub(in crate::app) fn written(&self, shown: f64) -> String {
-        if self.decimals > 6 && shown != 0.0 { format!("{shown:e}") } else { trimmed(shown) }
+        if self.decimals > 6 && shown != 0.0 { format!("{shown:e}") } else { trimmed(significant(shown)) }
     }
 }
 
@@ -118,8 +118,24 @@ pub(in crate::app) fn rounded(value: f64, step: f64) -> f64 {
     }
 }
 
-/// Up to six decimals, none of them needless.
+/// To six significant digits, of numbers from 1 to 10⁶; others have as many or are whole.
+fn significant(value: f64) -> f64 {
+    let magnitude = value.abs();
+    if !(1.0..1e6).contains(&magnitude) {
+        return value;
+    }
+    let step = 10f64.powf(magnitude.log10().floor() - 5.0);
+    rounded(value, step)
+}
+
+/// Numbers from here on are written with their power of ten: nobody counts more zeros.
+const WITH_POWER: f64 = 1e12;
+
+/// Up to six decimals, none of them needless; with a power of ten beyond [`WITH_POWER`].
 pub(in crate::app) fn trimmed(value: f64) -> String {
+    if value.abs() >= WITH_POWER {
+        return format!("{value:.5e}").replace(".00000e", "e");
+    }
     let text = format!("{value:.6}");
     let text = text.trim_end_matches('0').trim_end_matches('.');
     if text == "-0" { "0".into() } else { text.to_owned() }
@@ -133,5 +149,12 @@ mod tests {
     fn numbers_show_no_needless_zeros() {
         assert_eq!(trimmed(3.2), "3.2", "short");
         assert_eq!(trimmed(-1e-9), "0", "no minus zero");
+        assert_eq!([trimmed(1e300), trimmed(1.5e15)], ["1e300", "1.50000e15"], "no row of zeros");
+        let fields = [60.123_456, 0.051_234_5, 51.234_56, 300.0, 123_456.7].map(|v| PURE.written(v));
+        assert_eq!(
+            fields,
+            ["60.1235", "0.051235", "51.2346", "300", "123457"],
+            "as many digits as a field has room for"
+        );
     }
 }

@@ -64,7 +64,8 @@ pub trait Device: Connection<State = Phase, Motion = Separation> + std::fmt::Deb
     /// measured by \[m, m/s\]. While it is positive it changes by no more than its points are displaced against one another.
     fn gap(&self, phase: &Phase, motion: &Separation) -> [f64; 2];
 
-    /// The same distance as a length to read, where the gap is another function with the same zero \[m\].
+    /// The same distance as a length to read, where the gap is another function with the same zero; of a bearing what is left of its
+    /// travel, NaN where that has no end \[m\].
     fn distance_left(&self, phase: &Phase, motion: &Separation) -> f64 {
         self.gap(phase, motion)[0]
     }

@@ -61,6 +61,10 @@ impl Device for LinearBearing {
         bounds.acceleration
     }
 
+    fn distance_left(&self, _: &Phase, _: &Separation) -> f64 {
+        f64::NAN
+    }
+
     /// No line: the bearing itself is drawn.
     fn centre_line(&self, _: &Phase, _: [DVec3; 2]) -> Vec<DVec3> {
         Vec::new()

@@ -139,6 +139,11 @@ impl Device for Support {
         [-self.room.excess(w), -self.room.excess_rate(w, rate)]
     }
 
+    fn distance_left(&self, _: &Phase, motion: &Separation) -> f64 {
+        let [w, _] = self.across(motion);
+        (w - self.room.from).min(self.room.to - w)
+    }
+
     /// No line: the bearing itself is drawn.
     fn centre_line(&self, _: &Phase, _: [DVec3; 2]) -> Vec<DVec3> {
         Vec::new()
