@@ -4,7 +4,9 @@
 pub(in crate::dynamics) mod at_instant;
 pub(in crate::dynamics) mod closing_search;
 mod constants;
+pub(in crate::dynamics) mod contact_closing;
 pub(in crate::dynamics) mod contact_law;
+pub(in crate::dynamics) mod contact_states;
 pub(in crate::dynamics) mod event_forecast;
 pub(in crate::dynamics) mod event_source;
 pub(in crate::dynamics) mod handlers;

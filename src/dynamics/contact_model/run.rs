@@ -10,12 +10,13 @@ use std::sync::Arc;
 use crate::dynamics::Model;
 use crate::dynamics::contact_model::at_instant::EventInstant;
 use crate::dynamics::contact_model::closing_search::ClosingSearch;
+use crate::dynamics::contact_model::contact_closing::ContactClosing;
+use crate::dynamics::contact_model::contact_states::ContactStates;
 use crate::dynamics::contact_model::event_source::EventSource;
 use crate::dynamics::contact_model::islands::{IslandStock, Start, end_flight};
 use crate::dynamics::contact_model::link_transitions::LinkTransitions;
 use crate::dynamics::contact_model::step_planning;
 use crate::dynamics::contact_model::step_store::StepStore;
-use crate::dynamics::contact_model::transitions::Transitions;
 use crate::dynamics::contact_model::work_bounds::{Spent, WorkBounds};
 use crate::dynamics::event_loop::event_queue::Source;
 use crate::dynamics::event_loop::mechanics::Mechanics;
@@ -80,7 +81,7 @@ impl ContactRun {
         let (bases, states) = self.world.bodies.iter().map(start).unzip();
         let now = EventInstant::of(&self.world, slots, bases, states, 0.0);
         self.link_transitions(&now).begin();
-        self.transitions(&now).close_overlapping();
+        ContactClosing { states: &mut self.contact_states(&now) }.close_overlapping();
         self.rebuild(now, ControllerState::default());
     }
 
@@ -95,9 +96,9 @@ impl ContactRun {
         end
     }
 
-    /// Access to the contacts for transitions at the time of an event.
-    pub(in crate::dynamics) fn transitions<'a>(&'a mut self, now: &'a EventInstant) -> Transitions<'a> {
-        Transitions { world: &mut self.world, events: &mut self.events, schedule: &mut self.schedule, now }
+    /// Access to the states of the contacts at the time of an event.
+    pub(in crate::dynamics) fn contact_states<'a>(&'a mut self, now: &'a EventInstant) -> ContactStates<'a> {
+        ContactStates { world: &mut self.world, events: &mut self.events, schedule: &mut self.schedule, now }
     }
 
     /// Access to the devices for changes of phase at the time of an event.

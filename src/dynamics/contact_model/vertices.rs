@@ -5,9 +5,8 @@
 use glam::DVec2;
 
 use crate::contact::{Local, Mode, NormalLaw};
-use crate::dynamics::ContactSite;
 use crate::dynamics::contact_model::contact_law;
-use crate::dynamics::contact_model::transitions::Transitions;
+use crate::dynamics::contact_model::contact_states::ContactStates;
 use crate::dynamics::model::edge_node::NodePlace;
 use crate::dynamics::penalty3d::contact_force::to_world;
 use crate::dynamics::penalty3d::contact_state::{ClosedContact, Contact};
@@ -29,23 +28,30 @@ struct Carried {
     kept: f64,
 }
 
-impl Transitions<'_> {
+/// Nodes of the vertices of a touch in space.
+pub(super) struct VertexNodes<'s, 'a> {
+    /// The contacts of the group.
+    pub(super) states: &'s mut ContactStates<'a>,
+}
+
+impl VertexNodes<'_, '_> {
     /// Moves an edge node that the slide has parted from the crossing to the present one; whether there is a crossing, of bodies that
     /// have met one along whose normal they part.
     pub(super) fn follow(&mut self, contact: usize, closed: ClosedContact) -> bool {
-        let here = self.here(contact);
-        let depth = self.site(contact).face.depth;
-        let slid = self.at().edge(contact).is_some_and(|edge| edge.has_slid(here.at)) && here.penetration() < depth;
+        let here = self.states.here(contact);
+        let depth = self.states.site(contact).face.depth;
+        let slid =
+            self.states.at().edge(contact).is_some_and(|edge| edge.has_slid(here.at)) && here.penetration() < depth;
         if !slid {
             return false;
         }
         let kept = closed.place.overhang;
-        let Some(place) = self.crossing(contact, kept) else { return false };
+        let Some(place) = self.states.crossing(contact, kept) else { return false };
         let (place, depth) = (NodePlace { overhang: place.overhang.max(kept), ..place }, here.penetration());
-        if !self.at().parts_along(contact, &place, depth) {
+        if !self.states.at().parts_along(contact, &place, depth) {
             return false;
         }
-        let before = self.strain(contact, &closed);
+        let before = self.states.strain(contact, &closed);
         self.enter(contact, (closed, EventKind::Moved), (place, depth, stretch(&closed, &here)), before);
         true
     }
@@ -53,19 +59,20 @@ impl Transitions<'_> {
     /// Hands the part of a vertex in K and C that a node has left over an edge, in state `closed`, to the nodes that
     /// are there now; other nodes of the vertex that are there no more leave with it.
     pub(super) fn pass_on(&mut self, contact: usize, closed: &ClosedContact) {
-        let pair = &self.world.model.pairs[self.world.pairs[self.world.contacts[contact].pair].pair];
+        let pair =
+            &self.states.world.model.pairs[self.states.world.pairs[self.states.world.contacts[contact].pair].pair];
         if pair.edges.is_empty() {
             return;
         }
         // Faces of bodies that have met may stand at any angle. Those that are not flush have no vertex in common: every node has a
         // penetration of its own.
         let tilt = self.tilt(contact);
-        let have_met = self.world.pairs[self.world.contacts[contact].pair].meeting.is_some();
+        let have_met = self.states.world.pairs[self.states.world.contacts[contact].pair].meeting.is_some();
         if have_met && tilt > FLUSH {
             return;
         }
         // Faces that are not parallel see a vertex at places that differ by the depth times the sine of their angle.
-        let apart = self.here(contact).penetration().max(0.0) * tilt;
+        let apart = self.states.here(contact).penetration().max(0.0) * tilt;
         let reaches = [[0.0, 0.0], [apart, 0.0], [apart, apart]].into_iter();
         let Some(([nodes, gone], beside)) = reaches
             .map(|reach| (self.at_vertex_of(contact, reach), reach[1]))
@@ -73,28 +80,28 @@ impl Transitions<'_> {
         else {
             return;
         };
-        let sharers = self.world.contacts[contact].sharers;
-        let kept = nodes.iter().filter_map(|&node| Some((node, *self.world.contacts[node].state.closed()?)));
-        let left = gone.iter().filter_map(|&node| Some((node, *self.world.contacts[node].state.closed()?)));
+        let sharers = self.states.world.contacts[contact].sharers;
+        let kept = nodes.iter().filter_map(|&node| Some((node, *self.states.world.contacts[node].state.closed()?)));
+        let left = gone.iter().filter_map(|&node| Some((node, *self.states.world.contacts[node].state.closed()?)));
         let before: Vec<_> = kept.chain(left).chain([(contact, *closed)]).collect();
-        let pair = &self.world.pairs[self.world.contacts[contact].pair];
-        let divisor = match self.world.model.pairs[pair.pair].contact.sharing {
+        let pair = &self.states.world.pairs[self.states.world.contacts[contact].pair];
+        let divisor = match self.states.world.model.pairs[pair.pair].contact.sharing {
             Sharing::Tributary => pair.sharers * nodes.len(),
             Sharing::PerNode => sharers,
         };
         // Where a node is beside its face, it may go on as far again.
         let carried = Carried { kept: 2.0 * beside, ..self.carried(&before, nodes.len() as f64 / divisor as f64) };
         // No contact at a penetration of at least the depth of the face's body.
-        if nodes.iter().any(|&node| self.site(node).face.depth <= carried.depth) {
+        if nodes.iter().any(|&node| self.states.site(node).face.depth <= carried.depth) {
             return;
         }
         for gone in gone {
-            let Some(state) = self.world.contacts[gone].state.closed().copied() else { continue };
-            let released = self.strain(gone, &state);
-            self.log(gone, Contact::Open { armed: false }, EventKind::LeftFace, released);
+            let Some(state) = self.states.world.contacts[gone].state.closed().copied() else { continue };
+            let released = self.states.strain(gone, &state);
+            self.states.log(gone, Contact::Open { armed: false }, EventKind::LeftFace, released);
         }
         for node in nodes {
-            self.world.contacts[node].sharers = divisor;
+            self.states.world.contacts[node].sharers = divisor;
             self.carry(node, (contact, closed), &carried);
         }
     }
@@ -102,18 +109,18 @@ impl Transitions<'_> {
     /// The nodes that are at the vertex that a node has left, closed or about to be, and closed ones that are there no more;
     /// see [`contact_points::at_vertex_of`].
     fn at_vertex_of(&mut self, contact: usize, [extra, beyond]: [f64; 2]) -> [Vec<usize>; 2] {
-        let poses = |c: usize| self.at().sides(c);
-        let [mut nodes, gone] = contact_points::at_vertex_of(self.world, contact, [extra, beyond], &poses);
-        nodes.retain(|&node| self.world.contacts[node].state.closed().is_some() || self.can_enter(node, beyond));
+        let poses = |c: usize| self.states.at().sides(c);
+        let [mut nodes, gone] = contact_points::at_vertex_of(self.states.world, contact, [extra, beyond], &poses);
+        nodes.retain(|&node| self.states.world.contacts[node].state.closed().is_some() || self.can_enter(node, beyond));
         [nodes, gone]
     }
 
     /// Sine of the angle between the two faces of a contact's pair \[–\]; 0 without edges.
     fn tilt(&self, contact: usize) -> f64 {
-        let contacts = self.world.pairs[self.world.contacts[contact].pair].contacts.clone();
+        let contacts = self.states.world.pairs[self.states.world.contacts[contact].pair].contacts.clone();
         let tilt = |c: usize| {
-            let [node, face] = self.at().sides(c);
-            Some(self.at().edge(c)?.tilt([&node, &face]))
+            let [node, face] = self.states.at().sides(c);
+            Some(self.states.at().edge(c)?.tilt([&node, &face]))
         };
         contacts.rev().find_map(tilt).unwrap_or(0.0)
     }
@@ -124,7 +131,7 @@ impl Transitions<'_> {
         let (mut depth, mut length) = (0.0, 0.0);
         let power = before.first().map_or(2.0, |(_, closed)| closed.law.normal.energy_power());
         for (node, closed) in before {
-            let (here, part) = (self.here(*node), 1.0 / self.world.contacts[*node].sharers as f64);
+            let (here, part) = (self.states.here(*node), 1.0 / self.states.world.contacts[*node].sharers as f64);
             let penetration = here.penetration();
             depth += part * if power == 2.0 { penetration * penetration } else { penetration.max(0.0).powf(power) };
             length += part * stretch(closed, &here).length_squared();
@@ -137,17 +144,17 @@ impl Transitions<'_> {
     /// Gives a node its part of a vertex after the node `left`, which was in state `before`: a closed one its law, an
     /// open one its state too.
     fn carry(&mut self, node: usize, (left, before): (usize, &ClosedContact), carried: &Carried) {
-        let law = contact_law::of(self.world, node, self.now).resumed(&before.law, carried.depth);
+        let law = contact_law::of(self.states.world, node, self.states.now).resumed(&before.law, carried.depth);
         let at = |stretch: DVec2| stretch.normalize_or_zero() * carried.stretch;
-        if let Some(own) = self.world.contacts[node].state.closed().copied() {
-            let (place, stretch) = (self.world.contacts[node].place, stretch(&own, &self.here(node)));
-            let energy = self.strain(node, &own);
+        if let Some(own) = self.states.world.contacts[node].state.closed().copied() {
+            let (place, stretch) = (self.states.world.contacts[node].place, stretch(&own, &self.states.here(node)));
+            let energy = self.states.strain(node, &own);
             let closed = ClosedContact { law: law.resumed(&own.law, carried.depth), ..own };
             self.enter(node, (closed, EventKind::Moved), (place, carried.depth, at(stretch)), energy);
             return;
         }
         let along = match before.mode {
-            Mode::Stick { .. } => stretch(before, &self.here(left)),
+            Mode::Stick { .. } => stretch(before, &self.states.here(left)),
             Mode::Slip { direction } => direction,
         };
         let along = self.on_face_of(node, along, left);
@@ -157,11 +164,11 @@ impl Transitions<'_> {
                 (Mode::Slip { direction: along.try_normalize().unwrap_or(DVec2::X) }, EventKind::OpenToSlip)
             }
         };
-        let regularisation = self.at().regularisation_length(node, &law, &self.here(node));
+        let regularisation = self.states.at().regularisation_length(node, &law, &self.states.here(node));
         let mut closed = ClosedContact::new(law, mode, regularisation);
-        closed.solver.kept = if self.at().edge(node).is_some() { 0.0 } else { carried.kept };
-        self.world.contacts[node].closing = None;
-        let place = self.world.contacts[node].place;
+        closed.solver.kept = if self.states.at().edge(node).is_some() { 0.0 } else { carried.kept };
+        self.states.world.contacts[node].closing = None;
+        let place = self.states.world.contacts[node].place;
         self.enter(node, (closed, kind), (place, carried.depth, at(along)), 0.0);
     }
 
@@ -174,54 +181,39 @@ impl Transitions<'_> {
         (place, depth, stretch): (NodePlace, f64, DVec2),
         before: f64,
     ) {
-        self.world.contacts[contact].place = place;
-        let [node, _] = self.at().sides(contact);
-        let outwards = self.at().normal(contact) * (self.here(contact).penetration() - depth);
+        self.states.world.contacts[contact].place = place;
+        let [node, _] = self.states.at().sides(contact);
+        let outwards = self.states.at().normal(contact) * (self.states.here(contact).penetration() - depth);
         let shift = place.shift + outwards + node.turned.transpose() * outwards;
         let place = NodePlace { shift, ..place };
-        self.world.contacts[contact].place = place;
-        let here = self.here(contact);
+        self.states.world.contacts[contact].place = place;
+        let here = self.states.here(contact);
         let mode = match closed.mode {
             Mode::Stick { .. } => Mode::Stick { anchor: here.way - stretch },
             slip @ Mode::Slip { .. } => slip,
         };
         let closed = ClosedContact { mode, place, ..closed };
-        let released = before - self.strain(contact, &closed);
-        self.log(contact, Contact::Closed(closed), kind, released);
-    }
-
-    fn site(&self, contact: usize) -> &ContactSite {
-        &self.world.model.contacts[self.world.contacts[contact].site]
-    }
-
-    /// Node relative to face, from the reference poses.
-    fn here(&self, contact: usize) -> Local {
-        self.at().since(contact, &self.now.since).2
+        let released = before - self.states.strain(contact, &closed);
+        self.states.log(contact, Contact::Closed(closed), kind, released);
     }
 
     /// Whether an open node, an edge node at the crossing up to `beyond` beyond the ends of the edges \[m\], is behind its
     /// face and not behind the body.
     fn can_enter(&mut self, contact: usize, beyond: f64) -> bool {
-        self.place(contact, beyond);
-        let depth = self.site(contact).face.depth;
-        (0.0..depth).contains(&self.here(contact).penetration())
-    }
-
-    /// Strain energy in the springs of a contact in state `closed` \[J\].
-    fn strain(&self, contact: usize, closed: &ClosedContact) -> f64 {
-        let here = self.here(contact);
-        closed.law.strain(&here, &closed.forces(&here))
+        self.states.place(contact, beyond);
+        let depth = self.states.site(contact).face.depth;
+        (0.0..depth).contains(&self.states.here(contact).penetration())
     }
 
     /// A stretch or a direction of sliding of the contact `of`, in the axes of its face, as one of the contact `to` of
     /// the same pair in the axes of that one's face.
     fn on_face_of(&self, to: usize, vector: DVec2, of: usize) -> DVec2 {
         let world = |contact: usize, along: DVec2| {
-            let (home, [_, face], _) = self.at().since(contact, &self.now.since);
+            let (home, [_, face], _) = self.states.at().since(contact, &self.states.now.since);
             to_world(&home, &face, along, 0.0)
         };
         // Of a node on the other body it is the opposite.
-        let is_same = self.world.contacts[of].slots[0] == self.world.contacts[to].slots[0];
+        let is_same = self.states.world.contacts[of].slots[0] == self.states.world.contacts[to].slots[0];
         let vector = world(of, vector) * if is_same { 1.0 } else { -1.0 };
         DVec2::new(vector.dot(world(to, DVec2::X)), vector.dot(world(to, DVec2::Y)))
     }

@@ -1,0 +1,151 @@
+//! Closing of contacts at an event (`docs/physics.md#closing`): at the face, inside it, at t = 0.
+
+use glam::DVec2;
+
+use crate::contact::{Mode, NormalLaw};
+use crate::dynamics::contact_model::contact_law;
+use crate::dynamics::contact_model::contact_states::ContactStates;
+use crate::dynamics::penalty3d::contact_state::{ClosedContact, Contact};
+use crate::dynamics::record::event::EventKind;
+use crate::dynamics::world::tracks::ContactTrack;
+
+/// Closes contacts.
+pub(in crate::dynamics) struct ContactClosing<'s, 'a> {
+    /// The contacts of the group.
+    pub states: &'s mut ContactStates<'a>,
+}
+
+impl ContactClosing<'_, '_> {
+    /// Whether the projection of a node that has crossed the plane of a face is inside its polygon. Otherwise a miss is
+    /// recorded and the contact is disarmed until its gap is positive again (`docs/physics.md#closing`).
+    pub(in crate::dynamics) fn is_entry(&mut self, contact: usize) -> bool {
+        if self.states.at().is_over(contact) {
+            return true;
+        }
+        self.states.world.contacts[contact].closing = None;
+        if self.states.at().edge(contact).is_some() {
+            return false;
+        }
+        let (pair, disarmed) = (self.states.world.contacts[contact].pair, Contact::Open { armed: false });
+        if self.states.world.model.pairs[self.states.world.pairs[pair].pair].met {
+            // Between all faces of two bodies most crossings of a plane are beside the face.
+            self.states.enter_without_event(contact, disarmed);
+        } else {
+            self.states.log(contact, disarmed, EventKind::Missed, 0.0);
+        }
+        self.states.world.contacts[contact].changes.of_touch = 0;
+        false
+    }
+
+    /// Closing of a contact in stick or slip (`docs/physics.md#closing`); of bodies that have met, by the face of their least
+    /// overlap.
+    pub(in crate::dynamics) fn close(&mut self, contact: usize) {
+        let by = self.states.at().entered_by(contact);
+        if by == Some(contact) {
+            self.close_at_face(contact);
+            return;
+        }
+        self.states.world.contacts[contact].closing = None;
+        self.states.enter_state(contact, Contact::Open { armed: false });
+        if let Some(by) = by
+            && self.states.world.contacts[by].state.closed().is_none()
+            && !self.states.at().touches_elsewhere(by)
+        {
+            self.close_inside(by, 0.0);
+        }
+    }
+
+    /// Closing of a contact whose node is at its face.
+    fn close_at_face(&mut self, contact: usize) {
+        self.states.place(contact, 0.0);
+        let here = self.states.here(contact);
+        let law = contact_law::of(self.states.world, contact, self.states.now);
+        let (mut tangential, mut normal) = here.relative_velocity(DVec2::ZERO);
+        if normal == 0.0 && tangential == DVec2::ZERO {
+            (tangential, normal) = self.states.at().relative_acceleration(contact, &here);
+        }
+        let law = law.begun(&here);
+        let mode = law.on_closing(&here, tangential, normal);
+        let regularisation = self.states.at().regularisation_length(contact, &law, &here);
+        let place = self.states.world.contacts[contact].place;
+        let closed = ClosedContact { place, ..ClosedContact::new(law, mode, regularisation) };
+        let kind = match mode {
+            Mode::Stick { .. } => EventKind::OpenToStick,
+            Mode::Slip { .. } => EventKind::OpenToSlip,
+        };
+        self.states.world.contacts[contact].closing = None;
+        self.states.world.contacts[contact].changes.of_touch = 0;
+        // Round-off leaves an overlap at the crossing; its strain energy enters the ledger as a negative release.
+        let appeared = -law.entry_energy(&here);
+        self.states.log(contact, Contact::Closed(closed), kind, appeared);
+    }
+
+    /// Closing of a contact whose node is inside already, kept up to `kept` beyond the edges of its face \[m\]: the energy of
+    /// its spring enters the ledger as a negative release.
+    pub(super) fn close_inside(&mut self, contact: usize, kept: f64) {
+        let mut closed = self.closed_inside(contact);
+        closed.solver.kept = kept;
+        let here = self.states.here(contact);
+        let kind = match closed.mode {
+            Mode::Stick { .. } => EventKind::OpenToStick,
+            Mode::Slip { .. } => EventKind::OpenToSlip,
+        };
+        let track = &mut self.states.world.contacts[contact];
+        (track.closing, track.changes.of_touch) = (None, 0);
+        self.states.log(contact, Contact::Closed(closed), kind, -closed.law.entry_energy(&here));
+    }
+
+    /// State of a contact whose node is inside already: stick with the anchor at the projection, slip where `μ_s = 0`.
+    fn closed_inside(&mut self, contact: usize) -> ClosedContact {
+        let here = self.states.here(contact);
+        let law = contact_law::of(self.states.world, contact, self.states.now).begun(&here);
+        let regularisation = self.states.at().regularisation_length(contact, &law, &here);
+        let mode = if law.has_friction() {
+            Mode::Stick { anchor: here.way }
+        } else {
+            let (sliding, _) = here.relative_velocity(DVec2::ZERO);
+            Mode::Slip { direction: sliding.try_normalize().unwrap_or(DVec2::X) }
+        };
+        let place = self.states.world.contacts[contact].place;
+        let mut closed = ClosedContact { place, ..ClosedContact::new(law, mode, regularisation) };
+        closed.held_at_zero = law.clamp && law.normal.can_pull() && closed.kink(&here) > 0.0;
+        closed
+    }
+
+    /// States at t = 0 of nodes behind the plane of their face: stick with the anchor at the projection where that is
+    /// inside the polygon (slip where `μ_s = 0`), disarmed otherwise (`docs/physics.md#closing`).
+    pub(in crate::dynamics) fn close_overlapping(&mut self) {
+        let now = self.states.now;
+        let as_placed: Vec<bool> = now.frames.iter().map(|frame| self.states.at().is_as_placed(frame)).collect();
+        for contact in 0..self.states.world.contacts.len() {
+            let ContactTrack { slots, sections, geometry, .. } = &self.states.world.contacts[contact];
+            let mut sides = slots.iter().zip(sections).filter_map(|(slot, &own)| Some(((*slot)?, own)));
+            if geometry.home_gap >= 0.0
+                && sides.all(|(slot, own)| now.section(slot, own).is_some_and(|section| as_placed[section]))
+            {
+                continue;
+            }
+            if self.states.at().edge(contact).is_some() {
+                if !self.states.at().is_over(contact) {
+                    continue;
+                }
+                self.states.place(contact, 0.0);
+            }
+            let here = self.states.at().local(contact);
+            let site = self.states.site(contact);
+            if here.gap >= 0.0 {
+                continue;
+            }
+            // An edge node is at its crossing.
+            let inside = site.beyond(&self.states.world.contacts[contact].place, &here) < 0.0;
+            let inside =
+                inside && self.states.at().is_opposed_most(contact) && !self.states.at().touches_elsewhere(contact);
+            let state = if inside && self.states.at().begins_inside_by(contact) {
+                Contact::Closed(self.closed_inside(contact))
+            } else {
+                Contact::Open { armed: false }
+            };
+            self.states.enter_state(contact, state);
+        }
+    }
+}
