@@ -182,7 +182,7 @@ run-ground-under = ground under
 check-on-piers = { $count } of them on { $piers }; frequencies are those on piers that stand still
 check-on-abutments = { $count } of them on { $abutments }
 check-pier = pier { $name }: at { $x }, { $y } m, { $mass } kg, height { $height } m; { $standing }
-check-pier-b = k along, across = { $stiffness } N/m, c = { $damping } N·s/m; alone f = { $frequency } Hz, T = { $period } s{ $turning }{ $yielding }
+check-pier-b = k along, across = { $stiffness } N/m, c = { $damping } N·s/m; alone f = { $frequency } Hz, T = { $period } s{ $turning }
 check-pier-alone = no end of a girder stands on it alone
 check-pier-ends = { $ends } on it
 check-pier-rigid = , does not turn

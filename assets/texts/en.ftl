@@ -57,6 +57,7 @@ start-build = Build the bridge
 start-nothing = an empty scene
 view = 3D view
 computing = Computing
+evaluating = Finding touches and peaks
 cancel = Cancel
 cancelled = Stopped: the picture shows the last finished run. Change anything to run again.
 cancelled-at-once = Stopped: the scene is shown as placed. Change anything to run again.
@@ -964,6 +965,8 @@ report-assume-both = The impact model was computed as well; this page is of the 
 report-corner-friction = at a corner μ_s = { $static }, μ_k = { $kinetic }
 report-laws = normal law { $normal }, friction law { $friction }
 report-pairs-more = and { $more } other sets of numbers
+soil-beyond = beyond 100 %: a hyperbolic envelope tends to F_ult/R_f and passes F_ult on the way
+report-piers-more = and { $more } other piers
 report-lost = Bearing { $bearing } loses its support at { $t } s and carries nothing from then on.
 report-max-tilt = largest tilt
 report-max-impulse = largest impulse

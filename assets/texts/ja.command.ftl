@@ -179,7 +179,7 @@ run-ground-under = 支点の地盤
 check-on-piers = うち { $count } 個は { $piers } の上。振動数は橋脚が動かないときの値
 check-on-abutments = うち { $count } 個は { $abutments } の上
 check-pier = 橋脚 { $name }：位置 { $x }, { $y } m、{ $mass } kg、高さ { $height } m。{ $standing }
-check-pier-b = k 橋軸, 直角 = { $stiffness } N/m、c = { $damping } N·s/m。単独で f = { $frequency } Hz、T = { $period } s{ $turning }{ $yielding }
+check-pier-b = k 橋軸, 直角 = { $stiffness } N/m、c = { $damping } N·s/m。単独で f = { $frequency } Hz、T = { $period } s{ $turning }
 check-pier-alone = 単独で支える桁端なし
 check-pier-ends = 支える桁端 { $ends }
 check-pier-rigid = 、回転しない

@@ -57,6 +57,7 @@ start-build = 橋をつくる
 start-nothing = 空のシーン
 view = 3D ビュー
 computing = 計算中
+evaluating = 接触と最大値を求めている
 cancel = 中止
 cancelled = 中止しました。図は最後に終わった計算のものです。何か変えると計算し直します。
 cancelled-at-once = 中止しました。図は置いたままの状態です。何か変えると計算し直します。
@@ -947,6 +948,8 @@ report-assume-both = 衝突モデルも計算した。このレポートは接�
 report-corner-friction = 隅角部では μ_s = { $static }、μ_k = { $kinetic }
 report-laws = 法線則 { $normal }、摩擦則 { $friction }
 report-pairs-more = ほかに { $more } 通りの数値
+soil-beyond = 100 % を超えるもの：双曲線の包絡は F_ult/R_f に近づき、途中で F_ult を超える
+report-piers-more = ほかに { $more } 基の橋脚
 report-lost = 支承 { $bearing } は { $t } s に支えを失い、以後働かない。
 report-max-tilt = 最大傾斜角
 report-max-impulse = 最大の力積

@@ -62,6 +62,14 @@ impl SceneArgs {
     pub(super) fn load(&self) -> Result<Scene, SceneErrors> {
         self.changes.load(&self.scene)
     }
+
+    /// What came of the scene, complaints under the name of its file: whoever compiles or runs a scene does not know it.
+    ///
+    /// # Errors
+    /// Those of the result.
+    pub(super) fn of_its_file<T>(&self, result: Result<T, SceneErrors>) -> Result<T, SceneErrors> {
+        result.map_err(|errors| errors.in_file(&self.scene.to_string_lossy()))
+    }
 }
 
 impl Changes {

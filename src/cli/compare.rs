@@ -122,7 +122,8 @@ fn run_answer(source: &Path, args: &CompareArgs, console: &mut Console) -> Resul
     let sample = args.sample.unwrap_or(DEFAULT_SAMPLE_HZ);
     limits::check_in_memory(sample, &scene)?;
     domain::warn(&scene, console);
-    let history = compute(&scene)?.swap_remove(0).history;
+    let mut computed = compute(&scene).map_err(|errors| errors.in_file(&source.to_string_lossy()))?;
+    let history = computed.swap_remove(0).history;
     if let Some(stop) = history.stop() {
         console.note(&Failure::GaveUp { scene: scene.name.clone(), stop: stop.clone() }.to_string());
     }

@@ -53,7 +53,7 @@ pub(super) fn run(args: &PlotArgs, console: &mut Console) -> Result<(), Failure>
         check_folder(&args.out)?;
     }
     domain::warn(&scene, console);
-    let timed = compute_as_asked(&scene)?;
+    let timed = args.scene.of_its_file(compute_as_asked(&scene))?;
     let history = &timed.history;
     if lists {
         let names: String = Quantity::all(history).into_iter().map(|(name, _)| name + "\n").collect();

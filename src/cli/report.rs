@@ -36,7 +36,7 @@ pub(super) fn run(args: &ReportArgs, console: &mut Console) -> Result<(), Failur
     let scene = args.scene.load()?;
     args.threads.start()?;
     domain::warn(&scene, console);
-    let timed = compute_as_asked(&scene)?;
+    let timed = args.scene.of_its_file(compute_as_asked(&scene))?;
     let page = report::html(&timed.history, &timed.options(DEFAULT_SAMPLE_HZ));
     files::write_atomic(&args.out, page.as_bytes())?;
     console.print(&format!("{}\n", said!("report-written-to", "file" => args.out.display().to_string())));

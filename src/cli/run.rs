@@ -46,7 +46,7 @@ pub(super) fn run(args: &RunArgs, console: &mut Console) -> Result<(), Failure> 
         files::check_folder(folder)?;
     }
     domain::warn(&scene, console);
-    let timed = compute(&scene)?;
+    let timed = args.scene.of_its_file(compute(&scene))?;
     if args.digest {
         for timed in &timed {
             console.print(&format!("{:016x}\n", timed.history.digest()));

@@ -72,7 +72,7 @@ pub(super) fn run(args: &WavesArgs, console: &mut Console) -> Result<(), Failure
     args.threads.start()?;
     check_folder(&args.out)?;
     domain::warn(&scene, console);
-    let timed = compute_as_asked(&scene)?;
+    let timed = args.scene.of_its_file(compute_as_asked(&scene))?;
     let history = &timed.history;
     let wanted = Wanted { girder: girder(history, args)?, what: args.force, span: span(history, args)? };
     let waves = Waves::of(history, &wanted).ok_or_else(rigid)?;

@@ -2,6 +2,7 @@
 
 use std::fmt::Write as _;
 
+use super::in_force;
 use super::plan::trimmed;
 use super::sections::input_words;
 use crate::codes::Source;
@@ -31,6 +32,7 @@ pub(super) fn section(history: &History, report: &Report) -> String {
     });
     items.extend(not_given(&listed));
     items.extend(of_bearings(scene));
+    items.extend(of_supports(scene));
     items.extend(of_codes(report));
     let outside = report.outside_domain.iter().map(|d| {
         let what = format!("{}, {} = {} {}: {}", d.place, d.quantity, trimmed(d.value), d.unit, d.consequence);
@@ -193,6 +195,18 @@ fn of_bearings(scene: &Scene) -> Vec<String> {
         (!assumed.is_empty()).then(|| format!("{whose} {} {}", assumed.join(", "), mark()))
     };
     scene.girders.iter().filter_map(of).collect()
+}
+
+/// Numbers in force of piers and of the soil behind backwalls.
+fn of_supports(scene: &Scene) -> Vec<String> {
+    let piers = in_force::piers(scene).take(MOST_LISTED).map(|lines| escape(&lines.join("; ")));
+    let more = scene.piers.len().saturating_sub(MOST_LISTED);
+    let more = (more > 0).then(|| said!("report-piers-more", "more" => more));
+    let soil = scene.abutments.iter().filter_map(|abutment| in_force::soil(scene, abutment));
+    let soil = soil.map(|lines| {
+        escape(&lines.join("; ")).replace(Text::new("check-soil-assumed").as_str(), &format!(" {}", mark()))
+    });
+    piers.chain(more).chain(soil).collect()
 }
 
 /// Inputs of codes that the scene does not give.

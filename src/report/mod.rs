@@ -5,6 +5,7 @@ mod assumptions;
 mod bending;
 mod devices;
 mod ground;
+pub mod in_force;
 mod loops;
 mod orbit;
 mod plan;

@@ -1,5 +1,7 @@
 //! Tables of what a run did to piers and to the soil behind backwalls.
 
+use std::fmt::Write as _;
+
 use super::sections::{at, head, row};
 use super::units::force;
 use crate::language::Text;
@@ -54,5 +56,9 @@ pub(super) fn soils(report: &Report) -> String {
         ];
         html.push_str(&row(&soil.abutment, &numbers));
     }
-    html + "</table>\n"
+    html.push_str("</table>\n");
+    if report.backfill.iter().any(|soil| soil.force > soil.ultimate) {
+        let _ = writeln!(html, "<p>{}</p>", Text::new("soil-beyond"));
+    }
+    html
 }

@@ -254,3 +254,12 @@ fn the_scene_in_the_readme_is_sound() {
     let said = call(&["check", path.to_str().expect("a UTF-8 path")]);
     assert_eq!(said.status, Some(0), "nothing to complain about: {}", said.err);
 }
+
+#[test]
+fn a_scene_that_no_model_can_take_is_refused_under_its_name() {
+    for command in ["check", "run", "plot"] {
+        let said = call(&[command, "span-as-built", "--set", "model.kind=\"impact\""]);
+        assert_eq!(said.status, Some(2), "{command}: {}", said.err);
+        assert!(said.err.contains("span-as-built: model.kind"), "{command} names the scene: {}", said.err);
+    }
+}

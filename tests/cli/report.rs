@@ -164,3 +164,19 @@ fn a_report_is_in_the_language_that_is_asked_for() {
     }
     assert_eq!(call(&["report", "deck-30m", "--lang", "xx", "--out", path]).status, Some(2), "no such language");
 }
+
+#[test]
+fn numbers_in_force_of_piers_and_soil_stand_among_the_assumptions() {
+    let viaduct = page("viaduct-5", &[]);
+    let assumptions = |page: &str| {
+        let from = page.find("<h2>Assumptions</h2>").expect("a section");
+        page[from..].split_once("<h2>Ground motion</h2>").expect("the next").0.to_owned()
+    };
+    let piers = assumptions(&viaduct);
+    for number in 1..=4 {
+        assert!(piers.contains(&format!("<li>pier p{number}: at ")), "{piers}");
+    }
+    assert!(piers.contains("k along, across = "), "{piers}");
+    let soil = assumptions(&page("span-as-built", &[]));
+    assert!(soil.contains("<li>backfill ") && soil.contains(" <b class=\"part\">assumed</b>, F_ult "), "{soil}");
+}

@@ -1,11 +1,9 @@
 //! `girderbench check`: validates a scene and prints what was understood.
 
-mod backfill;
 mod device;
 mod flexible;
 mod girder;
 mod moving;
-mod pier;
 mod supports;
 
 use super::args::SceneArgs;
@@ -16,6 +14,7 @@ use super::failure::Failure;
 use super::summary::name;
 use crate::dynamics::{Model, Pair};
 use crate::language::{Text, said};
+use crate::report::in_force;
 use crate::scene::keys::word_told;
 use crate::scene::shown::escaped;
 use crate::scene::{
@@ -43,7 +42,7 @@ pub(super) struct CheckArgs {
 /// Every complaint about the scene.
 pub(super) fn run(args: &CheckArgs, console: &mut Console) -> Result<(), Failure> {
     let scene = args.scene.load()?;
-    let model = Model::compile(&scene)?;
+    let model = args.scene.of_its_file(Model::compile(&scene))?;
     let moved = moved_supports(&scene, &model);
     console.print(&text(&scene, &model, &moved));
     domain::warn(&scene, console);
@@ -96,18 +95,25 @@ fn text(scene: &Scene, model: &Model, moved: &[MovedSupport]) -> String {
         Between::Ends => Text::new("check-touch-nowhere"),
     };
     let none = model.pairs.is_empty().then(|| format!("{}\n", said!("check-no-pairs", "elsewhere" => elsewhere)));
-    let soil = scene.abutments.iter().filter_map(|abutment| backfill::text(scene, abutment));
+    let soil = scene.abutments.iter().filter_map(|abutment| in_force::soil(scene, abutment)).map(|two| lines(&two));
+    let piers = in_force::piers(scene).map(|all| lines(&all));
     std::iter::once(head(scene))
         .chain(girders)
         .chain(flexible::texts(model))
         .chain(moving::texts(moved))
         .chain(soil)
-        .chain(pier::texts(scene))
+        .chain(piers)
         .chain(pairs)
         .chain(none)
         .chain(device::texts(scene))
         .chain(assumed(scene))
         .collect()
+}
+
+/// Lines of one body, those after the first set in.
+fn lines(all: &[String]) -> String {
+    let shown: Vec<String> = all.iter().map(|line| escaped(line).to_string()).collect();
+    shown.join("\n  ") + "\n"
 }
 
 /// Values that were not given.

@@ -186,7 +186,7 @@ impl GroundArgs {
             return Ok((Shaking::Still, Text::new("identify-still").into()));
         };
         let scene = files::load_scene(path, &self.sets)?;
-        let model = Model::compile(&scene)?;
+        let model = Model::compile(&scene).map_err(|errors| errors.in_file(&path.to_string_lossy()))?;
         let angle = self.along.unwrap_or(0.0);
         let shaking = Shaking::along(&model.ground, Ground::direction(angle));
         if shaking.peak() == 0.0 {

@@ -31,7 +31,7 @@ pub(super) fn run(args: &RenderArgs, console: &mut Console) -> Result<(), Failur
     // Before the run, so that a machine that cannot draw says so at once.
     let mut studio = Studio::open(args.quality.quality()).map_err(Failure::from)?;
     domain::warn(&scene, console);
-    let history = compute_as_asked(&scene)?.history;
+    let history = args.scene.of_its_file(compute_as_asked(&scene))?.history;
     std::iter::once(&history).chain(history.beside()).for_each(|history| domain::warn_of_balance(history, console));
     let wanted = wanted(args, &history, console)?;
     console.print(&film::take(args, &mut studio, &history, &wanted)?);

@@ -1,29 +1,36 @@
-//! What `check` says of a pier: where it stands, its numbers in force, its frequencies, what stands on it.
+//! A pier: where it stands, its numbers in force, its frequencies, what stands on it.
 
 use std::f64::consts::TAU;
 
-use crate::cli::digits::six;
 use crate::geometry::End;
-use crate::language::{Text, said};
-use crate::scene::shown::escaped;
+use crate::language::{Text, said, six};
 use crate::scene::{ResolvedPier, Scene};
 
-/// All piers, some lines each.
-pub(super) fn texts(scene: &Scene) -> impl Iterator<Item = String> + '_ {
+/// All piers, two lines each, or three where the base yields: place and mass, springs, yield.
+pub fn piers(scene: &Scene) -> impl Iterator<Item = Vec<String>> + '_ {
     scene.piers.iter().enumerate().map(|(number, pier)| {
         let resolved = scene.pier(number);
         let [x, y] = [resolved.top.x, resolved.top.y].map(six);
         let two = |[along, across]: [f64; 2]| format!("{}, {}", six(along), six(across));
         let [f_along, f_across, _] = resolved.frequencies().map(|omega| omega / TAU);
-        format!("{}\n  {}\n", said!(
+        let place = said!(
             "check-pier",
-            "name" => escaped(&pier.name),
+            "name" => pier.name.as_str(),
             "x" => x,
             "y" => y,
             "mass" => six(resolved.mass),
             "height" => six(resolved.height),
             "standing" => standing(scene, number)
-        ), said!("check-pier-b", "stiffness" => two(resolved.stiffness), "damping" => two(resolved.damping), "frequency" => two([f_along, f_across]), "period" => two([1.0 / f_along, 1.0 / f_across]), "turning" => turning(&resolved), "yielding" => yielding(&resolved)))
+        );
+        let springs = said!(
+            "check-pier-b",
+            "stiffness" => two(resolved.stiffness),
+            "damping" => two(resolved.damping),
+            "frequency" => two([f_along, f_across]),
+            "period" => two([1.0 / f_along, 1.0 / f_across]),
+            "turning" => turning(&resolved)
+        );
+        [place, springs].into_iter().chain(yielding(&resolved)).collect()
     })
 }
 
@@ -31,7 +38,7 @@ pub(super) fn texts(scene: &Scene) -> impl Iterator<Item = String> + '_ {
 fn standing(scene: &Scene, number: usize) -> String {
     let of_girder = |girder| {
         let ends = End::BOTH.into_iter().filter(move |end| scene.pier_under(girder, *end) == Some(number));
-        ends.map(move |end| format!("{}{}", escaped(&girder.name), end.label()))
+        ends.map(move |end| format!("{}{}", girder.name, end.label()))
     };
     let ends: Vec<String> = scene.girders.iter().flat_map(of_girder).collect();
     if ends.is_empty() {
@@ -49,9 +56,8 @@ fn turning(pier: &ResolvedPier) -> String {
     )
 }
 
-fn yielding(pier: &ResolvedPier) -> String {
-    pier.yielding.map_or_else(String::new, |base| {
-        let [along, across] = base.force.map(six);
-        format!("\n  {}", said!("check-pier-yields", "along" => along, "across" => across, "ratio" => six(base.ratio)))
-    })
+fn yielding(pier: &ResolvedPier) -> Option<String> {
+    let base = pier.yielding?;
+    let [along, across] = base.force.map(six);
+    Some(said!("check-pier-yields", "along" => along, "across" => across, "ratio" => six(base.ratio)))
 }

@@ -1,13 +1,11 @@
-//! What `check` says of the soil behind an abutment: the numbers in force, and which of them are assumed.
+//! The soil behind an abutment: the numbers in force, and which of them are assumed.
 
-use crate::cli::digits::six;
-use crate::language::{Text, said};
+use crate::language::{Text, said, six};
 use crate::scene::keys::word_told;
-use crate::scene::shown::escaped;
 use crate::scene::{Abutment, BackfillLaw, Scene};
 
-/// A line for a backwall that moves.
-pub(super) fn text(scene: &Scene, abutment: &Abutment) -> Option<String> {
+/// Two lines for a backwall that moves: of its soil, of the wall.
+pub fn soil(scene: &Scene, abutment: &Abutment) -> Option<[String; 2]> {
     let (soil, given) = (abutment.soil(scene)?, abutment.backfill?);
     let said = |name: &str, value: f64, unit: &str, is_given: bool| {
         let unit = if unit.is_empty() { String::new() } else { format!(" {unit}") };
@@ -35,11 +33,10 @@ pub(super) fn text(scene: &Scene, abutment: &Abutment) -> Option<String> {
         String::new,
         |[stiffness, force]| said!("check-soil-fuse", "stiffness" => six(stiffness), "force" => six(force)),
     );
-    Some(format!(
-        "{}\n  {}\n",
+    Some([
         said!(
             "check-soil",
-            "abutment" => escaped(&abutment.name),
+            "abutment" => abutment.name.as_str(),
             "law" => word_told(BackfillLaw::WORDS, soil.law.label()),
             "k" => said("K", soil.stiffness, "N/m", given.stiffness.is_some()),
             "ultimate" => said("F_ult", soil.ultimate, "N", given.ultimate.is_some()),
@@ -52,6 +49,6 @@ pub(super) fn text(scene: &Scene, abutment: &Abutment) -> Option<String> {
             "mass" => said(&Text::new("check-soil-mass"), soil.mass, "kg", given.mass.is_some()),
             "base" => base,
             "fuse" => fuse
-        )
-    ))
+        ),
+    ])
 }
