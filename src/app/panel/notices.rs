@@ -53,7 +53,9 @@ pub(in crate::app) fn over_view(ui: &mut Ui, rect: Rect, (runner, tool): (&Runne
 #[expect(clippy::cast_possible_truncation, reason = "a share of a bar")]
 fn computing(ui: &mut Ui, progress: f64, out: &mut Vec<Command>) {
     ui.horizontal(|ui| {
-        ui.label(text::COMPUTING);
+        // Its motion is there: touches, peaks and the ledger are found in it.
+        let computed = progress >= 1.0;
+        ui.label(if computed { text::EVALUATING } else { text::COMPUTING });
         ui.add(ProgressBar::new(progress as f32).desired_width(140.0).show_percentage());
         if ui.button(text::CANCEL).clicked() {
             out.push(WindowCommand::CancelRun.into());

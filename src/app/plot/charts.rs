@@ -124,6 +124,8 @@ fn several<'a>(
     (curves, color, style): (&'a [Curve], Color32, LineStyle),
 ) -> Vec<Drawn<'a>> {
     let alone = traces.bands.is_some();
+    // Dashes of a band would make a pattern that is not there; two bands are seen through each other.
+    let (style, color) = if traces.dense { (LineStyle::Solid, color.gamma_multiply(0.6)) } else { (style, color) };
     let drawn = |(i, curve): (usize, &'a Curve)| {
         let chosen = i == source.girder;
         Drawn {

@@ -28,9 +28,14 @@ pub(in crate::app) fn writing(
     let mut plots = standing(&answer.history, source.girder);
     plots.extend(source.scene.view.plots.iter().cloned());
     let title = source.scene.name.clone();
+    // A table has every sample, at the same times for all curves.
+    let is_table = extension(&path) == "csv";
     Some(move || {
-        let sampled: Vec<(PlotSettings, Sampled)> =
-            plots.into_iter().map(|p| (p.clone(), sampled::sample(&answer.history, &p, window, POINTS))).collect();
+        let sampled = |p: PlotSettings| {
+            let sampled = sampled::sample(&answer.history, &p, window, POINTS);
+            (p, if is_table { sampled } else { sampled.by_columns(window, POINTS) })
+        };
+        let sampled: Vec<(PlotSettings, Sampled)> = plots.into_iter().map(sampled).collect();
         write(&path, &title, &sampled)
     })
 }
@@ -43,7 +48,8 @@ pub(in crate::app) fn picture(source: &Source<'_>) -> Result<ColorImage, String>
     let answer = source.answer.ok_or(text::NO_ANSWER)?;
     let window = source.playback.window.unwrap_or([0.0, source.end]);
     let plots = standing(&answer.history, source.girder).into_iter().chain(source.scene.view.plots.iter().cloned());
-    let sampled: Vec<_> = plots.map(|p| (p.clone(), sampled::sample(&answer.history, &p, window, POINTS))).collect();
+    let drawn = |p: &PlotSettings| sampled::sample(&answer.history, p, window, POINTS).by_columns(window, POINTS);
+    let sampled: Vec<_> = plots.map(|p| (p.clone(), drawn(&p))).collect();
     let (_, svg) = charts(Path::new("plots"), &source.scene.name, &sampled).swap_remove(0);
     let image = Image::from_png(&png(&svg)?).map_err(|e| e.to_string())?;
     Ok(ColorImage::from_rgba_unmultiplied([image.width as usize, image.height as usize], &image.rgba))
@@ -63,8 +69,13 @@ fn standing(history: &History, girder: usize) -> Vec<PlotSettings> {
     ]
 }
 
+/// In small letters.
+fn extension(path: &Path) -> String {
+    path.extension().map(|e| e.to_string_lossy().to_lowercase()).unwrap_or_default()
+}
+
 fn write(path: &Path, title: &str, plots: &[(PlotSettings, Sampled)]) -> Result<Told, String> {
-    let format = path.extension().map(|e| e.to_string_lossy().to_lowercase()).unwrap_or_default();
+    let format = extension(path);
     let files: Vec<(PathBuf, Vec<u8>)> = match format.as_str() {
         "csv" => tables(path, plots),
         "png" => charts(path, title, plots)

@@ -36,7 +36,7 @@ pub(in crate::app) fn show(ui: &mut Ui, source: &Source<'_>, out: &mut Vec<Comma
     let right = ui.max_rect().right() - legend;
     let area = ScrollArea::vertical().id_salt("plots").scroll_source(ScrollSource::SCROLL_BAR).auto_shrink(false);
     area.show(ui, |ui| over_time(ui, source, (right, height.max(least)), out));
-    windows::show(ui, source);
+    windows::show(ui, source, out);
 }
 
 /// Rows of charts that waves take below others: two where there is room; none where the girder in question does not bend.

@@ -2,7 +2,7 @@
 
 use std::sync::Arc;
 
-use crate::app::plot::resolution::{self, Curve};
+use crate::app::plot::resolution;
 use crate::app::run::answer::Answer;
 use crate::scene::{PlotSettings, PlotShows};
 use crate::sim::quantity::{Quantity, Unit};
@@ -29,6 +29,19 @@ pub(in crate::app) struct Sampled {
     pub(in crate::app) log: [bool; 2],
     /// Whether the curves are energies that are stored or lost: drawn one upon the other.
     pub(in crate::app) stacked: bool,
+}
+
+impl Sampled {
+    /// As it is drawn in so many columns of a window of time. Against another quantity every point is a place; energies one upon the
+    /// other share their times.
+    pub(in crate::app) fn by_columns(mut self, window: [f64; 2], columns: usize) -> Self {
+        if self.x.is_none() && !self.stacked {
+            for (_, curve) in &mut self.curves {
+                *curve = resolution::by_columns(std::mem::take(curve), window, columns.max(2));
+            }
+        }
+        self
+    }
 }
 
 /// What panels were sampled for.
@@ -58,7 +71,8 @@ impl PanelCache {
     ) -> Arc<Vec<Sampled>> {
         let key = Key { answer, window, points, plots: plots.to_vec() };
         if self.key.as_ref() != Some(&key) {
-            self.panels = Arc::new(plots.iter().map(|p| sample(history, p, window, points)).collect());
+            let drawn = |p: &PlotSettings| sample(history, p, window, points).by_columns(window, points);
+            self.panels = Arc::new(plots.iter().map(drawn).collect());
             self.key = Some(key);
         }
         self.panels.clone()
@@ -84,7 +98,7 @@ pub(in crate::app) fn shown(unit: Unit) -> (f64, &'static str) {
 /// A quantity of a panel, with its name.
 type Found<'a> = (&'a String, Quantity);
 
-/// A panel's curves; quantities that the run does not have are left out.
+/// A panel's curves, all at the same times; quantities that the run does not have are left out.
 pub(in crate::app) fn sample(history: &History, plot: &PlotSettings, window: [f64; 2], points: usize) -> Sampled {
     let found: Vec<Found<'_>> = plot.y.iter().filter_map(|name| Some((name, Quantity::find(history, name)?))).collect();
     match plot.shows {
@@ -127,10 +141,7 @@ fn course(history: &History, plot: &PlotSettings, found: &[Found<'_>], (window, 
     let curve = |(name, quantity): &Found<'_>| {
         let (factor, _) = shown(quantity.unit());
         let point = |&t: &f64| [level(t), quantity.at(history, t) * factor];
-        let curve: Curve = times.iter().map(point).collect();
-        // Against another quantity every point is a place; energies one upon the other share their times.
-        let by_time = x.is_none() && !stacked;
-        ((*name).clone(), if by_time { resolution::by_columns(curve, window, points.max(2)) } else { curve })
+        ((*name).clone(), times.iter().map(point).collect())
     };
     let unit = found.first().map_or("", |(_, q)| shown(q.unit()).1);
     Sampled {

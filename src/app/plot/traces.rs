@@ -94,6 +94,8 @@ pub(in crate::app) struct Traces {
     pub(in crate::app) differences: bool,
     /// |Force| between two bodies, all their contacts together, hit by hit of every two, or the largest of all \[N\].
     pub(in crate::app) force: Vec<Curve>,
+    /// Whether the motion is faster than columns of the picture can show: a curve is the band that it fills.
+    pub(in crate::app) dense: bool,
     /// What x, y and θ of a crowd fill.
     pub(in crate::app) bands: Option<[Band; 3]>,
 }
@@ -181,6 +183,7 @@ fn sample(answer: &Answer, window: [f64; 2], points: usize) -> Traces {
         pins: Vec::new(),
         differences: false,
         force: Vec::new(),
+        dense: false,
         bands: None,
     };
     let values = |history: &History, girder: usize, t: f64| {
@@ -189,7 +192,10 @@ fn sample(answer: &Answer, window: [f64; 2], points: usize) -> Traces {
     };
     let shown = [window[0], window[1].min(history.end())];
     let all = |t: f64| (0..girders).flat_map(|girder| values(history, girder, t)).collect();
-    let fine = 1 + (points - 1) * resolution::parts(shown, points - 1, MOST_MOTIONS / girders.max(1), all);
+    let parts = resolution::parts(shown, points - 1, MOST_MOTIONS / girders.max(1), all);
+    // Four samples a point: half a period is narrower than three of them.
+    traces.dense = parts > 2;
+    let fine = 1 + (points - 1) * parts;
     for t in grid(window, fine, history.end()) {
         for girder in 0..girders {
             let own = [&mut traces.x, &mut traces.y, &mut traces.theta];

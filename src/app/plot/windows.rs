@@ -4,52 +4,67 @@
 use egui::{Id, RichText, Stroke, Ui, Window, vec2};
 use egui_plot::{HoverPosition, Line, Plot, PlotPoints, PlotUi, Points};
 
+use crate::app::command::{Command, EditCommand};
 use crate::app::plot::charts::{color, style};
 use crate::app::plot::sampled::Sampled;
 use crate::app::plot::source::Source;
-use crate::app::plot::value_axis::grid_marks;
+use crate::app::plot::value_axis::{fitting, grid_marks};
 use crate::app::style::theme::Palette;
 use crate::app::text;
+use crate::scene::edit::Edit;
 
-/// Shows them.
-pub(super) fn show(ui: &Ui, source: &Source<'_>) {
+/// Shows them; one that is closed is taken from the scene.
+pub(super) fn show(ui: &Ui, source: &Source<'_>, out: &mut Vec<Command>) {
     let window = source.playback.window.unwrap_or([0.0, source.end]);
     let (numbers, own) = source.own_panels(false, (window, POINTS));
     for (number, panel) in numbers.into_iter().zip(own.iter()) {
-        one(ui, source, number, panel);
+        if !one(ui, source, number, panel) {
+            let mut view = source.scene.view.clone();
+            view.plots.remove(number);
+            out.push(EditCommand::Change { edit: Edit::View(view), gesture: None }.into());
+        }
     }
 }
 
 /// Points of a curve against another quantity.
 const POINTS: usize = 2000;
 
-fn one(ui: &Ui, source: &Source<'_>, number: usize, panel: &Sampled) {
+/// Size of a new window: a quarter of the view of a small screen \[points\].
+const SIZE: [f32; 2] = [240.0, 180.0];
+
+/// Whether it stays open.
+fn one(ui: &Ui, source: &Source<'_>, number: usize, panel: &Sampled) -> bool {
     let id = Id::unique(("own plot", number));
     let at = ui.content_rect().left_top() + vec2(280.0 + 30.0 * number as f32, 150.0 + 24.0 * number as f32);
-    let window = Window::new(text::panel(number + 1)).id(id).default_pos(at).default_size([300.0, 240.0]);
+    let mut open = true;
+    let window = Window::new(text::panel(number + 1)).id(id).default_pos(at).default_size(SIZE).open(&mut open);
     window.show(ui, |ui| {
         let palette = Palette::of(ui);
-        names(ui, panel);
+        let most = panel.curves.iter().flat_map(|(_, curve)| curve).fold(0.0, |most: f64, p| most.max(p[1].abs()));
+        let unit = fitting(panel.unit, most);
+        names(ui, panel, &unit.1);
         let height = (ui.available_height() - 20.0).max(90.0);
-        draw(ui, (id, height), panel, &source.own_at(number, source.playback.clock.t), &palette);
+        let here = source.own_at(number, source.playback.clock.t);
+        draw(ui, (id, height, unit.0), panel, &here, &palette);
         ui.vertical_centered(|ui| ui.label(RichText::new(panel.x.as_deref().unwrap_or_default()).small()));
     });
+    open
 }
 
-/// The curves' names in their colours, and their unit.
-fn names(ui: &mut Ui, panel: &Sampled) {
+/// The curves' names in their colours, and the unit that their axis counts in.
+fn names(ui: &mut Ui, panel: &Sampled, unit: &str) {
     ui.horizontal_wrapped(|ui| {
         for (i, (name, _)) in panel.curves.iter().enumerate() {
             ui.label(RichText::new(name).small().color(color(i)));
         }
-        ui.label(RichText::new(&panel.y).small().weak());
+        ui.label(RichText::new(panel.y.replacen(panel.unit, unit, 1)).small().weak());
     });
 }
 
-fn draw(ui: &mut Ui, (id, height): (Id, f32), panel: &Sampled, here: &[[f64; 2]], palette: &Palette) {
-    let log = panel.log;
+fn draw(ui: &mut Ui, (id, height, factor): (Id, f32, f64), panel: &Sampled, here: &[[f64; 2]], palette: &Palette) {
+    let (log, factors) = (panel.log, [1.0, factor]);
     let scaled = move |p: &[f64; 2]| [0, 1].map(|n| if log[n] { p[n].abs().log10() } else { p[n] });
-    let words = move |n: usize, value: f64| text::short(if log[n] { 10f64.powf(value) } else { value });
+    let words = move |n: usize, value: f64| text::short(factors[n] * if log[n] { 10f64.powf(value) } else { value });
     let width = ui.available_width();
     Plot::new(id.with("plot"))
         .height(height)

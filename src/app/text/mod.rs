@@ -102,6 +102,7 @@ pub(super) const START_NOTHING: Text = Text::new("start-nothing");
 // The view.
 pub(super) const VIEW: Text = Text::new("view");
 pub(super) const COMPUTING: Text = Text::new("computing");
+pub(super) const EVALUATING: Text = Text::new("evaluating");
 pub(super) const CANCEL: Text = Text::new("cancel");
 pub(super) const CANCELLED: Text = Text::new("cancelled");
 pub(super) const CANCELLED_AT_ONCE: Text = Text::new("cancelled-at-once");
