@@ -168,7 +168,7 @@ impl AtInstant<'_> {
         home.normal(&node, &face)
     }
 
-    /// Whether the node is in contact with another of its faces; a node touches one face at a time.
+    /// Whether the node is in contact with another face of the same body, of which it touches one at a time.
     pub(in crate::dynamics) fn touches_elsewhere(&self, contact: usize) -> bool {
         self.world.contacts[contact].rivals.iter().any(|&other| self.world.contacts[other].state.closed().is_some())
     }

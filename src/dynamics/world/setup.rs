@@ -18,7 +18,10 @@ use crate::dynamics::world::axial_gap::AxialGap;
 use crate::dynamics::world::constants::{NOMINAL_FREQUENCY, NOMINAL_IMPACT_SPEED};
 use crate::dynamics::world::site_geometry::SiteGeometry;
 use crate::dynamics::world::tracks::{Apart, BodyTrack, ChangeCount, ContactTrack, LinkTrack, PairTrack, Trajectory};
-use crate::scene::facing::Side;
+use crate::scene::facing::{Side, SolidId};
+
+/// Body and name of a node, and the two bodies of its contact.
+type NodeOnBody<'a> = (Option<usize>, &'a str, [SolidId; 2]);
 
 impl World {
     /// The group of this number in the model.
@@ -140,7 +143,8 @@ impl World {
         self.links.push(LinkTrack { link: number, slots, phase, ends: None, omega: frequency, simultaneity, log });
     }
 
-    /// Enters in each contact the other contacts of its node, where an end is in more than one pair.
+    /// Enters in each contact the other contacts of its node with faces of the same body, where an end is in more than one pair. In
+    /// another body the node may be at the same time.
     fn find_rivals(&mut self, pairs: &[usize]) {
         let model = Arc::clone(&self.model);
         let mut sides: Vec<_> = pairs.iter().flat_map(|&n| [model.pairs[n].first, model.pairs[n].second]).collect();
@@ -148,11 +152,12 @@ impl World {
         if sides.windows(2).all(|two| two[0] != two[1]) {
             return;
         }
-        let mut nodes: BTreeMap<(Option<usize>, &str), Vec<usize>> = BTreeMap::new();
+        let mut nodes: BTreeMap<NodeOnBody<'_>, Vec<usize>> = BTreeMap::new();
         // An edge node is another material point at each closing.
         let corners = self.contacts.iter().enumerate().filter(|(_, track)| model.contacts[track.site].edge.is_none());
         for (contact, track) in corners {
-            nodes.entry((track.slots[0], &model.contacts[track.site].node)).or_default().push(contact);
+            let solids = model.pairs[self.pairs[track.pair].pair].solids();
+            nodes.entry((track.slots[0], &model.contacts[track.site].node, solids)).or_default().push(contact);
         }
         for same in nodes.values().filter(|same| same.len() > 1) {
             for &contact in same {

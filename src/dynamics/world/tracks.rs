@@ -142,7 +142,7 @@ pub(in crate::dynamics) struct ContactTrack {
     pub sharers: usize,
     /// Where the node is and how its contact is directed since its last closing.
     pub place: NodePlace,
-    /// Other contacts of the node, which touches one face at a time.
+    /// Other contacts of the node with the same body, of which it touches one face at a time.
     pub rivals: Vec<usize>,
     /// Geometry of its site as placed.
     pub geometry: SiteGeometry,

@@ -36,6 +36,11 @@ const ONCE: &[u64] = &[
     7696, 8039, 8076, 8169, 8785, 8954, 9139, 9327, 9374, 9610, 9806, 15859, 20253,
 ];
 
+/// Girders thrown at each other that used to be inside each other without a contact: two corners that passed each other (1000258, 1000403,
+/// 1000559), a corner that came from beside (1000160, 1000458), a corner in two bodies at once (1003363, 1004008, 1004760, 1005236).
+const THROWN_ONCE: &[u64] =
+    &[1_000_160, 1_000_258, 1_000_403, 1_000_458, 1_000_559, 1_003_363, 1_004_008, 1_004_760, 1_005_236];
+
 /// No limit of processor time; as many events as the command asks for by itself.
 const ENOUGH: Limits = Limits { events: 20_000, ..Limits::NONE };
 /// The beginning of a scene, so long that most end before it (measured), and the longest take a second each. A count of steps
@@ -91,6 +96,11 @@ fn the_beginning_of_every_seed_passes_every_check() {
 #[test]
 fn the_beginning_of_seeds_that_failed_once_passes() {
     all_pass(&examined(ONCE, QUICK));
+}
+
+#[test]
+fn girders_that_were_thrown_into_each_other_once_meet() {
+    all_pass(&examined(THROWN_ONCE, QUICK));
 }
 
 #[test]
