@@ -113,7 +113,6 @@ wrong-no-number = give a number
 wrong-no-count = give a whole number of at least 1
 wrong-not-above = give a number above 0
 wrong-below = give a number of 0 or above
-warning-off-seats = warning: { $girder }: bearings { $bearings } stand beyond the front edge of their seats as placed: make seat_m longer, or place them nearer to the ends
 warning-unjoined = warning: { $one } and { $other }: { $apart } mm apart as placed, and they move by up to { $reach } mm without contact: no contact is defined between the two, so that they can pass through each other; give `between = "all"` in [contact] (contact model), place them farther apart or hold them stiffer, or see `overlap` in the summary of `girderbench run`
 warning-more-unjoined = warning: { $more } more such pairs
 check-touch-anywhere = bodies touch where they meet
@@ -138,6 +137,7 @@ check-angle = angle { $angle }°{ $vertical }
 check-up = up
 check-from-x = { $angle }° from x
 check-nowhere = nowhere
+check-assumed-stiffness = K of pairs without a number of their own: E A / L of their girders with A = width_m × thickness_m (assumed)
 check-components = { $count } components: { $all }
 check-record = record of { $count } samples × { $dt } s ({ $length } s), { $peak } g, scale { $scale }, { $direction }{ $steps }
 check-pair = pair { $pair }: gap { $gap } mm along the axis, law { $law }, sharing { $sharing }, tension { $tension }
@@ -420,8 +420,8 @@ table-number = a finite number stands there
 table-fields = every line of the table has the same number of fields, as UTF-8 text
 table-error = { $place }: { $value }: { $remedy }
 warning-drift = warning: { $words }
-support-drifts = ground under { $name }: when its record and that of the ground of reference have ended it goes on moving at { $speed } m/s against that ground, and is { $last } m from it at the end of the run: correct the baseline of both (of a record processing, baseline = "linear" or "berg-housner"; of a synthetic earthquake longest_period_s), or give both one record that comes to rest, with delay_s and motion_factor
-support-stays-apart = its record leaves the ground moving at { $speed } m/s, so that a support that is late stays behind, the farthest, { $name }, by { $last } m at the end of the run: let the record come to rest (processing, baseline = "linear" or "berg-housner"; of a synthetic earthquake longest_period_s)
+support-drifts = ground under { $name }: when its record and that of the ground of reference have ended it goes on moving at { $speed } m/s against that ground, and is { $last } m from it at the end of the run: correct the baseline of both (of a record processing, whichever baseline, "none", "linear" or "berg-housner", leaves it at rest; of a synthetic earthquake longest_period_s), or give both one record that comes to rest, with delay_s and motion_factor
+support-stays-apart = its record leaves the ground moving at { $speed } m/s, so that a support that is late stays behind, the farthest, { $name }, by { $last } m at the end of the run: let the record come to rest (processing, whichever baseline, "none", "linear" or "berg-housner", leaves it at rest; of a synthetic earthquake longest_period_s)
 warning-more-drift = warning: { $more } more such supports
 interrupted-nothing = nothing was written
 progress-again = , again with contact between bodies that met

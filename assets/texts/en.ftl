@@ -846,12 +846,14 @@ ground-more = { $count } more
 ## verdicts on seats
 verdict-stays = stays on its seats: at worst { $left } of { $placed } left square to the edge, end { $end }, { $t } s
 verdict-support-lost = loses a support: bearing { $bearing } at { $t } s; at worst { $left } of { $placed } of its seats left square to the edge, end { $end }
+verdict-falls = falls: no bearing carries it from { $t } s, the first lost its support at { $first } s; what a run in plan shows after that is no motion of the girder
 verdict-tipped = tips over: by more than { $limit }° from { $t } s, by { $tilt }° at the most
 verdict-over-side = comes off its seat: corner { $corner } over the side, end { $end }, { $t } s
 verdict-corner-off = comes off its seat: corner { $corner }, end { $end }, { $t } s; at worst { $beyond } beyond the edge, { $worst } s
 verdict-lost = comes off its seat: the whole end { $end } from { $t } s, its first corner at { $first } s
 falls-seat = comes off its seat, { $t } s
 falls-support = loses a support, { $t } s
+falls-down = falls, { $t } s
 falls-tips = tips over, { $t } s
 verdicts = On its seats?
 coarse = coarse, the full run follows
@@ -965,6 +967,8 @@ report-assume-both = The impact model was computed as well; this page is of the 
 report-corner-friction = at a corner μ_s = { $static }, μ_k = { $kinetic }
 report-laws = normal law { $normal }, friction law { $friction }
 report-pairs-more = and { $more } other sets of numbers
+off-seats = { $girder }: bearings { $bearings } stand beyond the front edge of their seats as placed: make seat_m longer, or place them nearer to the ends
+uncertain = the estimated error, { $error } m, is { $share } % of the largest displacement: small differences grow in this run, and its later numbers are one case of many
 soil-beyond = beyond 100 %: a hyperbolic envelope tends to F_ult/R_f and passes F_ult on the way
 report-piers-more = and { $more } other piers
 report-lost = Bearing { $bearing } loses its support at { $t } s and carries nothing from then on.

@@ -110,7 +110,6 @@ wrong-no-number = 数を与える
 wrong-no-count = 1 以上の整数を与える
 wrong-not-above = 0 より大きい数を与える
 wrong-below = 0 以上の数を与える
-warning-off-seats = 警告：{ $girder }：支承 { $bearings } は初期配置で桁かかりの前縁の外にある：seat_m を長くするか、端に近づける
 warning-unjoined = 警告：{ $one } と { $other }：初期の間隔 { $apart } mm、接触なしに { $reach } mm まで動く：両者の間に接触が定義されていないので、通り抜けうる。[contact] に `between = "all"` を与える（接触モデル）、離して置く、硬く支える、または `girderbench run` の summary の `overlap` を見る
 warning-more-unjoined = 警告：このような組がほか { $more } 件
 check-touch-anywhere = 物体は出会う所で接触する
@@ -135,6 +134,7 @@ check-angle = 入力角 { $angle }°{ $vertical }
 check-up = 上向き
 check-from-x = x から { $angle }°
 check-nowhere = 方向なし
+check-assumed-stiffness = 数値が与えられない組の K：桁の E A / L、A = width_m × thickness_m（仮定）
 check-components = { $count } 成分：{ $all }
 check-record = 記録 { $count } 点 × { $dt } s（{ $length } s）、{ $peak } g、倍率 { $scale }、{ $direction }{ $steps }
 check-pair = 組 { $pair }：遊間 { $gap } mm（橋軸方向）、摩擦則は{ $law }、剛性は{ $sharing }、引張は{ $tension }
@@ -411,8 +411,8 @@ table-number = 有限の数とする
 table-fields = 表のどの行も欄の数が等しい UTF-8 の文字とする
 table-error = { $place }：{ $value }：{ $remedy }
 warning-drift = 警告：{ $words }
-support-drifts = { $name } の下の地盤：自身の記録と基準の地盤の記録が終わった後も、基準の地盤に対して { $speed } m/s で動き続け、計算の終わりに { $last } m 離れる：両方の基線を補正する（記録は processing の baseline = "linear" か "berg-housner"、模擬地震動は longest_period_s）か、静止して終わる同じ記録を delay_s と motion_factor とともに与える
-support-stays-apart = 記録が終わっても地盤が { $speed } m/s で動き続けるため、遅れて動く支点は基準の地盤からずれたまま残り、最も遠い { $name } は計算の終わりに { $last } m 離れる：記録を静止させて終わらせる（processing の baseline = "linear" か "berg-housner"、模擬地震動は longest_period_s）
+support-drifts = { $name } の下の地盤：自身の記録と基準の地盤の記録が終わった後も、基準の地盤に対して { $speed } m/s で動き続け、計算の終わりに { $last } m 離れる：両方の基線を補正する（記録は processing の baseline は "none"、"linear"、"berg-housner" のうち静止して終わるもの、模擬地震動は longest_period_s）か、静止して終わる同じ記録を delay_s と motion_factor とともに与える
+support-stays-apart = 記録が終わっても地盤が { $speed } m/s で動き続けるため、遅れて動く支点は基準の地盤からずれたまま残り、最も遠い { $name } は計算の終わりに { $last } m 離れる：記録を静止させて終わらせる（processing の baseline は "none"、"linear"、"berg-housner" のうち静止して終わるもの、模擬地震動は longest_period_s）
 warning-more-drift = 警告：そのような支点がほかに { $more } 箇所
 interrupted-nothing = 何も書いていない
 progress-again = 、出会った物体の接触を加えて再計算

@@ -829,12 +829,14 @@ ground-more = ほか { $count } 成分
 ## 桁かかりの判定
 verdict-stays = 落橋しない：前縁に直角に測った桁かかり長 { $placed } のうち最小で { $left } が残る（{ $end } 端、{ $t } s）
 verdict-support-lost = 支承 { $bearing } が { $t } s に支持を失う：前縁に直角に測った桁かかり長 { $placed } のうち最小で { $left } が残る（{ $end } 端）
+verdict-falls = 落下：{ $t } s からどの支承にも支持されない（最初に支持を失った時刻は { $first } s）。その後の平面計算は桁の運動を表さない
 verdict-tipped = { $t } s から { $limit }° を超えて傾く（最大 { $tilt }°）
 verdict-over-side = 桁かかりから外れる：隅角部 { $corner } が側方へ（{ $end } 端、{ $t } s）
 verdict-corner-off = 桁かかりから外れる：隅角部 { $corner }（{ $end } 端、{ $t } s）、最大で前縁から { $beyond }（{ $worst } s）
 verdict-lost = 落橋：{ $end } 端全体が { $t } s に外れる（最初の隅角部は { $first } s）
 falls-seat = 桁かかりから外れる（{ $t } s）
 falls-support = 支持を失う（{ $t } s）
+falls-down = 落下（{ $t } s）
 falls-tips = 傾く（{ $t } s）
 verdicts = 落橋の判定
 coarse = 粗い計算（本計算中）
@@ -948,6 +950,8 @@ report-assume-both = 衝突モデルも計算した。このレポートは接�
 report-corner-friction = 隅角部では μ_s = { $static }、μ_k = { $kinetic }
 report-laws = 法線則 { $normal }、摩擦則 { $friction }
 report-pairs-more = ほかに { $more } 通りの数値
+off-seats = { $girder }：支承 { $bearings } は初期配置で桁かかりの前縁の外にある：seat_m を長くするか、端に近づける
+uncertain = 推定誤差 { $error } m は最大変位の { $share } %：わずかな差が計算の中で大きくなり、後の数値は多くの場合の一つである
 soil-beyond = 100 % を超えるもの：双曲線の包絡は F_ult/R_f に近づき、途中で F_ult を超える
 report-piers-more = ほかに { $more } 基の橋脚
 report-lost = 支承 { $bearing } は { $t } s に支えを失い、以後働かない。

@@ -5,8 +5,11 @@ use super::summary::name;
 use crate::language::{Text, said};
 use crate::scene::Scene;
 use crate::scene::domain::outside;
+use crate::scene::seating;
+use crate::scene::shown::escaped;
 use crate::sim::History;
 use crate::sim::moving_ground::{MovedSupport, drifting};
+use crate::tables::Report;
 
 /// So many warnings are written out; a row of a thousand girders in the wrong unit would fill a screen with one fault.
 const MOST_WARNINGS: usize = 10;
@@ -20,8 +23,28 @@ pub(super) fn warn(scene: &Scene, console: &mut Console) {
     if let Some(more) = found.len().checked_sub(MOST_WARNINGS).filter(|more| *more > 0) {
         console.note(&said!("warning-more-outside", "more" => more));
     }
+    off_their_seats(scene, console);
     for words in scene.cut_motions() {
         console.note(&said!("note", "words" => words.to_string()));
+    }
+}
+
+/// Warns of bearings that do not stand on the seats that the scene gives.
+fn off_their_seats(scene: &Scene, console: &mut Console) {
+    for (girder, off) in seating::all_off(scene).into_iter().take(MOST_WARNINGS) {
+        let words = said!("off-seats", "girder" => escaped(girder), "bearings" => numbers(&off));
+        console.note(&said!("warning", "what" => words));
+    }
+}
+
+fn numbers(numbers: &[usize]) -> String {
+    numbers.iter().map(ToString::to_string).collect::<Vec<_>>().join(", ")
+}
+
+/// Warns of an answer whose estimated error is large; the exit status does not change.
+pub(super) fn warn_of_error(report: &Report, console: &mut Console) {
+    if let Some(words) = report.uncertain() {
+        console.note(&said!("warning", "what" => format!("{}: {words}", name(&report.scene))));
     }
 }
 

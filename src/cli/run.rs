@@ -69,7 +69,9 @@ fn report(args: &RunArgs, timed: &[Timed], console: &mut Console) -> Result<(), 
         domain::warn_of_balance(&timed.history, console);
         domain::warn_of_drift(&moved_supports(timed.history.scene(), timed.history.model()), console);
         if !args.digest {
-            console.print(&summary::text(&Report::of(&timed.history, &options)));
+            let report = Report::of(&timed.history, &options);
+            domain::warn_of_error(&report, console);
+            console.print(&summary::text(&report));
         }
         if args.out.is_some() {
             limits::check_contacts(args.sample, &timed.history)?;

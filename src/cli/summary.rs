@@ -279,8 +279,7 @@ fn answer(report: &Report) -> Vec<Line> {
             "share" => format!("{:.0}", 100.0 * soil.force / soil.ultimate),
             "gap" => millimetres(soil.remaining_gap)
         );
-        let beyond = soil.force > soil.ultimate;
-        let value = if beyond { format!("{value}; {}", Text::new("soil-beyond")) } else { value };
+        let value = if soil.is_beyond() { format!("{value}; {}", Text::new("soil-beyond")) } else { value };
         line(said!("run-soil", "name" => escaped(&soil.abutment)), value)
     }));
     lines.extend(report.piers.iter().map(pier));

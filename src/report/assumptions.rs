@@ -9,6 +9,7 @@ use crate::codes::Source;
 use crate::language::{Text, said, six};
 use crate::scene::facing::PairContact;
 use crate::scene::keys::word_told;
+use crate::scene::seating;
 use crate::scene::{BearingKind, Bearings, ContactSettings, FrictionLaw, ImpactSettings, ModelKind, NormalName, Scene};
 use crate::sim::History;
 use crate::study::plot::draw::escape;
@@ -39,7 +40,12 @@ pub(super) fn section(history: &History, report: &Report) -> String {
         format!("<b class=\"no\">{}</b>: {}", Text::new("report-outside"), escape(&what))
     });
     let mut html = String::from("<ul>\n");
-    for item in items.into_iter().chain(outside) {
+    let off = seating::all_off(scene).into_iter().map(|(girder, off)| {
+        let off: Vec<String> = off.iter().map(ToString::to_string).collect();
+        let words = escape(&said!("off-seats", "girder" => girder, "bearings" => off.join(", ")));
+        format!("<b class=\"no\">{words}</b>")
+    });
+    for item in items.into_iter().chain(outside).chain(off) {
         let _ = writeln!(html, "<li>{item}</li>");
     }
     html + "</ul>\n"

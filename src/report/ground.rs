@@ -3,6 +3,7 @@
 use std::collections::BTreeSet;
 use std::fmt::Write as _;
 
+use super::in_force;
 use crate::language::{Text, said};
 use crate::motion::Ground;
 use crate::motion::spectrum::{DESIGN_DAMPING, periods, spectrum};
@@ -104,7 +105,11 @@ pub(super) fn section(history: &History) -> String {
     }
     let names = ["x", "y", "z"];
     let (component, peak, at) = (Text::new("report-component"), Text::new("report-peak"), Text::new("report-peak-at"));
-    let mut html = format!("<table><tr><th>{component}</th><th>{peak}</th><th>{at}</th></tr>\n");
+    let mut html = format!("<p>{}</p>\n", escape(&in_force::motion(&history.scene().motion)));
+    for named in &history.scene().grounds {
+        let _ = writeln!(html, "<p>{}: {}</p>", escape(&named.name), escape(&in_force::motion(&named.motion)));
+    }
+    let _ = writeln!(html, "<table><tr><th>{component}</th><th>{peak}</th><th>{at}</th></tr>");
     let (mut panels, mut spectra) = (Vec::new(), Vec::new());
     for &axis in &axes {
         let mut curves = Vec::new();

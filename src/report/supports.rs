@@ -5,7 +5,7 @@ use std::fmt::Write as _;
 use super::sections::{at, head, row};
 use super::units::force;
 use crate::language::Text;
-use crate::tables::Report;
+use crate::tables::{BackfillReport, Report};
 
 /// Period, drift, base shear and moment, yield of every pier; nothing of a scene without piers.
 pub(super) fn piers(report: &Report) -> String {
@@ -57,7 +57,7 @@ pub(super) fn soils(report: &Report) -> String {
         html.push_str(&row(&soil.abutment, &numbers));
     }
     html.push_str("</table>\n");
-    if report.backfill.iter().any(|soil| soil.force > soil.ultimate) {
+    if report.backfill.iter().any(BackfillReport::is_beyond) {
         let _ = writeln!(html, "<p>{}</p>", Text::new("soil-beyond"));
     }
     html

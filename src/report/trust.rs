@@ -50,6 +50,7 @@ pub(super) fn departures(report: &Report) -> String {
     let dropped = dropped.map(|(words, class)| format!("<p{class}>{}</p>\n", escape(&words)));
     let line = |words: String| format!("<p class=\"no\">{}</p>\n", escape(&words));
     bending::departures(report)
+        .chain(report.uncertain())
         .chain(lost)
         .chain(uplifts)
         .chain(overlaps)

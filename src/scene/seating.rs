@@ -1,6 +1,6 @@
 //! Where a bearing loses its support: beyond a free travel, or over the front edge of its seat (`docs/physics.md#loss-of-support`).
 
-use super::{Girder, ResolvedBearing};
+use super::{Girder, ResolvedBearing, Scene};
 use crate::geometry::End;
 
 /// Displacements of a bearing's point that keep its support: along the direction square to the front edges of both seats.
@@ -72,6 +72,17 @@ pub fn stands_off(girder: &Girder, bearing: &ResolvedBearing) -> Option<bool> {
     let along = bearing.place.x - bearing.place.y * girder.prism().shear();
     let (_, seat) = seat_below(girder, along)?;
     Some(0.5 * girder.length - along.abs() >= seat)
+}
+
+/// Girders with bearings that stand beyond the front edge of their seats as placed, and the numbers of these bearings from 1.
+pub fn all_off(scene: &Scene) -> Vec<(&str, Vec<usize>)> {
+    let of = |girder: &'_ Girder| {
+        let bearings = girder.supports(scene.setting()).into_iter().enumerate();
+        let off = bearings.filter(|(_, bearing)| stands_off(girder, bearing) == Some(true));
+        off.map(|(number, _)| number + 1).collect::<Vec<_>>()
+    };
+    let all = scene.girders.iter().map(|girder| (girder.name.as_str(), of(girder)));
+    all.filter(|(_, off)| !off.is_empty()).collect()
 }
 
 /// The seat that carries a bearing at this place along the axis from the middle, before skewing, and its length along the axis

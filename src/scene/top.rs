@@ -161,7 +161,7 @@ pub const TOP: &[Key] = &[
         "gravity_m_s2",
         Range::NotNegative,
         Fallback::Number(STANDARD_GRAVITY),
-        "gravity in a spatial scene, m/s²",
+        "gravity in a spatial scene; in a planar one it loads sliders and the base of a backwall, m/s²",
     )
     .labelled("field-gravity"),
     Key::new(

@@ -1,5 +1,7 @@
 //! Ground that moves otherwise than the ground of reference, at any instant.
 
+use std::collections::BTreeSet;
+
 use glam::DVec3;
 
 use super::History;
@@ -96,7 +98,9 @@ pub fn moved_supports(scene: &Scene, model: &Model) -> Vec<MovedSupport> {
             left: left.filter(|speed| drift.is_none() && *speed > LEFT * own_fastest),
         })
     };
-    abutments.chain(piers).chain(other).filter_map(moved).collect()
+    // The foundation of a backwall that moves is its abutment's.
+    let mut seen = BTreeSet::new();
+    abutments.chain(piers).chain(other).filter_map(moved).filter(|moved| seen.insert(moved.name.clone())).collect()
 }
 
 impl History {

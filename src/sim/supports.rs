@@ -36,6 +36,13 @@ impl History {
         lost.filter(|(_, at)| *at <= self.end()).min_by(|a, b| a.1.total_cmp(&b.1))
     }
 
+    /// When a girder has lost the support of its last bearing \[s\]; none while any bearing carries it.
+    pub fn without_support(&self, girder: usize) -> Option<f64> {
+        let supports = self.model().supports.get(girder).filter(|supports| !supports.is_empty())?;
+        let lost = supports.iter().map(|links| self.lost_at(*links.first()?).filter(|at| *at <= self.end()));
+        lost.collect::<Option<Vec<f64>>>()?.into_iter().reduce(f64::max)
+    }
+
     /// When the support that a link is was lost \[s\]: for good, in its last phase.
     fn lost_at(&self, link: usize) -> Option<f64> {
         let (at, phase) = self.link_phases(link).last()?;

@@ -37,6 +37,13 @@ pub enum Verdict {
         /// The seat as placed, square to the front edge \[m\].
         placed: f64,
     },
+    /// No bearing carries the girder any more: it falls. In plan a run that goes on knows nothing of that.
+    Falls {
+        /// When \[s\].
+        t: f64,
+        /// When the first bearing lost its support \[s\].
+        first: f64,
+    },
     /// The girder tips over in space: what remains of a seat in plan says nothing then.
     Tipped {
         /// When \[s\].
@@ -70,14 +77,21 @@ pub enum Verdict {
     },
 }
 
-/// The verdict on a girder; none where the scene gives it no seats, unless it tips.
+/// The verdict on a girder; none where the scene gives it no seats, unless it falls or tips.
 pub fn verdict(history: &History, girder: usize) -> Option<Verdict> {
-    of_seats(&seats::of_girder(history, girder), history.first_lost_bearing(girder), history.tipped(girder))
+    of_reading(history, girder, &seats::of_girder(history, girder), history.tipped(girder))
+}
+
+/// The same from the seats and the tilt of the girder that have been read already.
+pub fn of_reading(history: &History, girder: usize, seats: &[Seat], tipped: Option<(f64, f64)>) -> Option<Verdict> {
+    let bearing = history.first_lost_bearing(girder);
+    let falls = history.without_support(girder).zip(bearing).map(|(t, (_, first))| Verdict::Falls { t, first });
+    falls.or_else(|| of_seats(seats, bearing, tipped))
 }
 
 /// The verdict on the seats of one girder, of which a bearing has lost its support, number and time \[s\], or which has tipped, time and
 /// largest tilt \[s, rad\]; none without seats of a girder that stays upright.
-pub fn of_seats(seats: &[Seat], bearing: Option<(usize, f64)>, tipped: Option<(f64, f64)>) -> Option<Verdict> {
+fn of_seats(seats: &[Seat], bearing: Option<(usize, f64)>, tipped: Option<(f64, f64)>) -> Option<Verdict> {
     let off = lost(seats).or_else(|| corner_off(seats));
     let tips = || tipped.map(|(t, tilt)| Verdict::Tipped { t, tilt });
     let verdict = off.or_else(tips).or_else(|| stays(seats))?;
@@ -131,20 +145,22 @@ impl Verdict {
     pub fn t(&self) -> f64 {
         match self {
             Self::Stays { least, .. } => least.t,
-            Self::CornerOff { t, .. } | Self::Lost { t, .. } | Self::SupportLost { t, .. } | Self::Tipped { t, .. } => {
-                *t
-            }
+            Self::CornerOff { t, .. }
+            | Self::Lost { t, .. }
+            | Self::SupportLost { t, .. }
+            | Self::Falls { t, .. }
+            | Self::Tipped { t, .. } => *t,
         }
     }
 
-    /// The corner that decides it, by its number in plan; none of a girder that tips.
+    /// The corner that decides it, by its number in plan; none of a girder that falls or tips.
     pub fn corner(&self) -> Option<usize> {
         match self {
             Self::Stays { corner, .. }
             | Self::SupportLost { corner, .. }
             | Self::CornerOff { corner, .. }
             | Self::Lost { corner, .. } => Some(*corner),
-            Self::Tipped { .. } => None,
+            Self::Falls { .. } | Self::Tipped { .. } => None,
         }
     }
 
@@ -162,6 +178,9 @@ impl Verdict {
                 let (bearing, end) = (bearing + 1, end.label());
                 let values = values!["bearing" => bearing, "t" => t, "left" => left, "placed" => placed, "end" => end];
                 Text::new("verdict-support-lost").with(&values)
+            }
+            Self::Falls { t, first } => {
+                Text::new("verdict-falls").with(&values!["t" => seconds(*t), "first" => seconds(*first)])
             }
             Self::Tipped { t, tilt, .. } => {
                 let tilt = format!("{:.0}", tilt.to_degrees());
@@ -237,7 +256,7 @@ mod tests {
         match off {
             Verdict::CornerOff { t, .. } => assert_eq!(t, first, "when the first corner does"),
             Verdict::Lost { first: corner, .. } => assert!(corner >= first, "no sooner than the first corner"),
-            Verdict::Stays { .. } | Verdict::SupportLost { .. } | Verdict::Tipped { .. } => panic!("{off:?}"),
+            other => panic!("{other:?}"),
         }
     }
 

@@ -13,6 +13,7 @@ use super::events::law_of;
 use super::flexible::{self, FlexibleReport};
 use super::seats::{self, SeatReport};
 use super::verdicts::{self, VerdictReport};
+use crate::language::said;
 use crate::scene::Kind;
 use crate::sim::moving_ground::{MovedSupport, moved_supports};
 use crate::sim::readings::Extreme;
@@ -84,6 +85,8 @@ pub struct Report {
     pub tolerance: f64,
     /// Largest displacement difference from a run at a hundredth of the tolerance, when asked for \[m\].
     pub estimated_error: Option<f64>,
+    /// Whether that is more than [`LARGE_ERROR`] of the largest displacement.
+    pub error_is_large: bool,
     /// The energy ledger at the end \[J\].
     pub ledger: Ledger,
     /// Bound of the ledger's |residual| \[J\].
@@ -101,6 +104,10 @@ pub struct Report {
     /// Files of the answer, this one among them; a later answer in the same folder removes those that it does not have.
     pub files: Vec<String>,
 }
+
+/// Part of the largest displacement above which an estimated error is said to be large \[–\]. Chosen: a pixel of a curve that fills a
+/// screen.
+const LARGE_ERROR: f64 = 1e-3;
 
 /// A facing pair in short.
 #[derive(Clone, Debug, PartialEq, Serialize)]
@@ -133,6 +140,13 @@ pub struct BackfillReport {
     pub ultimate: f64,
     /// Gap that stays between the wall as placed and the soil \[m\].
     pub remaining_gap: f64,
+}
+
+impl BackfillReport {
+    /// Whether the soil pushes by more than its ultimate force, rounded to a percent: a hyperbolic envelope does.
+    pub fn is_beyond(&self) -> bool {
+        self.force > 1.005 * self.ultimate
+    }
 }
 
 /// A pier.
@@ -171,7 +185,9 @@ impl Report {
     /// Gathers the facts of an answer.
     pub fn of(history: &History, options: &TableOptions) -> Self {
         let (scene, ledger, balance) = (history.scene(), history.ledger(history.end()), history.balance());
-        let upright = history.uprights();
+        let (upright, numbers) = (history.uprights(), history.summary());
+        let large = LARGE_ERROR * numbers.max_displacement;
+        let error_is_large = options.estimated_error.is_some_and(|error| error > large);
         Self {
             scene: scene.name.clone(),
             kind: scene.kind,
@@ -179,7 +195,7 @@ impl Report {
             duration: scene.duration,
             end: history.end(),
             gave_up: history.stop().cloned(),
-            numbers: history.summary(),
+            numbers,
             max_tilt: upright.iter().map(|girder| girder.tilt.value).reduce(f64::max),
             pairs: pairs(history),
             verdicts: verdicts::of(history),
@@ -200,6 +216,7 @@ impl Report {
             assumed: scene.assumed_numbers().into_iter().map(|(path, _)| path).collect(),
             tolerance: scene.solver.tolerance,
             estimated_error: options.estimated_error,
+            error_is_large,
             ledger,
             residual_bound: balance.bound * ledger.scale,
             balances: balance.holds(),
@@ -209,6 +226,13 @@ impl Report {
             versions: Versions { girderbench: env!("CARGO_PKG_VERSION"), scene_format: scene.format },
             files: Vec::new(),
         }
+    }
+
+    /// In words, that the estimated error is large; none where it is not, or not known.
+    pub fn uncertain(&self) -> Option<String> {
+        let error = self.estimated_error.filter(|_| self.error_is_large)?;
+        let share = format!("{:.2}", 100.0 * error / self.numbers.max_displacement);
+        Some(said!("uncertain", "error" => format!("{error:.2e}"), "share" => share))
     }
 
     /// The file's bytes. A number that is not finite is written as `null`, −0 as 0.

@@ -180,3 +180,11 @@ fn numbers_in_force_of_piers_and_soil_stand_among_the_assumptions() {
     let soil = assumptions(&page("span-as-built", &[]));
     assert!(soil.contains("<li>backfill ") && soil.contains(" <b class=\"part\">assumed</b>, F_ult "), "{soil}");
 }
+
+#[test]
+fn the_ground_motion_is_named_with_its_direction_and_scale() {
+    let page = page("two-components", &[]);
+    let from = page.find("<h2>Ground motion</h2>").expect("a section");
+    let ground = page[from..].split_once("<table>").expect("the peaks").0;
+    assert!(ground.contains("synthetic") && ground.contains("0.313 g"), "{ground}");
+}

@@ -140,7 +140,9 @@ fn draw_axes(painter: &Painter, circle: Circle, palette: &Palette) {
         let direction_deg = f64::from(u32::try_from(direction).unwrap_or(0));
         painter.line_segment([circle.middle, circle.at(direction_deg, high)], Stroke::new(0.5, palette.line));
         let at = circle.middle + way(direction_deg) * (circle.radius + 12.0);
-        painter.text(at, Align2::CENTER_CENTER, format!("{direction}°"), small.clone(), palette.weak);
+        // From −150° to 180°, as angles are given.
+        let signed = if direction > 180 { direction - 360 } else { direction };
+        painter.text(at, Align2::CENTER_CENTER, format!("{signed}°"), small.clone(), palette.weak);
     }
     for value in ticks(circle.values, 3.0).into_iter().filter(|value| *value > low && *value < high) {
         let radius = circle.radius * part((value - low) / (high - low));

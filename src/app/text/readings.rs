@@ -112,6 +112,7 @@ pub(in crate::app) fn falls(verdict: &Verdict) -> String {
     let text = match verdict {
         Verdict::Tipped { .. } => Text::new("falls-tips"),
         Verdict::SupportLost { .. } => Text::new("falls-support"),
+        Verdict::Falls { .. } => Text::new("falls-down"),
         Verdict::Stays { .. } | Verdict::CornerOff { .. } | Verdict::Lost { .. } => Text::new("falls-seat"),
     };
     text.with(&values!["t" => format!("{:.2}", verdict.t())])

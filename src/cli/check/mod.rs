@@ -18,8 +18,8 @@ use crate::report::in_force;
 use crate::scene::keys::word_told;
 use crate::scene::shown::escaped;
 use crate::scene::{
-    Between, Calibration, FrictionLaw, Heading, Kind, ModelKind, Motion, NamedGround, NormalName, RecordMotion,
-    STANDARD_GRAVITY, Scene, Sharing, SolverMethod, SweepRate, Tension, ViewPreset, seating,
+    Between, Calibration, FrictionLaw, Kind, ModelKind, NamedGround, NormalName, Scene, Sharing, SolverMethod, Tension,
+    ViewPreset,
 };
 use crate::sim;
 use crate::sim::moving_ground::{MovedSupport, moved_supports};
@@ -47,26 +47,11 @@ pub(super) fn run(args: &CheckArgs, console: &mut Console) -> Result<(), Failure
     console.print(&text(&scene, &model, &moved));
     domain::warn(&scene, console);
     domain::warn_of_drift(&moved, console);
-    off_their_seats(&scene, console);
     // Elsewhere bodies are joined where they meet.
     if scene.contact.between == Between::Ends || scene.model.kind == ModelKind::Impact {
         unjoined(&scene, &model, console);
     }
     Ok(())
-}
-
-/// Warns of bearings that do not stand on the seats that the scene gives.
-fn off_their_seats(scene: &Scene, console: &mut Console) {
-    for girder in &scene.girders {
-        let supports = girder.supports(scene.setting());
-        let off: Vec<String> = (0..supports.len())
-            .filter(|&n| seating::stands_off(girder, &supports[n]) == Some(true))
-            .map(|n| (n + 1).to_string())
-            .collect();
-        if !off.is_empty() {
-            console.note(&said!("warning-off-seats", "girder" => escaped(&girder.name), "bearings" => off.join(", ")));
-        }
-    }
 }
 
 /// Warns of bodies that can come near and that no contact joins.
@@ -105,6 +90,7 @@ fn text(scene: &Scene, model: &Model, moved: &[MovedSupport]) -> String {
         .chain(piers)
         .chain(pairs)
         .chain(none)
+        .chain(assumed_stiffness(scene))
         .chain(device::texts(scene))
         .chain(assumed(scene))
         .collect()
@@ -114,6 +100,12 @@ fn text(scene: &Scene, model: &Model, moved: &[MovedSupport]) -> String {
 fn lines(all: &[String]) -> String {
     let shown: Vec<String> = all.iter().map(|line| escaped(line).to_string()).collect();
     shown.join("\n  ") + "\n"
+}
+
+/// That K is not given, and what it is then.
+fn assumed_stiffness(scene: &Scene) -> Option<String> {
+    let is_assumed = scene.contact.stiffness.is_none() && scene.model.kind != ModelKind::Impact;
+    is_assumed.then(|| format!("{}\n", Text::new("check-assumed-stiffness")))
 }
 
 /// Values that were not given.
@@ -129,10 +121,12 @@ fn head(scene: &Scene) -> String {
         Kind::Planar => Text::new("check-planar").into(),
         Kind::Spatial => said!("check-spatial", "gravity" => six(scene.gravity)),
     };
-    let mut ground = said!("check-head-b", "motion" => motion_words(&scene.motion));
+    let mut ground = said!("check-head-b", "motion" => in_force::motion(&scene.motion));
     for NamedGround { name: of, motion } in &scene.grounds {
-        ground =
-            format!("{ground}\n{}", said!("check-named-ground", "name" => name(of), "motion" => motion_words(motion)));
+        ground = format!(
+            "{ground}\n{}",
+            said!("check-named-ground", "name" => name(of), "motion" => in_force::motion(motion))
+        );
     }
     format!(
         "{}\n{ground}\n{}\n{}\n",
@@ -143,101 +137,6 @@ fn head(scene: &Scene) -> String {
             "tolerance" => six(scene.solver.tolerance)
         ),
         said!("check-head-d", "camera" => word_told(ViewPreset::WORDS, scene.view.camera.label()))
-    )
-}
-
-fn motion_words(motion: &Motion) -> String {
-    match motion {
-        Motion::None => Text::new("check-still").into(),
-        Motion::Sine(sine) => {
-            let amplitude = sine.amplitude_si();
-            let [si, g] = [amplitude, amplitude / STANDARD_GRAVITY].map(six);
-            let [frequency, phase, angle] = [sine.frequency_hz, sine.phase_deg, sine.angle_deg].map(six);
-            let vertical = match sine.vertical_si() {
-                0.0 => String::new(),
-                a => {
-                    let phase = sine.vertical_phase_deg.unwrap_or(sine.phase_deg);
-                    said!("check-sine-vertical", "level" => six(a), "phase" => six(phase))
-                }
-            };
-            said!(
-                "check-sine",
-                "si" => si,
-                "g" => g,
-                "frequency" => frequency,
-                "phase" => phase,
-                "angle" => angle,
-                "vertical" => vertical
-            )
-        }
-        Motion::Record(record) => recorded(record),
-        Motion::Sweep(sweep) => {
-            let [amplitude, from, to, length, angle] =
-                [sweep.amplitude_g, sweep.from_hz, sweep.to_hz, sweep.length, sweep.angle_deg].map(six);
-            let (rate, interval) = (word_told(SweepRate::WORDS, sweep.rate.label()), six(sweep.sweep().interval()));
-            said!(
-                "check-sweep",
-                "rate" => rate,
-                "amplitude" => amplitude,
-                "from" => from,
-                "to" => to,
-                "length" => length,
-                "angle" => angle,
-                "interval" => interval
-            )
-        }
-        Motion::Synthetic(quake) => {
-            let largest = quake.samples(0).iter().fold(0.0, |most: f64, a| most.max(a.abs())) / STANDARD_GRAVITY;
-            let [seed, peak, length, angle] = [quake.seed, largest, quake.duration, quake.angle_deg].map(six);
-            let [_, across, vertical] = quake.factors().map(six);
-            let target = quake.deviation(0).map(|off| {
-                let pairs = quake.target.as_ref().map_or(0, Vec::len);
-                said!("check-matched", "pairs" => pairs, "off" => format!("{:.1}", 100.0 * off))
-            });
-            said!(
-                "check-synthetic",
-                "seed" => seed,
-                "peak" => peak,
-                "length" => length,
-                "angle" => angle,
-                "across" => across,
-                "vertical" => vertical,
-                "target" => target.unwrap_or_default()
-            )
-        }
-    }
-}
-
-/// A record: samples, interval, scale, directions, what is done to it.
-fn recorded(record: &RecordMotion) -> String {
-    let (peak, dt, count) = record.extent().unwrap_or((0.0, 0.0, 0));
-    let length = dt * count.saturating_sub(1) as f64;
-    let [dt, scale, length, peak] = [dt, record.scale, length, peak / STANDARD_GRAVITY].map(six);
-    let direction = if record.components.is_empty() {
-        let vertical = match record.vertical_scale {
-            0.0 => String::new(),
-            scale => said!("check-vertical-scale", "scale" => six(scale)),
-        };
-        said!("check-angle", "angle" => six(record.angle_deg), "vertical" => vertical)
-    } else {
-        let each = |n: usize| match record.heading(n) {
-            Some(Heading::Up) => Text::new("check-up").into(),
-            Some(Heading::InPlan(angle)) => said!("check-from-x", "angle" => six(angle)),
-            None => Text::new("check-nowhere").into(),
-        };
-        let all: Vec<String> = (0..record.components.len()).map(each).collect();
-        said!("check-components", "count" => all.len(), "all" => all.join(", "))
-    };
-    let steps: Vec<String> = record.processing.in_words().into_iter().map(|step| format!(", {step}")).collect();
-    said!(
-        "check-record",
-        "count" => count,
-        "dt" => dt,
-        "length" => length,
-        "peak" => peak,
-        "scale" => scale,
-        "direction" => direction,
-        "steps" => steps.concat()
     )
 }
 
