@@ -1,7 +1,5 @@
 //! Ground that moves otherwise than the ground of reference, at any instant.
 
-use std::collections::BTreeSet;
-
 use glam::DVec3;
 
 use super::History;
@@ -98,9 +96,14 @@ pub fn moved_supports(scene: &Scene, model: &Model) -> Vec<MovedSupport> {
             left: left.filter(|speed| drift.is_none() && *speed > LEFT * own_fastest),
         })
     };
-    // The foundation of a backwall that moves is its abutment's.
-    let mut seen = BTreeSet::new();
-    abutments.chain(piers).chain(other).filter_map(moved).filter(|moved| seen.insert(moved.name.clone())).collect()
+    let mut all: Vec<MovedSupport> = Vec::new();
+    for support in abutments.chain(piers).chain(other).filter_map(moved) {
+        // The foundation of a backwall that moves is its abutment's; two of one name that move otherwise are two.
+        if !all.contains(&support) {
+            all.push(support);
+        }
+    }
+    all
 }
 
 impl History {

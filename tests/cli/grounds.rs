@@ -114,3 +114,14 @@ fn an_earthquake_that_drifts_is_warned_of_where_it_travels() {
     let alone = call(&["check", "viaduct-5"]);
     assert!(!alone.err.contains("leaves the ground"), "one ground feels no drift: {}", alone.err);
 }
+
+#[test]
+fn a_support_that_is_late_is_listed_once_though_its_backwall_moves() {
+    let said = call(&["check", "span-as-built", "--set", "wave.speed_m_per_s=500"]);
+    assert_eq!(said.status, Some(0), "{}", said.err);
+    for name in ["east", "west"] {
+        let listed = said.out.lines().filter(|line| line.starts_with(&format!("ground under {name}:"))).count();
+        assert!(listed <= 1, "{name}: {}", said.out);
+    }
+    assert!(said.out.contains("ground under "), "one of them is late: {}", said.out);
+}

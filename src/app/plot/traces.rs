@@ -15,7 +15,7 @@ use crate::app::run::answer::Answer;
 use crate::app::run::comparison::Pin;
 use crate::sim::{History, Pounding, PoundingHit};
 
-/// Most motions that are computed for the curves of one window: a tenth of a second.
+/// Most motions that are computed for the curves of one window, which a frame waits for. Chosen, not measured.
 const MOST_MOTIONS: usize = 200_000;
 
 /// More girders, or pairs of bodies that hit, than this are a crowd.

@@ -174,8 +174,9 @@ impl Answer {
     pub fn falls(&self) -> &[(usize, Verdict)] {
         self.falls.get_or_init(|| {
             let girders = self.history.scene().girders.iter().enumerate();
-            let in_space = self.history.scene().kind == Kind::Spatial;
-            let could = girders.filter(|(_, girder)| in_space || girder.seat.plus.or(girder.seat.minus).is_some());
+            // Whether a girder tips is found for all of them together: of a long row in space that would hold up a frame.
+            let few_in_space = self.history.scene().kind == Kind::Spatial && girders.len() <= MOST_VERDICTS;
+            let could = girders.filter(|(_, girder)| few_in_space || girder.seat.plus.or(girder.seat.minus).is_some());
             let verdicts =
                 could.take(MOST_VERDICTS).filter_map(|(i, _)| Some((i, verdict::verdict(&self.history, i)?)));
             let mut falls: Vec<(usize, Verdict)> = verdicts.filter(|(_, verdict)| !verdict.stays()).collect();
