@@ -85,7 +85,7 @@ pub struct Report {
     pub tolerance: f64,
     /// Largest displacement difference from a run at a hundredth of the tolerance, when asked for \[m\].
     pub estimated_error: Option<f64>,
-    /// Whether that is more than [`LARGE_ERROR`] of the largest displacement.
+    /// Whether that is more than `LARGE_ERROR` of the largest displacement.
     pub error_is_large: bool,
     /// The energy ledger at the end \[J\].
     pub ledger: Ledger,

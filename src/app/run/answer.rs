@@ -170,7 +170,7 @@ impl Answer {
     }
 
     /// Girders that come off their seats, lose a support or tip, with their verdicts, the earliest first, among the first
-    /// [`MOST_VERDICTS`] that could; found when first asked for.
+    /// `MOST_VERDICTS` that could; found when first asked for.
     pub fn falls(&self) -> &[(usize, Verdict)] {
         self.falls.get_or_init(|| {
             let girders = self.history.scene().girders.iter().enumerate();
