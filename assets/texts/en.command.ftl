@@ -30,9 +30,11 @@ run-pulls-at = { $bearing } carries nothing at { $t } s and then pulls, by up to
 run-total-at = { $force } at { $t } s, all contacts between two bodies together
 run-pair-total = , { $total } of all contacts together
 run-lost-at = { $bearing } at { $t } s, at ({ $x }, { $y }) m: later samples are without it
-run-pier-yields = ; it yields from { $t } s on
+run-pier-yields = ; it yields from { $t } s on, ductility { $ductility }; unloaded at the end { $along }, { $across } mm stay along, across
 run-pier-numbers = alone T { $along } s along, { $across } s across; drift { $drift } mm at { $td } s, base shear { $shear } at { $ts } s{ $yielded }
 run-pier = pier { $name }
+run-bearings = bearings of { $girder }
+run-bearings-of = move up to { $moved } mm in plan (bearing { $bearing }, { $t } s), force of one up to { $force } (bearing { $which }, { $tf } s)
 run-overlap-of = { $one } and { $other }, without contact: from { $t } s, { $depth } mm deep at { $td } s
 run-overlap-more = { $more } more
 run-too-deep-of = { $node } in { $face }: { $depth } mm at { $t } s, more than a tenth of the shortest side ({ $allowed } mm)
@@ -63,7 +65,7 @@ run-seat-along = {" "}({ $length } along the axis)
 run-seat-at = {" "}at { $which }
 run-seat-of = placed { $placed } mm{ $along }, least { $least }{ $corner }, used { $used }, at { $t } s
 run-corner = corner { $corner } ({ $angle })
-run-corner-off = { $which } comes off at { $t } s, { $at } m along the edge; { $share } % of the end stay seated at the least
+run-corner-off = { $which } comes off at { $t } s, { $at } m along the edge; at worst { $share } % of the end's width is over its seat
 run-corner-side = { $which } leaves the seat over its side at { $t } s
 run-needed = needed
 run-there = there
@@ -169,8 +171,7 @@ check-flat = flat
 check-slide = { $count } of them slide: μ = { $friction }, { $radius } (of the first), friction there at { $displacement } m; N follows their vertical force, frequencies are without N/R
 check-effective = at { $amplitude } m k_eff = { $stiffness } N/m, T_eff = { $period } s, h_eq = { $damping }
 check-assumed-of = ; assumed: { $numbers }
-check-together = { $kind } together: k₁, k₂ = { $first }, { $second } N/m, Q = { $force } N, u_y = { $yields } m{ $assumed }
-check-together-b = { $effective }
+check-together = { $kind } together: k₁, k₂ = { $first }, { $second } N/m, Q = { $force } N, u_y = { $yields } m
 check-then-drops = the run stops when a corner has dropped by { $drop } m
 check-then-stops = the run then stops
 check-then-goes-on = the run goes on without it, and says so

@@ -141,6 +141,7 @@ wrong-cable-no-stiffness = give K in N/m, or EA as axial_stiffness_n
 wrong-axial-stiffness-missing = it belongs to axial_stiffness_n: give that, or leave it out
 wrong-post-yield = it must be less than K = { $before } N/m: lower it, or leave out yield_force_n
 wrong-brittle-and-ductile = a brittle side has break_force_n, a ductile one yield_force_n: give one of the two
+wrong-breaks-before-yield = it yields at T_y/K = { $yields } m: more than that; a cable that breaks without yield has no yield_force_n
 wrong-break-displacement = break_displacement_m is that of a ductile side: give its F_y too
 wrong-minus-gap = nothing stops motion against d: leave it out, or set sides = "both"
 wrong-no-area = give the section's area in m², or density_kg_m3
@@ -429,8 +430,8 @@ processed-start = its start
 processed-end = its end
 processed-cut = cut from { $from } to { $to }
 processed-baseline = baseline: { $kind } removed
-processed-taper = tapered over s: { $seconds }
-processed-pad = padded by s: { $seconds }
+processed-taper = tapered over { $seconds } s at both ends
+processed-pad = { $seconds } s of rest before and after
 processed-time = time scaled by { $factor }
 processed-peak = scaled to a peak of { $peak } g
 processed-scale = multiplied by { $scale }

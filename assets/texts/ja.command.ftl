@@ -30,9 +30,11 @@ run-pulls-at = { $bearing } は { $t } s に荷重が零となり、その後最
 run-total-at = { $force }（{ $t } s）、二物体間の全接触の和
 run-pair-total = 、全接触の和は { $total }
 run-lost-at = { $bearing }：{ $t } s、({ $x }, { $y }) m。以後の値はこの支承なし
-run-pier-yields = 。{ $t } s から降伏
+run-pier-yields = 。{ $t } s から降伏、塑性率 { $ductility }。最後に除荷して橋軸 { $along }、直角 { $across } mm 残る
 run-pier-numbers = 単独で T 橋軸 { $along } s、直角 { $across } s。変位 { $drift } mm（{ $td } s）、基部せん断力 { $shear }（{ $ts } s）{ $yielded }
 run-pier = 橋脚 { $name }
+run-bearings = 支承 { $girder }
+run-bearings-of = 水平変位 { $moved } mm（支承 { $bearing }、{ $t } s）、一つの力 { $force }（支承 { $which }、{ $tf } s）
 run-overlap-of = { $one } と { $other }、接触なし：{ $t } s から、最大 { $depth } mm（{ $td } s）
 run-overlap-more = ほか { $more } 件
 run-too-deep-of = { $face } への { $node }：{ $t } s に { $depth } mm、最短辺の十分の一（{ $allowed } mm）を超える
@@ -166,8 +168,7 @@ check-flat = 平ら
 check-slide = うち { $count } 個がすべり：μ = { $friction }、{ $radius }（最初のもの）、{ $displacement } m で摩擦が全て現れる。N は鉛直力に従い、振動数は N/R を除く
 check-effective = { $amplitude } m で k_eff = { $stiffness } N/m、T_eff = { $period } s、h_eq = { $damping }
 check-assumed-of = 。仮定：{ $numbers }
-check-together = { $kind } 全体：k₁, k₂ = { $first }, { $second } N/m、Q = { $force } N、u_y = { $yields } m{ $assumed }
-check-together-b = { $effective }
+check-together = { $kind } 全体：k₁, k₂ = { $first }, { $second } N/m、Q = { $force } N、u_y = { $yields } m
 check-then-drops = 隅角部が { $drop } m 落ちたら計算を止める
 check-then-stops = そこで計算を止める
 check-then-goes-on = その支承なしに計算を続け、そう述べる

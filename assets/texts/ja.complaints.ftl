@@ -141,6 +141,7 @@ wrong-cable-no-stiffness = K を N/m で与えるか、EA を axial_stiffness_n 
 wrong-axial-stiffness-missing = axial_stiffness_n に伴う値。それを与えるか、これを外す
 wrong-post-yield = K = { $before } N/m より小さくする。下げるか、yield_force_n を外す
 wrong-brittle-and-ductile = 脆性の側は break_force_n、延性の側は yield_force_n。どちらか一方を与える
+wrong-breaks-before-yield = T_y/K = { $yields } m で降伏する。それより大きい値にする。降伏せずに切れるなら yield_force_n を書かない
 wrong-break-displacement = break_displacement_m は延性の側の値。F_y も与える
 wrong-minus-gap = d の逆向きは止めない。外すか、sides = "both" とする
 wrong-no-area = 断面積を m² で与えるか、density_kg_m3 を与える

@@ -1,11 +1,12 @@
 //! Warnings where a scene lies outside the domain in which the program is checked, where an answer does not balance, and where supports drift apart.
 
 use super::console::Console;
+use super::digits::six;
 use super::summary::name;
 use crate::language::{Text, said};
 use crate::scene::Scene;
 use crate::scene::domain::outside;
-use crate::scene::seating;
+use crate::scene::seating::{self, BeyondCap};
 use crate::scene::shown::escaped;
 use crate::sim::History;
 use crate::sim::moving_ground::{MovedSupport, drifting};
@@ -33,6 +34,13 @@ pub(super) fn warn(scene: &Scene, console: &mut Console) {
 fn off_their_seats(scene: &Scene, console: &mut Console) {
     for (girder, off) in seating::all_off(scene).into_iter().take(MOST_WARNINGS) {
         let words = said!("off-seats", "girder" => escaped(girder), "bearings" => numbers(&off));
+        console.note(&said!("warning", "what" => words));
+    }
+    for BeyondCap { pier, ends, length, cap } in seating::beyond_caps(scene).into_iter().take(MOST_WARNINGS) {
+        let ends = ends.join(", ");
+        let (pier, ends) = (escaped(pier), escaped(&ends));
+        let words =
+            said!("seat-beyond-cap", "pier" => pier, "ends" => ends, "length" => six(length), "cap" => six(cap));
         console.note(&said!("warning", "what" => words));
     }
 }

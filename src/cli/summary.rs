@@ -8,8 +8,8 @@ use crate::scene::keys::word_told;
 use crate::scene::shown::{escaped, shown};
 use crate::sim::moving_ground::MovedSupport;
 use crate::tables::{
-    DeviceReport, LostReport, OutsideReport, OverlapReport, PassedReport, PierReport, Report, UpliftReport,
-    VerdictReport,
+    BearingsReport, DeviceReport, LostReport, OutsideReport, OverlapReport, PassedReport, PierReport, Report,
+    UpliftReport, VerdictReport,
 };
 
 /// So many quantities outside the domain, and as many overlaps, are listed; `summary.json` has all.
@@ -111,10 +111,31 @@ fn uplift(uplift: &UpliftReport) -> Line {
     line(Text::new("run-uplift"), value)
 }
 
+/// What the run did to the bearings of a girder.
+fn bearings(of: &BearingsReport) -> Line {
+    let value = said!(
+        "run-bearings-of",
+        "moved" => millimetres(of.deformation),
+        "bearing" => of.bearing,
+        "t" => format!("{:.4}", of.t),
+        "force" => force(of.force),
+        "which" => of.force_bearing,
+        "tf" => format!("{:.4}", of.force_t)
+    );
+    line(said!("run-bearings", "girder" => escaped(&of.girder)), value)
+}
+
 /// What the run did to a pier.
 fn pier(pier: &PierReport) -> Line {
     let [along, across] = pier.periods;
-    let yielded = pier.yielded_at.map_or(String::new(), |t| said!("run-pier-yields", "t" => format!("{t:.4}")));
+    let yields = |t: f64| {
+        let [along, across] = pier.residual_drift.unwrap_or_default().map(|drift| format!("{:.3}", 1e3 * drift));
+        let ductility = pier.ductility_words().unwrap_or_default();
+        let t = format!("{t:.4}");
+        said!("run-pier-yields", "t" => t, "ductility" => ductility, "along" => along, "across" => across)
+    };
+    let second_order = pier.second_order_counts().map_or(String::new(), |words| format!("; {words}"));
+    let yielded = pier.yielded_at.map_or(String::new(), yields) + &second_order;
     let value = said!(
         "run-pier-numbers",
         "along" => format!("{along:.3}"),
@@ -270,6 +291,7 @@ fn answer(report: &Report) -> Vec<Line> {
         let value = said!("run-pair-of", "law" => law, "touches" => pair.touches, "peak" => peak, "total" => total);
         line(said!("run-pair", "name" => pair.name.as_str()), value)
     }));
+    lines.extend(report.bearings.iter().take(MOST_LISTED).map(bearings));
     lines.extend(report.backfill.iter().map(|soil| {
         let value = said!(
             "run-soil-of",
@@ -279,6 +301,7 @@ fn answer(report: &Report) -> Vec<Line> {
             "share" => format!("{:.0}", 100.0 * soil.force / soil.ultimate),
             "gap" => millimetres(soil.remaining_gap)
         );
+        let value = soil.fails().map_or(value.clone(), |words| format!("{value}; {words}"));
         let value = if soil.is_beyond() { format!("{value}; {}", Text::new("soil-beyond")) } else { value };
         line(said!("run-soil", "name" => escaped(&soil.abutment)), value)
     }));

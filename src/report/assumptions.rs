@@ -9,8 +9,8 @@ use crate::codes::Source;
 use crate::language::{Text, said, six};
 use crate::scene::facing::PairContact;
 use crate::scene::keys::word_told;
-use crate::scene::seating;
-use crate::scene::{BearingKind, Bearings, ContactSettings, FrictionLaw, ImpactSettings, ModelKind, NormalName, Scene};
+use crate::scene::seating::{self, BeyondCap};
+use crate::scene::{Bearings, ContactSettings, FrictionLaw, ImpactSettings, ModelKind, NormalName, Scene};
 use crate::sim::History;
 use crate::study::plot::draw::escape;
 use crate::tables::{DemandReport, Report};
@@ -32,7 +32,7 @@ pub(super) fn section(history: &History, report: &Report) -> String {
         of_contact(history, &mut listed)
     });
     items.extend(not_given(&listed));
-    items.extend(of_bearings(scene));
+    items.extend(of_bearings(scene, report));
     items.extend(of_supports(scene));
     items.extend(of_codes(report));
     let outside = report.outside_domain.iter().map(|d| {
@@ -45,7 +45,13 @@ pub(super) fn section(history: &History, report: &Report) -> String {
         let words = escape(&said!("off-seats", "girder" => girder, "bearings" => off.join(", ")));
         format!("<b class=\"no\">{words}</b>")
     });
-    for item in items.into_iter().chain(outside).chain(off) {
+    let wide = seating::beyond_caps(scene).into_iter().map(|BeyondCap { pier, ends, length, cap }| {
+        let ends = ends.join(", ");
+        let words =
+            said!("seat-beyond-cap", "pier" => pier, "ends" => ends, "length" => six(length), "cap" => six(cap));
+        format!("<b class=\"no\">{}</b>", escape(&words))
+    });
+    for item in items.into_iter().chain(outside).chain(off).chain(wide) {
         let _ = writeln!(html, "<li>{item}</li>");
     }
     html + "</ul>\n"
@@ -190,17 +196,21 @@ fn not_given(listed: &Listed) -> Vec<String> {
     tables.map(line).collect()
 }
 
-/// Numbers of bearings that follow from the size of the deck.
-fn of_bearings(scene: &Scene) -> Vec<String> {
+/// Numbers in force of equal bearings of a whole deck: their loop, what it comes to at the largest movement of the run, and which of
+/// them follow from the size of the deck.
+fn of_bearings(scene: &Scene, report: &Report) -> Vec<String> {
     let of = |girder: &crate::scene::Girder| {
         let Some(Bearings::Deck(deck)) = &girder.bearings else { return None };
+        let reached = report.bearings.iter().find(|bearings| bearings.girder == girder.name);
+        let reached: Vec<f64> = reached.map(|bearings| bearings.deformation).into_iter().collect();
+        let [together, effective] = super::in_force::deck_bearings(deck, girder, scene.setting(), &reached);
         let assumed: Vec<String> =
             deck.assumed().into_iter().map(|(key, number)| format!("{key} = {}", six(number))).collect();
-        let (name, kind) = (escape(&girder.name), word_told(BearingKind::WORDS, deck.kind.label()));
-        let whose = said!("report-bearings-of", "kind" => kind, "name" => name);
-        (!assumed.is_empty()).then(|| format!("{whose} {} {}", assumed.join(", "), mark()))
+        let assumed = if assumed.is_empty() { String::new() } else { format!("{} {}", assumed.join(", "), mark()) };
+        let parts = [escape(&together), escape(&effective), assumed].into_iter().filter(|part| !part.is_empty());
+        Some(format!("{}: {}", escape(&girder.name), parts.collect::<Vec<_>>().join("; ")))
     };
-    scene.girders.iter().filter_map(of).collect()
+    scene.girders.iter().filter_map(of).take(MOST_LISTED).collect()
 }
 
 /// Numbers in force of piers and of the soil behind backwalls.

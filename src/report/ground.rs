@@ -4,8 +4,10 @@ use std::collections::BTreeSet;
 use std::fmt::Write as _;
 
 use super::in_force;
+use super::sections::{head, row};
 use crate::language::{Text, said};
 use crate::motion::Ground;
+use crate::motion::integrate::{Peak, StrongMotion, integrate};
 use crate::motion::spectrum::{DESIGN_DAMPING, periods, spectrum};
 use crate::scene::STANDARD_GRAVITY;
 use crate::sim::History;
@@ -90,10 +92,19 @@ fn grounds(history: &History) -> Vec<Drawn<'_>> {
     std::iter::once(Drawn::of("[motion]", &model.ground, history)).chain(named).collect()
 }
 
-/// A line of the table of peaks: the largest, and when it is reached first.
-fn peak_row(name: &str, [value, t]: [f64; 2]) -> String {
-    let (name, value) = (escape(name), value / STANDARD_GRAVITY);
-    format!("<tr><td>{name}</td><td class=\"number\">{value:.4}</td><td class=\"number\">{t:.3}</td></tr>\n")
+/// A line of the table of peaks: the largest acceleration and when it is reached first, the largest velocity from rest, Arias intensity
+/// and the time from 5 to 95 % of it.
+fn peak_row(name: &str, [value, t]: [f64; 2], (samples, dt): (&[f64], f64)) -> String {
+    let [velocity, _] = integrate(samples, dt);
+    let (velocity, strong) = (Peak::of(&velocity, dt).value.abs(), StrongMotion::of(samples, dt));
+    let numbers = [
+        format!("{:.4}", value / STANDARD_GRAVITY),
+        format!("{t:.3}"),
+        format!("{velocity:.3}"),
+        format!("{:.3}", strong.arias),
+        format!("{:.2}", strong.duration()),
+    ];
+    row(name, &numbers)
 }
 
 /// Histories of the ground's acceleration and their spectra; in words where it is still.
@@ -104,12 +115,18 @@ pub(super) fn section(history: &History) -> String {
         return format!("<p>{}</p>\n", Text::new("report-still"));
     }
     let names = ["x", "y", "z"];
-    let (component, peak, at) = (Text::new("report-component"), Text::new("report-peak"), Text::new("report-peak-at"));
     let mut html = format!("<p>{}</p>\n", escape(&in_force::motion(&history.scene().motion)));
     for named in &history.scene().grounds {
         let _ = writeln!(html, "<p>{}: {}</p>", escape(&named.name), escape(&in_force::motion(&named.motion)));
     }
-    let _ = writeln!(html, "<table><tr><th>{component}</th><th>{peak}</th><th>{at}</th></tr>");
+    html += &head(&[
+        Text::new("report-component").as_str(),
+        &Text::new("report-peak"),
+        &Text::new("report-peak-at"),
+        &Text::new("report-peak-velocity"),
+        &Text::new("report-arias"),
+        &Text::new("report-significant"),
+    ]);
     let (mut panels, mut spectra) = (Vec::new(), Vec::new());
     for &axis in &axes {
         let mut curves = Vec::new();
@@ -119,7 +136,7 @@ pub(super) fn section(history: &History) -> String {
             let name = if alone { names[axis].to_owned() } else { format!("{} {}", ground.name, names[axis]) };
             let color = if alone { axis } else { number * 3 + axis };
             let series: Vec<f64> = ground.samples.iter().map(|a| a[axis]).collect();
-            html += &peak_row(&name, ground.ground.largest(axis, history.end()));
+            html += &peak_row(&name, ground.ground.largest(axis, history.end()), (&series, ground.dt));
             curves.push(curve(&name, color, ground.points(axis, history)));
             let responses = spectrum(&series, ground.dt, &periods(PERIODS.0, PERIODS.1), DESIGN_DAMPING);
             let points = responses.iter().map(|r| [r.period, r.pseudo_acceleration() / STANDARD_GRAVITY]).collect();

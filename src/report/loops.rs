@@ -3,10 +3,12 @@
 use glam::DVec2;
 
 use crate::language::{Text, said};
+use crate::scene::Girder;
 use crate::sim::quantity::{OfBearing, OfLink};
 use crate::sim::{History, Quantity};
 use crate::study::plot::COLORS;
 use crate::study::plot::chart::{Chart, Curve, Panel};
+use crate::tables::{BearingsReport, Report};
 
 /// Points of a loop that are equally far apart in time; between two of them more are taken where it bends.
 const POINTS: u32 = 4000;
@@ -20,23 +22,28 @@ const MOST_LOOPS: usize = 12;
 
 /// Pictures with their captions: along and across the girder for a bearing, along its line for a device. What never moved apart or
 /// carried a force has none.
-pub(super) fn pictures(history: &History) -> Vec<(String, String)> {
-    bearings(history).into_iter().chain(links(history)).take(MOST_LOOPS).collect()
+pub(super) fn pictures(history: &History, report: &Report) -> Vec<(String, String)> {
+    bearings(history, &report.bearings).into_iter().chain(links(history)).take(MOST_LOOPS).collect()
 }
 
-fn bearings(history: &History) -> Vec<(String, String)> {
-    let supports = history.model().supports.iter().enumerate();
-    let numbers = supports.flat_map(|(girder, all)| (0..all.len()).map(move |n| (girder, n, all[n].last().copied())));
-    let yields = |(girder, number, link): (usize, usize, Option<usize>)| {
-        let name = &history.model().links[link?].name;
+/// Of every girder on bearings that yield or slide, the one of them that moves most of all.
+fn bearings(history: &History, readings: &[BearingsReport]) -> Vec<(String, String)> {
+    let scene = history.scene();
+    let yields = |(girder, placed): (usize, &Girder)| {
+        let number = readings.iter().find(|of| of.girder == placed.name)?.bearing - 1;
+        let bearing = placed.supports(scene.setting()).into_iter().nth(number)?;
+        if bearing.yielding.is_none() && bearing.sliding.is_none() {
+            return None;
+        }
+        let name = said!("report-loop-most", "girder" => placed.name.as_str(), "number" => number + 1);
         let curve = |axis: usize| {
             let [x, y] = [OfBearing::Deformation(axis), OfBearing::Force(axis)];
             let [x, y] = [x, y].map(|what| Quantity::Bearing(girder, number, what));
             curve(history, &[Text::new("report-along"), Text::new("report-across")][axis], axis, [x, y])
         };
-        drawn(name, [curve(0), curve(1)].into_iter().flatten().collect())
+        drawn(&name, [curve(0), curve(1)].into_iter().flatten().collect())
     };
-    numbers.filter_map(yields).collect()
+    scene.girders.iter().enumerate().filter_map(yields).collect()
 }
 
 fn links(history: &History) -> Vec<(String, String)> {

@@ -54,7 +54,7 @@ pub fn html(history: &History, options: &TableOptions) -> String {
     }
     heading(&mut page, Text::new("report-girders"));
     page.push_str(&ground::girders(history));
-    let loops = loops::pictures(history);
+    let loops = loops::pictures(history, &report);
     if !loops.is_empty() {
         heading(&mut page, Text::new("report-loops"));
     }
@@ -63,6 +63,7 @@ pub fn html(history: &History, options: &TableOptions) -> String {
     }
     heading(&mut page, Text::new("report-readings"));
     page.push_str(&sections::readings(history));
+    page.push_str(&supports::bearings(&report));
     page.push_str(&bending::table(&report));
     page.push_str(&devices::table(&report));
     page.push_str(&supports::piers(&report));

@@ -22,6 +22,8 @@ const FORCE: &str = "#D55E00";
 const DEVICE: &str = "#882255";
 /// Longest arrow of a force \[pixels\].
 const ARROW: f64 = 90.0;
+/// Width of a digit of the size of a force, of a sans-serif face \[pixels\].
+const WIDTH_OF_DIGIT: f64 = 6.4;
 /// Half height of the plan around a hit that is drawn large, in widths of the girder; half its width is twice that (chosen).
 const CLOSE: f64 = 0.02;
 
@@ -142,14 +144,15 @@ impl<'a> Plan<'a> {
             );
         }
         self.devices(&mut svg);
+        let sizes = self.forces(&mut svg, height);
         // Texts lie above all that is drawn, with a rim in the colour of the paper.
         svg.push_str("<g paint-order=\"stroke\" stroke=\"#ffffff\" stroke-width=\"2.5\" stroke-linejoin=\"round\">\n");
         if self.dimensions {
             girders.for_each(|girder| self.dimensions(&mut svg, girder));
             self.label_joints(&mut svg);
         }
+        svg.push_str(&sizes);
         svg.push_str("</g>\n");
-        self.forces(&mut svg);
         self.scale_bar(&mut svg, height);
         svg.push_str("</svg>\n");
         svg
@@ -255,8 +258,10 @@ impl<'a> Plan<'a> {
         }
     }
 
-    fn forces(&self, svg: &mut String) {
-        let Some((_, contacts)) = &self.at else { return };
+    /// Draws the forces in play, and gives their sizes as texts, beside the tips and within the picture.
+    fn forces(&self, svg: &mut String, height: f64) -> String {
+        let mut sizes = String::new();
+        let Some((_, contacts)) = &self.at else { return sizes };
         let largest = contacts.iter().map(|now| now.force.truncate().length()).fold(0.0, f64::max);
         for now in contacts.iter().filter(|_| largest > 0.0) {
             let (x, y) = self.place(now.point.truncate());
@@ -271,9 +276,14 @@ impl<'a> Plan<'a> {
             let (left, right) = (barb(0.45), barb(-0.45));
             let _ = writeln!(svg, r#"<polygon points="{:.1},{:.1} {left} {right}" fill="{FORCE}"/>"#, tip.0, tip.1);
             let words = force(now.force.length());
-            let anchor = if way.x < 0.0 { "end" } else { "start" };
-            text(svg, (tip.0 + 7.0 * way.x.signum(), tip.1 - 5.0), 11.0, anchor, FORCE, &words);
+            let wide = WIDTH_OF_DIGIT * words.chars().count() as f64;
+            // Ahead of the tip, or before it where the picture ends.
+            let ahead = if way.x < 0.0 { tip.0 - 7.0 - wide } else { tip.0 + 7.0 };
+            let left = ahead.clamp(4.0, (WIDTH - 4.0 - wide).max(4.0));
+            let y = (tip.1 - 5.0).clamp(12.0, height - 22.0);
+            text(&mut sizes, (left, y), 11.0, "start", FORCE, &words);
         }
+        sizes
     }
 
     /// A bar of a round length.

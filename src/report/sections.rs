@@ -83,6 +83,19 @@ pub(super) fn headline(report: &Report) -> String {
         let words = said!("report-verdict", "girder" => verdict.girder.as_str(), "told" => verdict.told.as_str());
         let _ = writeln!(html, "<p{class}>{}</p>", escape(&words));
     }
+    let short: Vec<String> = report
+        .seats
+        .iter()
+        .filter_map(|seat| {
+            let rules = seat.codes.iter().filter(|code| !code.met).map(|code| code.demand.rule.as_str());
+            let rules = rules.collect::<Vec<_>>().join(", ");
+            (!rules.is_empty()).then(|| format!("{}{} ({rules})", seat.girder, seat.end))
+        })
+        .collect();
+    if !short.is_empty() {
+        let words = said!("report-seats-short", "seats" => short.join("; "));
+        let _ = writeln!(html, "<p class=\"no\">{}</p>", escape(&words));
+    }
     let dimensions = match report.kind {
         Kind::Planar => Text::new("report-planar"),
         Kind::Spatial => Text::new("report-spatial"),

@@ -6,7 +6,7 @@ use super::sections::{fact, facts};
 use super::units::force;
 use crate::language::{Text, said};
 use crate::study::plot::draw::escape;
-use crate::tables::Report;
+use crate::tables::{BackfillReport, PierReport, Report};
 
 /// Part of the largest energy below which springs that contacts left do not head the page in alarm \[–\]. Chosen: a displacement differs
 /// by its root at the most, 3 %.
@@ -51,6 +51,8 @@ pub(super) fn departures(report: &Report) -> String {
     let line = |words: String| format!("<p class=\"no\">{}</p>\n", escape(&words));
     bending::departures(report)
         .chain(report.uncertain())
+        .chain(report.backfill.iter().filter_map(BackfillReport::fails))
+        .chain(report.piers.iter().filter_map(PierReport::second_order_counts))
         .chain(lost)
         .chain(uplifts)
         .chain(overlaps)

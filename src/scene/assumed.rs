@@ -7,7 +7,7 @@ use crate::language::Text;
 use toml::{Table, Value};
 
 use super::path::{item_at, value_at};
-use super::{Scene, SceneError};
+use super::{Backfill, Bearings, ModelKind, Scene, SceneError};
 
 /// Whether a path is listed, by itself or with the table that it stands in.
 pub fn is_assumed(listed: &[String], path: &str) -> bool {
@@ -27,6 +27,23 @@ impl Scene {
             .filter_map(|path| Some((value_at(&table, &path)?.to_string(), path)))
             .map(|(value, path)| (path, value))
             .collect()
+    }
+
+    /// Paths of numbers in force that the file leaves out and the program chooses: contact stiffness, the loop of equal bearings of a
+    /// whole deck, soil and backwall.
+    pub fn chosen_numbers(&self) -> Vec<String> {
+        let stiffness = self.contact.stiffness.is_none() && self.model.kind != ModelKind::Impact;
+        let bearings = self.girders.iter().flat_map(|girder| {
+            let Some(Bearings::Deck(deck)) = &girder.bearings else { return Vec::new() };
+            let path = |(key, _)| format!("girder.{}.bearings.{key}", girder.name);
+            deck.assumed().into_iter().map(path).collect()
+        });
+        let soil = self.abutments.iter().flat_map(|abutment| {
+            let path = |key| format!("abutment.{}.backfill.{key}", abutment.name);
+            abutment.backfill.iter().flat_map(Backfill::assumed).map(path).collect::<Vec<_>>()
+        });
+        let stiffness = stiffness.then(|| "contact.stiffness_n_per_m".to_owned());
+        stiffness.into_iter().chain(bearings).chain(soil).collect()
     }
 
     /// What is still assumed of it after it has become another: paths whose value is the same; of a table of which a part has

@@ -48,3 +48,23 @@ table! {
             Fallback::Needed("must be given with fuse_stiffness_n_per_m"), "force at which that breaks, N";
     }
 }
+
+impl Backfill {
+    /// Keys of numbers in force that are left out.
+    pub fn assumed(&self) -> Vec<&'static str> {
+        let own = match self.law {
+            BackfillLaw::Hyperbolic => Some(("failure_ratio", self.failure_ratio)),
+            BackfillLaw::MeanStiffness => Some(("failing_push_m", self.limit)),
+            BackfillLaw::Bilinear => None,
+        };
+        let all = [
+            ("height_m", self.height),
+            ("stiffness_n_per_m", self.stiffness),
+            ("ultimate_n", self.ultimate),
+            ("unloading_stiffness_n_per_m", self.unloading),
+            ("wall_mass_kg", self.mass),
+            ("base_friction", self.friction),
+        ];
+        all.into_iter().chain(own).filter(|(_, given)| given.is_none()).map(|(key, _)| key).collect()
+    }
+}

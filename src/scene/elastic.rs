@@ -22,9 +22,7 @@ macro_rules! number_or_word {
         impl Serialize for $Name {
             fn serialize<S: Serializer>(&self, serializer: S) -> Result<S::Ok, S::Error> {
                 match self.0 {
-                    #[expect(clippy::cast_possible_truncation, reason = "a whole number is written as one")]
-                    Some(number) if number.fract() == 0.0 && number.abs() < 1e15 => serializer.serialize_i64(number as i64),
-                    Some(number) => serializer.serialize_f64(number),
+                    Some(number) => super::whole::serialize(&number, serializer),
                     None => serializer.serialize_str($word),
                 }
             }

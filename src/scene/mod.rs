@@ -38,6 +38,7 @@ mod synthetic;
 mod top;
 mod two_or_three;
 mod wave;
+mod whole;
 
 pub mod device;
 pub mod domain;
@@ -82,7 +83,7 @@ pub use resolved_pier::{BaseYield, ResolvedPier};
 pub use settings::{
     FINEST_TOLERANCE, Layer, Overlays, PlotSettings, PlotShows, SolverMethod, SolverSettings, ViewPreset, ViewSettings,
 };
-pub use soil::ResolvedBackfill;
+pub use soil::{FAILING_PUSH, ResolvedBackfill};
 pub use supports::StandsOn;
 pub use sweep::{SweepMotion, SweepRate};
 pub use synthetic::SyntheticMotion;

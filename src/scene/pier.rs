@@ -36,7 +36,7 @@ table! {
         column: Option<PerDirection> = "column_m", Range::Positive,
             Fallback::Needed("this, stiffness_n_per_m or frequency_hz"),
             "its columns: one number, the diameter of round ones, or [along, across], the sides of rectangular ones, m";
-        #[serde(default = "one")]
+        #[serde(default = "one", serialize_with = "super::whole::serialize")]
         columns: f64 = "columns" as "field-columns", Range::Within([1.0, 12.0]), Fallback::Number(1.0), "how many equal columns stand across it; in k where column_m gives it, else for the drawing";
         modulus: Option<f64> = "young_modulus_pa" as "field-modulus", Range::Positive, Fallback::Words("3e10"),
             "E of its columns, cracked where they are, Pa";

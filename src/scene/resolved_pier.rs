@@ -107,6 +107,16 @@ impl Pier {
 }
 
 impl Scene {
+    /// Weight that a pier carries: its own, and of each girder the share of its bearings that stand on the pier \[N\].
+    pub fn weight_on(&self, number: usize) -> f64 {
+        let share = |(girder, _): (usize, DVec3)| {
+            let girder = &self.girders[girder];
+            girder.mass / girder.supports(self.setting()).len() as f64
+        };
+        let above: f64 = self.standing_on(number).into_iter().map(share).sum();
+        self.gravity * (self.piers[number].mass + above)
+    }
+
     /// The pier of this number with everything filled in; of a scene that was checked.
     pub fn pier(&self, number: usize) -> ResolvedPier {
         let pier = &self.piers[number];

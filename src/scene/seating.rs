@@ -85,6 +85,38 @@ pub fn all_off(scene: &Scene) -> Vec<(&str, Vec<usize>)> {
     all.filter(|(_, off)| !off.is_empty()).collect()
 }
 
+/// Seats of the ends on a pier that are together longer than the cap.
+#[derive(Clone, Debug, PartialEq)]
+pub struct BeyondCap<'a> {
+    /// The pier.
+    pub pier: &'a str,
+    /// The ends, `g1+x`.
+    pub ends: Vec<String>,
+    /// Their seats together, square to the ends \[m\].
+    pub length: f64,
+    /// The cap's side along \[m\].
+    pub cap: f64,
+}
+
+/// Piers with a given cap that is shorter than the seats on it.
+pub fn beyond_caps(scene: &Scene) -> Vec<BeyondCap<'_>> {
+    let of = |number: usize| {
+        let pier = &scene.piers[number];
+        let [cap, ..] = pier.cap?;
+        let ends = scene.girders.iter().flat_map(|girder| End::BOTH.map(|end| (girder, end)));
+        let on = ends.filter(|(girder, end)| scene.pier_under(girder, *end) == Some(number));
+        let (ends, lengths): (Vec<String>, Vec<f64>) = on
+            .filter_map(|(girder, end)| {
+                let square = girder.seat.length(end)? * girder.skew_deg.to_radians().sin();
+                Some((format!("{}{}", girder.name, end.label()), square))
+            })
+            .unzip();
+        let length = lengths.into_iter().sum();
+        (length > cap).then_some(BeyondCap { pier: &pier.name, ends, length, cap })
+    };
+    (0..scene.piers.len()).filter_map(of).collect()
+}
+
 /// The seat that carries a bearing at this place along the axis from the middle, before skewing, and its length along the axis
 /// \[m\]; `None` where it is not watched.
 fn seat(girder: &Girder, along: f64) -> Option<(End, f64)> {

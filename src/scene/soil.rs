@@ -18,7 +18,7 @@ const SKEW_ANGLE: f64 = 45.0;
 /// Thickness of a backwall per height, where none is given \[–\].
 const SLENDERNESS: f64 = 0.25;
 /// Push at which a granular soil fails, per height of the wall \[–\].
-const FAILING_PUSH: f64 = 0.05;
+pub const FAILING_PUSH: f64 = 0.05;
 /// Failure ratio `R_f`.
 const FAILURE_RATIO: f64 = 0.7;
 /// Friction between the wall and what it stands on.
@@ -47,6 +47,8 @@ pub struct ResolvedBackfill {
     pub thickness: f64,
     /// Force of the base's friction \[N\] and displacement at which it is reached \[m\]; `None` without friction.
     pub base: Option<[f64; 2]>,
+    /// Height of the wall \[m\].
+    pub height: f64,
     /// Stiffness \[N/m\] and strength \[N\] of the fuse.
     pub fuse: Option<[f64; 2]>,
     /// `exp(−θ_s/45°)` \[–\].
@@ -101,6 +103,7 @@ impl Backfill {
             mass,
             thickness: mass / (CONCRETE_DENSITY * length * height),
             base: (friction > 0.0).then_some(base),
+            height,
             fuse: self.fuse_stiffness.zip(self.fuse_force).map(|(stiffness, force)| [stiffness, force]),
             reduction,
         };

@@ -20,6 +20,7 @@ table! {
     /// `kind = "synthetic"`: filtered noise under an envelope, by seed.
     #[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
     default struct SyntheticMotion, SYNTHETIC {
+        #[serde(serialize_with = "super::whole::serialize")]
         seed: f64 = "seed" as "field-seed", Range::Within([0.0, 1e6]), Fallback::Number(1.0), "seed of the noise, a whole number", slider [0.0, 100.0];
         peak_g: f64 = "peak_g" as "field-peak", Range::NotNegative, Fallback::Number(0.35), "largest magnitude, g", slider [0.0, 1.0];
         duration: f64 = "length_s" as "field-length", Range::Positive, Fallback::Number(40.0), "length of the record, s", slider [5.0, 100.0];

@@ -4,6 +4,7 @@ use glam::DVec3;
 
 use super::History;
 use crate::dynamics::model::compiled_model::Backwall;
+use crate::scene::ResolvedBackfill;
 
 /// A backwall at one instant.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -36,6 +37,8 @@ pub struct BackfillReading {
     pub force: f64,
     /// `F_ult` \[N\].
     pub ultimate: f64,
+    /// Height of the wall \[m\].
+    pub height: f64,
     /// Gap that stays between the wall as placed and the soil, unloaded, at the end \[m\].
     pub remaining_gap: f64,
 }
@@ -62,7 +65,7 @@ impl History {
     fn backfill_of(&self, abutment: usize) -> Option<BackfillReading> {
         let Backwall { body, soil, inward } = (*self.model().walls.get(abutment)?)?;
         let soil = soil?;
-        let ultimate = self.scene().abutments.get(abutment)?.soil(self.scene())?.ultimate;
+        let ResolvedBackfill { ultimate, height, .. } = self.scene().abutments.get(abutment)?.soil(self.scene())?;
         // Against the wall's own ground: the first of its coordinates.
         let push_at = |t: f64| self.state(body, t)[0];
         // The push on the envelope grows until the phase ends.
@@ -77,6 +80,7 @@ impl History {
             t,
             force: -then.force.dot(inward),
             ultimate,
+            height,
             remaining_gap: (push_at(self.end()) - elastic).max(0.0),
         })
     }

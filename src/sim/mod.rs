@@ -6,6 +6,7 @@
 mod acting;
 mod backfill;
 mod balance;
+mod bearing_readings;
 mod books;
 mod degree_check;
 mod device_readings;
@@ -42,6 +43,7 @@ pub mod verdict;
 
 pub use backfill::{BackfillReading, SoilNow, WallNow};
 pub use balance::Balance;
+pub use bearing_readings::BearingsReading;
 pub use degree_check::DegreeCheck;
 pub use device_readings::DeviceReading;
 pub use flexible::{ElasticHit, FlexibleReading, NEGLIGIBLE, Neglected};
@@ -50,7 +52,7 @@ pub use law_sense::{Dropped, TooDeep};
 pub use links::LinkNow;
 pub use loops::Loop;
 pub use overlap::{Unjoined, unjoined};
-pub use piers::{PierNow, PierReading};
+pub use piers::{BaseReading, PierNow, PierReading};
 pub use quantity::Quantity;
 pub use report::{
     Cause, ContactNow, ContactState, Event, EventKind, Ledger, Motion, Overlap, Pounding, PoundingHit, SolidId, Stop,

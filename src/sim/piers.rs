@@ -5,7 +5,7 @@ use glam::{DVec2, DVec3};
 use super::report::Extreme;
 use super::{History, touches};
 use crate::dynamics::model::compiled_model::Pier;
-use crate::scene::ResolvedPier;
+use crate::scene::{BaseYield, ResolvedPier};
 
 /// A pier at one instant.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -36,8 +36,22 @@ pub struct PierReading {
     pub moment: Extreme,
     /// Largest |θ| of its cap \[rad\].
     pub turn: f64,
-    /// When its base yielded for the first time \[s\].
+    /// What yield did to its base; nothing where that does not yield.
+    pub base: Option<BaseReading>,
+    /// Second-order moment `P Δ` of the weight on it in its largest drift, in parts of the moment of its largest base shear at its height;
+    /// nothing of a pier without a given height. The model leaves this moment out \[–\].
+    pub second_order: Option<f64>,
+}
+
+/// What yield did to the base of a pier.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct BaseReading {
+    /// When it yielded for the first time \[s\].
     pub yielded_at: Option<f64>,
+    /// Largest drift in parts of that at yield, along and across; on one yield circle that in any direction, twice \[–\].
+    pub ductility: [f64; 2],
+    /// Drift along and across that stays when the base is unloaded from the end of the run, `u − F/k` \[m\].
+    pub residual: [f64; 2],
 }
 
 impl History {
@@ -79,19 +93,46 @@ impl History {
         let plan = |vector: DVec3| DVec2::length(vector.truncate());
         let shear = largest(&|now| plan(now.shear));
         let [along, across, _] = resolved.frequencies();
+        let drift = largest(&|now| plan(now.displacement));
+        let height = self.scene().piers[number].height;
+        let push = self.scene().weight_on(number) * drift.value;
         PierReading {
             pier: number,
             periods: [along, across].map(|omega| std::f64::consts::TAU / omega),
-            drift: largest(&|now| plan(now.displacement)),
+            drift,
             shear,
             moment: largest(&|now| {
                 let along = resolved.axes.mul_transpose_vec3(now.shear).truncate();
                 (along * DVec2::from(resolved.arm)).length()
             }),
             turn: largest(&|now| now.theta.abs()).value,
-            yielded_at: yielding
-                .and_then(|link| self.link_phases(link).iter().find(|(_, phase)| phase.law != 0))
-                .map(|(t, _)| *t),
+            base: yielding.zip(resolved.yielding).map(|(link, base)| self.base_reading(number, (link, base), &times)),
+            second_order: height.filter(|_| shear.value > 0.0).map(|height| push / (shear.value * height)),
+        }
+    }
+
+    /// What yield did to the base of a pier, of which this link is the part that yields.
+    fn base_reading(&self, number: usize, (link, base): (usize, BaseYield), times: &[f64]) -> BaseReading {
+        let resolved = self.scene().pier(number);
+        let at_yield = [0, 1].map(|axis| base.force[axis] / resolved.stiffness[axis]);
+        let drift = |t: f64| {
+            let drift = self.pier(number, t).map_or(DVec3::ZERO, |now| now.displacement);
+            resolved.axes.mul_transpose_vec3(drift).truncate()
+        };
+        let most = |part: &dyn Fn(DVec2) -> f64| touches::largest(times, |t| part(drift(t)));
+        let [part_along, part_across] = base.part(resolved.stiffness);
+        let ductility = if part_along == part_across {
+            [most(&|u| u.length()) / at_yield[0]; 2]
+        } else {
+            [most(&|u| u.x.abs()) / at_yield[0], most(&|u| u.y.abs()) / at_yield[1]]
+        };
+        // The force of the part that yields is (1 − α) F beyond α k u: u − F/k = (1 − α) u − z/k.
+        let (end, hysteretic) = (drift(self.end()), self.link(link, self.end()).map_or(DVec3::ZERO, |now| -now.force));
+        let hysteretic = resolved.axes.mul_transpose_vec3(hysteretic);
+        BaseReading {
+            yielded_at: self.link_phases(link).iter().find(|(_, phase)| phase.law != 0).map(|(t, _)| *t),
+            ductility,
+            residual: [0, 1].map(|axis| (1.0 - base.ratio) * end[axis] - hysteretic[axis] / resolved.stiffness[axis]),
         }
     }
 }

@@ -6,7 +6,7 @@
 use glam::DVec3;
 
 pub use super::report::Extreme;
-use super::{History, Pounding, seats, touches};
+use super::{BearingsReading, History, Pounding, seats, touches};
 use crate::contact::node_face::locate;
 use crate::dynamics::model::edge_node::NodePlace;
 use crate::geometry::{End, Prism};
@@ -24,6 +24,8 @@ pub struct Reading {
     pub gap: Option<Extreme>,
     /// Largest `|R_k|` of its pairs; nothing where it touched nobody \[N\].
     pub force: Option<Extreme>,
+    /// Its bearings, where it has any.
+    pub bearings: Option<BearingsReading>,
     /// When it has tipped in space, and its largest tilt \[s, rad\]; nothing where it stays upright.
     pub tipped: Option<(f64, f64)>,
 }
@@ -109,6 +111,7 @@ pub fn reading(history: &History, girder: usize) -> Reading {
         seats: seats::of_girder(history, girder),
         gap: gaps.reduce(|a, b| if b.value < a.value { b } else { a }),
         force: hardest.map(|touch| Extreme { value: touch.peak_force, t: touch.peak_time }),
+        bearings: history.bearings_reading(girder),
         tipped: history.tipped(girder),
     }
 }

@@ -43,6 +43,12 @@ impl History {
         lost.collect::<Option<Vec<f64>>>()?.into_iter().reduce(f64::max)
     }
 
+    /// When a bearing of a girder lost its support \[s\]; infinite where it keeps it.
+    pub(super) fn bearing_lost_at(&self, girder: usize, number: usize) -> f64 {
+        let first = self.bearing_links(girder, number).first();
+        first.and_then(|link| self.lost_at(*link)).unwrap_or(f64::INFINITY)
+    }
+
     /// When the support that a link is was lost \[s\]: for good, in its last phase.
     fn lost_at(&self, link: usize) -> Option<f64> {
         let (at, phase) = self.link_phases(link).last()?;

@@ -15,6 +15,7 @@ mod quantities;
 pub mod read;
 mod seats;
 mod summary;
+mod supports;
 mod trajectory;
 mod verdicts;
 
@@ -28,7 +29,8 @@ pub use flexible::{FlexibleReport, FlexibleRun};
 pub use impact::{hits, transitions};
 pub use quantities::quantities;
 pub use seats::{CornerReport, DemandReport, SeatReport, corner_angle};
-pub use summary::{BackfillReport, PairReport, PierReport, Report, Versions};
+pub use summary::{PairReport, Report, Versions};
+pub use supports::{BackfillReport, BearingsReport, PierReport, backfill, piers};
 pub use trajectory::{trajectory, trajectory_columns};
 pub use verdicts::VerdictReport;
 

@@ -12,12 +12,13 @@ use super::devices::{self, DeviceReport};
 use super::events::law_of;
 use super::flexible::{self, FlexibleReport};
 use super::seats::{self, SeatReport};
+use super::supports::{self, BackfillReport, BearingsReport, PierReport};
 use super::verdicts::{self, VerdictReport};
 use crate::language::said;
 use crate::scene::Kind;
 use crate::sim::moving_ground::{MovedSupport, moved_supports};
 use crate::sim::readings::Extreme;
-use crate::sim::{BackfillReading, DegreeCheck, History, Ledger, PierReading, Stop, Summary};
+use crate::sim::{DegreeCheck, History, Ledger, Stop, Summary};
 
 /// Everything a summary says, SI.
 #[derive(Clone, Debug, PartialEq, Serialize)]
@@ -55,6 +56,9 @@ pub struct Report {
     /// Supports whose ground moves otherwise than that of `[motion]`.
     #[serde(skip_serializing_if = "Vec::is_empty")]
     pub moved_supports: Vec<MovedSupport>,
+    /// What the run did to the bearings of every girder that has some.
+    #[serde(skip_serializing_if = "Vec::is_empty")]
+    pub bearings: Vec<BearingsReport>,
     /// What the run did to the soil behind backwalls that move.
     pub backfill: Vec<BackfillReport>,
     /// What the run did to piers.
@@ -78,7 +82,7 @@ pub struct Report {
     pub dropped: Option<DroppedReport>,
     /// Quantities of the scene that lie outside the domain in which the program is checked.
     pub outside_domain: Vec<OutsideReport>,
-    /// Numbers of the scene that were not given, by their paths in its file.
+    /// Numbers of the scene that were not given, by their paths in its file: those that it lists, and those that the program chose.
     #[serde(skip_serializing_if = "Vec::is_empty")]
     pub assumed: Vec<String>,
     /// Local error per step that was asked for.
@@ -125,53 +129,6 @@ pub struct PairReport {
     pub peak_total: Option<f64>,
 }
 
-/// Soil behind one backwall.
-#[derive(Clone, Debug, PartialEq, Serialize)]
-pub struct BackfillReport {
-    /// The abutment's name.
-    pub abutment: String,
-    /// Greatest push of the wall into the soil \[m\].
-    pub push: f64,
-    /// When \[s\].
-    pub t: f64,
-    /// Greatest resistance of the soil \[N\].
-    pub force: f64,
-    /// Its ultimate force `F_ult` \[N\].
-    pub ultimate: f64,
-    /// Gap that stays between the wall as placed and the soil \[m\].
-    pub remaining_gap: f64,
-}
-
-impl BackfillReport {
-    /// Whether the soil pushes by more than its ultimate force, rounded to a percent: a hyperbolic envelope does.
-    pub fn is_beyond(&self) -> bool {
-        self.force > 1.005 * self.ultimate
-    }
-}
-
-/// A pier.
-#[derive(Clone, Debug, PartialEq, Serialize)]
-pub struct PierReport {
-    /// Its name.
-    pub name: String,
-    /// Undamped periods of the pier alone along and across \[s\].
-    pub periods: [f64; 2],
-    /// Largest displacement of its cap against its foot, in plan \[m\].
-    pub drift: f64,
-    /// When \[s\].
-    pub drift_t: f64,
-    /// Largest base shear \[N\].
-    pub shear: f64,
-    /// When \[s\].
-    pub shear_t: f64,
-    /// Largest moment at its feet, of all its columns \[N·m\].
-    pub moment: f64,
-    /// Largest rotation of its cap in plan \[rad\].
-    pub rotation: f64,
-    /// When its base yielded for the first time \[s\].
-    pub yielded_at: Option<f64>,
-}
-
 /// Versions that an answer depends on.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Serialize)]
 pub struct Versions {
@@ -203,8 +160,9 @@ impl Report {
             lost_supports: departures::lost(history),
             uplifts: departures::uplifts(upright),
             moved_supports: moved_supports(scene, history.model()),
-            backfill: backfill(history),
-            piers: piers(history),
+            bearings: supports::bearings(history),
+            backfill: supports::backfill(history),
+            piers: supports::piers(history),
             devices: devices::reports(history),
             flexible: flexible::of(history),
             degree_check: options.degree_check,
@@ -213,7 +171,7 @@ impl Report {
             too_deep: departures::too_deep(history),
             dropped: departures::dropped(history),
             outside_domain: departures::outside(scene),
-            assumed: scene.assumed_numbers().into_iter().map(|(path, _)| path).collect(),
+            assumed: scene.assumed_numbers().into_iter().map(|(path, _)| path).chain(scene.chosen_numbers()).collect(),
             tolerance: scene.solver.tolerance,
             estimated_error: options.estimated_error,
             error_is_large,
@@ -263,27 +221,4 @@ fn pairs(history: &History) -> Vec<PairReport> {
         }
     };
     history.listed_pairs().into_iter().map(of_pair).collect()
-}
-
-fn backfill(history: &History) -> Vec<BackfillReport> {
-    let report = |BackfillReading { abutment, push, t, force, ultimate, remaining_gap }: BackfillReading| {
-        let abutment = history.scene().abutments[abutment].name.clone();
-        BackfillReport { abutment, push, t, force, ultimate, remaining_gap }
-    };
-    history.backfill().into_iter().map(report).collect()
-}
-
-fn piers(history: &History) -> Vec<PierReport> {
-    let report = |PierReading { pier, periods, drift, shear, moment, turn, yielded_at }: PierReading| PierReport {
-        name: history.scene().piers[pier].name.clone(),
-        periods,
-        drift: drift.value,
-        drift_t: drift.t,
-        shear: shear.value,
-        shear_t: shear.t,
-        moment: moment.value,
-        rotation: turn,
-        yielded_at,
-    };
-    history.piers().into_iter().map(report).collect()
 }

@@ -66,7 +66,9 @@ fn what_is_done_to_a_record_is_printed() {
     let said =
         call(&["motion", &file, "--baseline", "mean", "--taper", "0.1", "--time-scale", "0.5", "--peak-g", "0.4"]);
     assert_eq!(said.status, Some(0), "{}", said.err);
-    for words in ["0.005 s apart", "peak -0.4 g", "baseline: mean removed; tapered over s: 0.1; time scaled by 0.5"] {
+    for words in
+        ["0.005 s apart", "peak -0.4 g", "baseline: mean removed; tapered over 0.1 s at both ends; time scaled by 0.5"]
+    {
         assert!(said.out.contains(words), "{words}: {}", said.out);
     }
     let doubled = call(&["motion", &file, "--peak-g", "0.4", "--scale", "-2"]);

@@ -188,3 +188,24 @@ fn the_ground_motion_is_named_with_its_direction_and_scale() {
     let ground = page[from..].split_once("<table>").expect("the peaks").0;
     assert!(ground.contains("synthetic") && ground.contains("0.313 g"), "{ground}");
 }
+
+#[test]
+fn a_report_of_lead_rubber_has_its_loop_and_how_far_it_goes() {
+    let page = page("span-as-built", &[]);
+    for words in ["k₁, k₂ = ", "T_eff = ", "h_eq = ", "largest movement in plan", "Arias intensity"] {
+        assert!(page.contains(words), "{words}");
+    }
+}
+
+#[test]
+fn a_seat_longer_than_its_cap_is_warned_of() {
+    let sets = ["pier.p1.cap_m=[0.8, 9, 1]"];
+    let page = page("viaduct-5", &sets);
+    assert!(page.contains("and its cap 0.8 m"), "in the report");
+    let said = call(&["check", "viaduct-5", "--set", sets[0]]);
+    assert!(
+        said.err.contains("the seats on p1 (g1+x, g2-x) are together 1.55885 m long") && said.status == Some(0),
+        "{}",
+        said.err
+    );
+}

@@ -16,7 +16,7 @@ use crate::scene::{DeviceId, Girder};
 use crate::sim::quantity::{OfPair, Quantity};
 use crate::sim::readings::{Extreme, Reading};
 use crate::sim::verdict::of_reading;
-use crate::sim::{ContactNow, History, Touch};
+use crate::sim::{BearingsReading, ContactNow, History, Touch};
 use crate::view::contact_state;
 
 /// A list of names and values.
@@ -119,6 +119,10 @@ fn readings(history: &History, girder: usize, reading: &Reading) -> Vec<(&'stati
     let mut rows = vec![(text::TURNS.as_str(), at(&degrees, turned), Spot::girder(girder, turned.t))];
     let drifts = text::DRIFTS.map(Text::as_str).into_iter().zip(&reading.drift).enumerate();
     rows.extend(drifts.map(|(corner, (name, e))| (name, length(e), Spot::corner(girder, corner, e.t))));
+    if let Some(BearingsReading { deformation: (_, moved), force: (_, force), .. }) = &reading.bearings {
+        rows.push((text::BEARINGS_MOVE.as_str(), length(moved), Spot::girder(girder, moved.t)));
+        rows.push((text::BEARING_FORCE.as_str(), at(&text::force(force.value), force), Spot::girder(girder, force.t)));
+    }
     for seat in &reading.seats {
         let least = seat.corners.map(|corner| corner.least.value);
         let words = text::seat_left(&length(&seat.least()), seat.ledge.placed(), least);

@@ -12,6 +12,7 @@ use crate::sim::readings::{self, Passed, Reading};
 use crate::sim::seats::{self, OrbitPoint};
 use crate::sim::verdict::{self, Verdict};
 use crate::sim::{Balance, ContactState, Dropped, EventKind, History, Hit, Overlap, Quantity, Summary, TooDeep};
+use crate::tables::{self, BackfillReport, PierReport};
 
 /// A stretch of time that a contact of a pair spends in one state.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -93,6 +94,8 @@ pub struct Answer {
     readings: OnceLock<Vec<OnceLock<Reading>>>,
     quantities: OnceLock<Vec<(String, Quantity)>>,
     seats: OnceLock<Vec<SeatAnswer>>,
+    piers: OnceLock<Vec<PierReport>>,
+    soils: OnceLock<Vec<BackfillReport>>,
 }
 
 impl Answer {
@@ -137,6 +140,8 @@ impl Answer {
             readings: OnceLock::new(),
             quantities: OnceLock::new(),
             seats: OnceLock::new(),
+            piers: OnceLock::new(),
+            soils: OnceLock::new(),
         }
     }
 
@@ -199,6 +204,17 @@ impl Answer {
             SeatAnswer { demands, orbit }
         };
         self.seats.get_or_init(|| codes::of(&self.history).into_iter().map(of).collect())
+    }
+
+    /// What the run did to the pier of this number; reckoned when first asked for.
+    pub fn pier(&self, number: usize) -> Option<&PierReport> {
+        self.piers.get_or_init(|| tables::piers(&self.history)).get(number)
+    }
+
+    /// What the run did to the soil behind the abutment of this name; reckoned when first asked for.
+    pub fn soil(&self, abutment: &str) -> Option<&BackfillReport> {
+        let soils = self.soils.get_or_init(|| tables::backfill(&self.history));
+        soils.iter().find(|soil| soil.abutment == abutment)
     }
 
     /// Every quantity with its name; listed when first asked for, as a long row has many.

@@ -25,3 +25,4 @@ pub(in crate::app) const PIER_PERIODS: Text = Text::new("pier-periods");
 pub(in crate::app) const PIER_DRIFT: Text = Text::new("pier-drift");
 pub(in crate::app) const PIER_SHEAR: Text = Text::new("pier-shear");
 pub(in crate::app) const PIER_YIELDS: Text = Text::new("pier-yields");
+pub(in crate::app) const PIER_DUCTILITY: Text = Text::new("pier-ductility");

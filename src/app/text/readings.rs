@@ -26,6 +26,8 @@ pub(in crate::app) fn turns_or_not(number: f64) -> &'static str {
 
 // What a designer reads off a run for a girder.
 pub(in crate::app) const TURNS: Text = Text::new("turns");
+pub(in crate::app) const BEARINGS_MOVE: Text = Text::new("bearings-move");
+pub(in crate::app) const BEARING_FORCE: Text = Text::new("bearing-force");
 pub(in crate::app) const DRIFTS: [Text; 4] =
     [Text::new("drift-1"), Text::new("drift-2"), Text::new("drift-3"), Text::new("drift-4")];
 pub(in crate::app) const NO_SEATS: Text = Text::new("no-seats");

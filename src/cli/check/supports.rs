@@ -2,8 +2,8 @@
 
 use crate::cli::digits::six;
 use crate::language::{Text, said};
-use crate::scene::keys::word_told;
-use crate::scene::{BearingKind, Bearings, DeckBearings, Girder, Kind, ResolvedBearing, Setting, seating};
+use crate::report::in_force;
+use crate::scene::{Bearings, DeckBearings, Girder, Kind, ResolvedBearing, Setting, seating};
 
 /// Amplitudes at which the effective numbers of a deck's bearings are given, full scale \[m\].
 const AMPLITUDES: [f64; 2] = [0.1, 0.2];
@@ -55,41 +55,13 @@ fn slides(supports: &[ResolvedBearing]) -> String {
 
 /// Bearings of a whole deck: the numbers in force together, and what of them is assumed.
 fn deck(deck: &DeckBearings, girder: &Girder, setting: Setting) -> String {
-    let whole = deck.whole(girder.mass, setting.gravity);
-    let at = |amplitude: f64| {
-        let [stiffness, period, damping] = [
-            whole.effective_stiffness(amplitude),
-            whole.effective_period(amplitude, girder.mass),
-            whole.equivalent_damping(amplitude),
-        ]
-        .map(six);
-        said!(
-            "check-effective",
-            "amplitude" => amplitude,
-            "stiffness" => stiffness,
-            "period" => period,
-            "damping" => damping
-        )
-    };
-    let beyond = AMPLITUDES.into_iter().filter(|amplitude| *amplitude > whole.yielding.displacement);
-    let effective: Vec<String> = beyond.map(at).collect();
+    let [together, effective] = in_force::deck_bearings(deck, girder, setting, &AMPLITUDES);
     let assumed: Vec<String> =
         deck.assumed().into_iter().map(|(key, number)| format!("{key} = {}", six(number))).collect();
     let assumed =
         if assumed.is_empty() { String::new() } else { said!("check-assumed-of", "numbers" => assumed.join(", ")) };
-    format!(
-        "  {}\n  {}\n",
-        said!(
-            "check-together",
-            "kind" => word_told(BearingKind::WORDS, deck.kind.label()),
-            "first" => six(whole.first_stiffness()),
-            "second" => six(whole.stiffness),
-            "force" => six(whole.yielding.force),
-            "yields" => six(whole.yielding.displacement),
-            "assumed" => assumed
-        ),
-        said!("check-together-b", "effective" => effective.join("; "))
-    )
+    let effective = if effective.is_empty() { effective } else { format!("  {effective}\n") };
+    format!("  {together}{assumed}\n{effective}")
 }
 
 /// Bearings that can lose their support, and what then happens.

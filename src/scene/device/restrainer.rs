@@ -60,6 +60,13 @@ impl Restrainer {
             let remedy = message!("wrong-post-yield", "before" => format!("{before:?}"));
             faults.push(("post_yield_stiffness_n_per_m", written(after), remedy));
         }
+        if let (Some(breaks), Some(force), Some(stiffness)) =
+            (self.break_elongation, self.yield_force, self.stiffness(joint))
+            && breaks <= force / stiffness
+        {
+            let remedy = message!("wrong-breaks-before-yield", "yields" => format!("{:?}", force / stiffness));
+            faults.push(("break_elongation_m", written(breaks), remedy));
+        }
         faults
     }
 }

@@ -137,6 +137,22 @@ pub const MEASURES: &[Measure] = &[
         of: |run| seats(run).filter_map(|seat| seat.off_at()).reduce(f64::min),
     },
     Measure {
+        name: "max_bearing_displacement",
+        label: Text::new("measured-max-bearing-displacement"),
+        unit: "m",
+        meaning: "largest deformation in plan of any bearing; none without bearings",
+        drawn: MILLIMETRES,
+        of: |run| run.bearing_readings().iter().map(|of| of.deformation.1.value).reduce(f64::max),
+    },
+    Measure {
+        name: "max_bearing_force",
+        label: Text::new("measured-max-bearing-force"),
+        unit: "N",
+        meaning: "largest resistance in plan of any bearing; none without bearings",
+        drawn: NEWTONS,
+        of: |run| run.bearing_readings().iter().map(|of| of.force.1.value).reduce(f64::max),
+    },
+    Measure {
         name: "max_pier_drift",
         label: Text::new("measured-max-pier-drift"),
         unit: "m",

@@ -193,10 +193,51 @@ fn a_pier_that_yields_is_a_mass_on_a_bearing_that_yields() {
     let apart = |t: f64| (pier.motion(1, t).displacement - deck.motion(0, t).displacement).length();
     within("pier and deck", (0..=400).map(|i| apart(0.01 * f64::from(i))).fold(0.0, f64::max), 1e-10);
     let reading = pier.piers()[0];
-    assert!(reading.yielded_at.is_some_and(|t| t < 0.5), "{reading:?}");
+    let base = reading.base.expect("its base can yield");
+    assert!(base.yielded_at.is_some_and(|t| t < 0.5), "{reading:?}");
+    within("ductility is drift over F_y/k", base.ductility[0] - reading.drift.value / 5e-3, 1e-9);
     let beyond = 2e5 + 4e6 * (reading.drift.value - 5e-3);
     assert!(reading.shear.value > 2e5 && reading.shear.value <= beyond * (1.0 + 1e-9), "on the loop: {reading:?}");
     assert!(pier.balance().holds(), "{:?}", pier.ledger(4.0));
+}
+
+#[test]
+fn what_stays_of_a_yielded_piers_drift_is_where_it_comes_to_rest() {
+    let text = r#"
+        name = "pushed"
+        duration_s = 30.0
+        [[girder]]
+        name = "deck"
+        length_m = 30.0
+        width_m = 10.0
+        thickness_m = 1.5
+        mass_kg = 1e5
+        bearings = [{ at_m = [0.0, 0.0], stiffness_n_per_m = [1e9, 1e9], damping_n_s_per_m = [1e6, 1e6], on = "p" }]
+        [girder.initial]
+        velocity_m_s = [0.3, 0.4, 0.0]
+        [[pier]]
+        name = "p"
+        mass_kg = 1e5
+        stiffness_n_per_m = 4e7
+        damping_ratio = 0.05
+        yield_force_n = FORCE
+        post_yield_ratio = 0.1
+        height_m = 8.0
+        [solver]
+        tolerance = 1e-10
+        "#;
+    for force in ["2e5", "[2e5, 3e5]"] {
+        let history = run(&scene(&text.replace("FORCE", force)));
+        let reading = history.piers()[0];
+        let (base, axes) = (reading.base.expect("its base can yield"), history.scene().pier(0).axes);
+        let rest = axes.transpose() * history.pier(0, 30.0).expect("a pier").displacement;
+        assert!(rest.x.abs() > 1e-4 && base.ductility[0] > 1.0, "it yields: {reading:?}, {rest}");
+        within("along", base.residual[0] - rest.x, 1e-7);
+        within("across", base.residual[1] - rest.y, 1e-7);
+        let weight = 2e5 * history.scene().gravity;
+        let wanted = weight * reading.drift.value / (reading.shear.value * 8.0);
+        within("P Δ/(V h)", reading.second_order.expect("of a height") - wanted, 1e-12);
+    }
 }
 
 #[test]

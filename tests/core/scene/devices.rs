@@ -130,6 +130,12 @@ fn what_is_wrong_with_a_device_is_said_at_its_key() {
         ),
         (cable, "stiffness_n_per_m = 1e7\nto = \"nobody\"\n", "restrainer.d.to", "girders: west, east"),
         (cable, "stiffness_n_per_m = 1e7\nto = \"west\"\n", "restrainer.d.to", "one girder"),
+        (
+            cable,
+            "stiffness_n_per_m = 1e7\nyield_force_n = 1e6\nbreak_elongation_m = 0.05\n",
+            "restrainer.d.break_elongation_m",
+            "yields at T_y/K = 0.1 m",
+        ),
         (bumper, "", "bumper.d.stiffness_n_per_m", "depth_force_m_n"),
         (bumper, "depth_force_m_n = [[0.1, 5], [0.2, 4]]\n", "bumper.d.depth_force_m_n", "rise"),
         (bumper, "depth_force_m_n = []\n", "bumper.d.depth_force_m_n", "at least one"),

@@ -37,6 +37,11 @@ fn extremes_of_a_free_swing_are_the_closed_form_s() {
     for corner in reading.drift {
         near(corner.value, V / omega, 1e-12, "amplitude v/ω");
     }
+    let bearings = reading.bearings.expect("it stands on some");
+    near(bearings.deformation.1.value, V / omega, 1e-12, "of every bearing");
+    let body = &history.model().girders()[0];
+    let share = body.mass * omega * V / body.bearings.len() as f64;
+    near(bearings.force.1.value, share, 1e-9 * share, "m ω v of all, equal shares");
     let gap = reading.gap.expect("it faces a wall");
     near(gap.value, V / omega, 1e-12, "twice the amplitude less once");
     // Flat at the top: the instant is as sharp as the square root of the height.

@@ -3,20 +3,29 @@
 use egui::{ComboBox, Ui};
 
 use super::backfill;
-use super::rows::{grid, push, section};
+use super::rows::{grid, note, push, section, warning};
 use crate::app::command::Command;
 use crate::app::field::{CLICK, Change, Form, Look, Place, Without, act, number, rows, tag};
 use crate::app::panel::{grounds, name_field};
+use crate::app::run::answer::Answer;
 use crate::app::unit::{Size, length_unit};
 use crate::app::{edits, text};
 use crate::geometry::End;
+use crate::language::said;
 use crate::scene::keys::Key;
 use crate::scene::overrides::replaced_by;
 use crate::scene::{Abutment, Girder, Scene, placed};
+use crate::tables::BackfillReport;
 use crate::view::Target;
 
 /// Shows an abutment.
-pub(super) fn show(ui: &mut Ui, form: Form<'_>, i: usize, abutment: &Abutment, out: &mut Vec<Command>) {
+pub(super) fn show(
+    ui: &mut Ui,
+    form: Form<'_>,
+    (i, abutment): (usize, &Abutment),
+    answer: Option<&Answer>,
+    out: &mut Vec<Command>,
+) {
     let mut new = abutment.clone();
     let table = format!("abutment.{}", abutment.name);
     let (scene, place) = (form.scene, form.place(&table));
@@ -42,6 +51,20 @@ pub(super) fn show(ui: &mut Ui, form: Form<'_>, i: usize, abutment: &Abutment, o
         section(ui, text::BACKFILL_SECTION.as_str(), false, |ui| backfill::show(ui, form, place, size, &mut new));
     let change = change.or(soil.flatten());
     push(change, out, || edits::abutment(i, new));
+    if let Some(soil) = answer.and_then(|answer| answer.soil(&abutment.name)) {
+        grid(ui, "soil-of-the-run", |ui| pushed(ui, soil));
+    }
+}
+
+/// What the run did to the soil.
+fn pushed(ui: &mut Ui, soil: &BackfillReport) {
+    let (push, gap) = (text::length(soil.push), text::length(soil.remaining_gap));
+    let share = format!("{:.0}", 100.0 * soil.force / soil.ultimate);
+    let (t, force) = (format!("{:.2}", soil.t), text::force(soil.force));
+    note(ui, &said!("soil-pushed", "push" => push, "t" => t, "force" => force, "share" => share, "gap" => gap));
+    if let Some(words) = soil.fails() {
+        warning(ui, &words);
+    }
 }
 
 /// What the numbers of a face are where they are left out \[m\].

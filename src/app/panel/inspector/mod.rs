@@ -42,7 +42,7 @@ pub(in crate::app) fn show(ui: &mut Ui, document: &Document, replay: &Replay, ou
         }
         Some(Target::Abutment(i)) => {
             if let Some(abutment) = form.scene.abutments.get(i) {
-                abutment::show(ui, form, i, abutment, out);
+                abutment::show(ui, form, (i, abutment), fresh, out);
                 pairs::show(ui, form, fresh, Some(&abutment.name), out);
             }
         }

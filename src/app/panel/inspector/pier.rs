@@ -2,7 +2,7 @@
 
 use egui::Ui;
 
-use super::rows::{grid, note, push, section};
+use super::rows::{grid, note, push, section, warning};
 use crate::app::command::Command;
 use crate::app::field::{Change, Form, Look, Place, Without, choice, number, rows, switched};
 use crate::app::panel::{grounds, name_field};
@@ -215,20 +215,24 @@ fn facts(ui: &mut Ui, scene: &Scene, i: usize, answer: Option<&Answer>) {
     let [along, across, _] =
         scene.pier(i).frequencies().map(|omega| (1e3 * std::f64::consts::TAU / omega).round() / 1e3);
     note(ui, &format!("{} {} s, {} s", text::PIER_PERIODS, trimmed(along), trimmed(across)));
-    let Some(reading) = answer.filter(|a| i < a.history.model().piers.len()).map(|a| a.history.pier_reading(i)) else {
-        return;
-    };
-    let yielded = reading.yielded_at.map_or(String::new(), |t| format!(", {} {t:.2} s", text::PIER_YIELDS));
+    let Some(reading) = answer.and_then(|answer| answer.pier(i)) else { return };
+    let yielded = reading.yielded_at.map_or(String::new(), |t| {
+        let ductility = reading.ductility_words().unwrap_or_default();
+        format!(", {} {t:.2} s, {} {ductility}", text::PIER_YIELDS, text::PIER_DUCTILITY)
+    });
     note(
         ui,
         &format!(
             "{} {:.1} mm ({:.2} s), {} {:.0} kN ({:.2} s){yielded}",
             text::PIER_DRIFT,
-            1e3 * reading.drift.value,
-            reading.drift.t,
+            1e3 * reading.drift,
+            reading.drift_t,
             text::PIER_SHEAR,
-            1e-3 * reading.shear.value,
-            reading.shear.t
+            1e-3 * reading.shear,
+            reading.shear_t
         ),
     );
+    if let Some(words) = reading.second_order_counts() {
+        warning(ui, &words);
+    }
 }

@@ -4,6 +4,7 @@ use egui::{CollapsingHeader, Grid, RichText, Ui};
 
 use crate::app::command::{Command, EditCommand};
 use crate::app::field::Change;
+use crate::app::style::theme::Palette;
 use crate::scene::edit::Edit;
 
 /// A grid of names and values.
@@ -27,8 +28,18 @@ pub(super) fn push(change: Option<Change>, out: &mut Vec<Command>, edit: impl Fn
 
 /// A line of small words under a row.
 pub(super) fn note(ui: &mut Ui, words: &str) -> Option<Change> {
-    ui.label("");
-    ui.add(egui::Label::new(RichText::new(words).weak().small()).wrap());
-    ui.end_row();
+    below(ui, RichText::new(words).weak());
     None
+}
+
+/// The same of what the model leaves out and a run asks for.
+pub(super) fn warning(ui: &mut Ui, words: &str) {
+    let color = Palette::of(ui).problem;
+    below(ui, RichText::new(words).color(color));
+}
+
+fn below(ui: &mut Ui, words: RichText) {
+    ui.label("");
+    ui.add(egui::Label::new(words.small()).wrap());
+    ui.end_row();
 }
