@@ -248,6 +248,7 @@ window-ended-kept = the window had to end: { $why }; unsaved work is kept: it is
 condition-can-turn = (6) of the paper, JRA (16.5.1): a₀ sin 2β/(2 b₀) = { $number } ≥ 1: can turn out between its abutments
 condition-cannot-turn = (6) of the paper, JRA (16.5.1): a₀ sin 2β/(2 b₀) = { $number } < 1: cannot
 code-note-caltrans = normal to the bearing line; Δ_eq is the greatest opening of the run; the seat does not move: Δ₂ = 0 at a hinge
+code-note-caltrans-moves = normal to the bearing line; Δ_eq is the greatest opening of the run against the seat, which moves; the least is that at abutments unless caltrans_support says hinge
 code-note-en-1998-2 = taken square to the edge; d_E is the greatest opening of the run
 code-note-aashto-lrfd = measured normal to the centreline of bearing
 code-note-aashto-guide = Δ_eq is the greatest opening of the run, for the demand of the code's own analysis

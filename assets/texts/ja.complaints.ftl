@@ -248,6 +248,7 @@ window-ended-kept = ウィンドウを続けられない：{ $why }。保存し�
 condition-can-turn = 論文の条件 (6)、道示 (16.5.1)：a₀ sin 2β/(2 b₀) = { $number } ≥ 1：橋台の間で回転しうる
 condition-cannot-turn = 論文の条件 (6)、道示 (16.5.1)：a₀ sin 2β/(2 b₀) = { $number } < 1：回転できない
 code-note-caltrans = 支承線に直角。Δ_eq は計算した最大の開き。桁かかり側は動かない：ヒンジの Δ₂ = 0
+code-note-caltrans-moves = 支承線に直角。Δ_eq は動く桁かかりに対する計算の最大の開き。caltrans_support が hinge でなければ最小値は橋台のもの
 code-note-en-1998-2 = 縁に直角にとる。d_E は計算した最大の開き
 code-note-aashto-lrfd = 支承の中心線に直角に測る
 code-note-aashto-guide = Δ_eq は計算した最大の開き。基準自身の解析による要求値として

@@ -5,7 +5,7 @@ use super::digits::six;
 use super::summary::name;
 use crate::language::{Text, said};
 use crate::scene::Scene;
-use crate::scene::domain::outside;
+use crate::scene::domain::{BesideGirder, beside_girders, outside};
 use crate::scene::seating::{self, BeyondCap};
 use crate::scene::shown::escaped;
 use crate::sim::History;
@@ -41,6 +41,10 @@ fn off_their_seats(scene: &Scene, console: &mut Console) {
         let (pier, ends) = (escaped(pier), escaped(&ends));
         let words =
             said!("seat-beyond-cap", "pier" => pier, "ends" => ends, "length" => six(length), "cap" => six(cap));
+        console.note(&said!("warning", "what" => words));
+    }
+    for BesideGirder { key, girder, by } in beside_girders(scene).into_iter().take(MOST_WARNINGS) {
+        let words = said!("device-beside", "key" => escaped(&key), "girder" => escaped(&girder), "by" => six(by));
         console.note(&said!("warning", "what" => words));
     }
 }

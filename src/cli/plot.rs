@@ -110,12 +110,20 @@ fn chart(history: &History, x: Option<&(String, Quantity)>, y: &[(String, Quanti
             None => panels.push(Panel { name, curves: vec![curve(of)] }),
         }
     }
+    for panel in &mut panels {
+        let named: Vec<&str> = panel.curves.iter().take(MOST_NAMED).map(|curve| curve.name.as_str()).collect();
+        let more = if panel.curves.len() > MOST_NAMED { ", …" } else { "" };
+        panel.name = format!("{}{more} {}", named.join(", "), panel.name);
+    }
     let x = x.map_or_else(
         || Text::new("report-time").as_str().to_owned(),
         |(name, quantity)| format!("{name} [{}]", unit(quantity.unit())),
     );
     Chart { title: history.scene().name.clone(), x, panels }
 }
+
+/// Curves that the name of a field names.
+const MOST_NAMED: usize = 3;
 
 fn unit(unit: Unit) -> &'static str {
     match unit {

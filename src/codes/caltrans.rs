@@ -4,6 +4,7 @@ use super::aashto_guide::INCH;
 use super::demand::{Case, Code, Demand, Input};
 use crate::language::Text;
 use crate::scene::Support;
+use crate::sim::seat_on::SeatOn;
 
 /// The code.
 pub(super) struct Caltrans;
@@ -37,7 +38,10 @@ impl Code for Caltrans {
             edition: Text::new("code-edition-caltrans"),
             formula: "N = Δ_p/s + Δ_cr+sh + Δ_temp + Δ_eq + 4 in, ≥ 30 in at abutments, ≥ 24 in at hinges",
             confirmed: false,
-            note: Text::new("code-note-caltrans"),
+            note: match case.seat.ledge.on {
+                SeatOn::Ground => Text::new("code-note-caltrans"),
+                SeatOn::Pier(_) | SeatOn::Moved(_) => Text::new("code-note-caltrans-moves"),
+            },
             inputs: vec![long_term, temperature, opening, least],
             required: seat_width(long_term.value + temperature.value + opening.value, support),
             provided: case.seat.ledge.placed(),

@@ -7,6 +7,7 @@ use super::plan::trimmed;
 use super::sections::input_words;
 use crate::codes::Source;
 use crate::language::{Text, said, six};
+use crate::scene::domain::{BesideGirder, beside_girders};
 use crate::scene::facing::PairContact;
 use crate::scene::keys::word_told;
 use crate::scene::seating::{self, BeyondCap};
@@ -51,7 +52,11 @@ pub(super) fn section(history: &History, report: &Report) -> String {
             said!("seat-beyond-cap", "pier" => pier, "ends" => ends, "length" => six(length), "cap" => six(cap));
         format!("<b class=\"no\">{}</b>", escape(&words))
     });
-    for item in items.into_iter().chain(outside).chain(off).chain(wide) {
+    let beside = beside_girders(scene).into_iter().map(|BesideGirder { key, girder, by }| {
+        let words = said!("device-beside", "key" => key, "girder" => girder, "by" => six(by));
+        format!("<b class=\"no\">{}</b>", escape(&words))
+    });
+    for item in items.into_iter().chain(outside).chain(off).chain(wide).chain(beside) {
         let _ = writeln!(html, "<li>{item}</li>");
     }
     html + "</ul>\n"

@@ -165,7 +165,10 @@ pub(super) fn section(history: &History) -> String {
 pub(super) fn girders(history: &History) -> String {
     let bodies = &history.model().bodies;
     let of = |value: &dyn Fn(usize, f64) -> f64| -> Vec<Curve> {
-        let points = |girder: usize| times(history).map(|t| [t, value(girder, t)]).collect();
+        let points = |girder: usize| {
+            let sound = history.sound_until(girder);
+            times(history).filter(|t| *t <= sound).map(|t| [t, value(girder, t)]).collect()
+        };
         bodies.iter().enumerate().map(|(girder, body)| curve(&body.name, girder, points(girder))).collect()
     };
     let panels = vec![

@@ -39,7 +39,8 @@ fn bearings(history: &History, readings: &[BearingsReport]) -> Vec<(String, Stri
         let curve = |axis: usize| {
             let [x, y] = [OfBearing::Deformation(axis), OfBearing::Force(axis)];
             let [x, y] = [x, y].map(|what| Quantity::Bearing(girder, number, what));
-            curve(history, &[Text::new("report-along"), Text::new("report-across")][axis], axis, [x, y])
+            let name = [Text::new("report-along"), Text::new("report-across")][axis];
+            curve((history, history.bearing_lost_at(girder, number)), &name, axis, [x, y])
         };
         drawn(&name, [curve(0), curve(1)].into_iter().flatten().collect())
     };
@@ -53,14 +54,14 @@ fn links(history: &History) -> Vec<(String, String)> {
     };
     let of_link = |link: usize| {
         let pair = [OfLink::Deformation, OfLink::Force].map(|what| Quantity::Link(link, what));
-        drawn(&history.model().links[link].name, curve(history, "", 0, pair).into_iter().collect())
+        drawn(&history.model().links[link].name, curve((history, f64::INFINITY), "", 0, pair).into_iter().collect())
     };
     Quantity::all(history).iter().filter_map(link_of).filter_map(of_link).collect()
 }
 
-/// A loop in mm and kN; `None` where no force acts.
-fn curve(history: &History, name: &str, color: usize, [x, y]: [Quantity; 2]) -> Option<Curve> {
-    let end = history.end();
+/// A loop in mm and kN, until a time \[s\] or the end; `None` where no force acts.
+fn curve((history, until): (&History, f64), name: &str, color: usize, [x, y]: [Quantity; 2]) -> Option<Curve> {
+    let end = history.end().min(until);
     let point = |i: f64| {
         let t = end * i / f64::from(POINTS);
         [1e3 * x.at(history, t), 1e-3 * y.at(history, t)]

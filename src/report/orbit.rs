@@ -4,6 +4,7 @@ use std::fmt::Write as _;
 
 use crate::language::{Text, said};
 use crate::sim::History;
+use crate::sim::seat_on::SeatOn;
 use crate::sim::seats::{self, OrbitPoint, Seat, SeatCorner};
 use crate::study::plot::chart::{number, ticks};
 use crate::study::plot::draw::{line, text};
@@ -29,8 +30,14 @@ pub(super) fn pictures(history: &History) -> Vec<(String, String)> {
     for (girder, body) in history.model().girders().iter().enumerate() {
         for seat in seats::of_girder(history, girder) {
             let orbit = seats::orbit(history, girder, &seat, INTERVALS);
+            let fixed = match seat.ledge.on {
+                SeatOn::Ground => Text::new("report-orbit-ground"),
+                SeatOn::Pier(_) => Text::new("report-orbit-pier"),
+                SeatOn::Moved(_) => Text::new("report-orbit-moved"),
+            };
             let caption = said!(
                 "report-orbits",
+                "fixed" => fixed.as_str(),
                 "end" => format!("{}{}", body.name, seat.ledge.end.label()),
                 "duration" => format!("{:.1}", history.end())
             );

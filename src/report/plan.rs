@@ -11,7 +11,7 @@ use crate::scene::facing::Side;
 use crate::scene::placed::{abutment_depth, abutment_face};
 use crate::scene::{Abutment, Scene};
 use crate::sim::seats::Ledge;
-use crate::sim::{ContactNow, History};
+use crate::sim::{ContactNow, ContactState, History, Touch};
 use crate::study::plot::draw::{escape, line, text};
 
 const WIDTH: f64 = 900.0;
@@ -72,6 +72,8 @@ pub(super) fn hardest(history: &History) -> Option<(String, Vec<(String, String)
         "force" => force,
         "t" => format!("{t:.4}")
     );
+    let words = [Some(words), now.as_ref().map(|now| in_contact(now, touch)), most_of_two(history)];
+    let words = words.into_iter().flatten().collect::<Vec<_>>().join(" ");
     let mut pictures = vec![(said!("report-plan-at", "t" => format!("{t:.4}")), Plan::at(history, t).svg())];
     if let Some(now) = now {
         let width = site.node_body.map_or(1.0, |body| history.model().bodies[body].prism.width);
@@ -79,6 +81,32 @@ pub(super) fn hardest(history: &History) -> Option<(String, Vec<(String, String)
         pictures.push((caption, Plan::close(history, t, now.point.truncate(), CLOSE * width).svg()));
     }
     Some((words, pictures))
+}
+
+/// Whether a contact sticks or slips, its forces without dashpots, how much of the friction is used, and how its touch went.
+fn in_contact(now: &ContactNow, touch: &Touch) -> String {
+    let state = match now.state {
+        ContactState::Slip => Text::new("state-slip"),
+        ContactState::Open | ContactState::Stick => Text::new("state-stick"),
+    };
+    let milliseconds = |seconds: f64| format!("{:.2}", 1e3 * seconds);
+    said!(
+        "report-hit-state",
+        "state" => state.as_str(),
+        "normal" => force(now.normal_force),
+        "tangential" => force(now.tangential_force.length()),
+        "share" => format!("{:.0}", 100.0 * now.cone_use()),
+        "stick" => milliseconds(touch.stick),
+        "slip" => milliseconds(touch.slip)
+    )
+}
+
+/// The largest force between two bodies, which another hit may have.
+fn most_of_two(history: &History) -> Option<String> {
+    let (of, most) = history.hardest_pounding()?;
+    let pair = history.model().pairs[of.pair].name.as_str();
+    let t = format!("{:.4}", most.t);
+    Some(said!("report-hit-total", "pair" => pair, "force" => force(most.value), "t" => t))
 }
 
 impl<'a> Plan<'a> {

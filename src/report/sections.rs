@@ -265,6 +265,7 @@ fn seat_table(seat: &SeatReport) -> String {
         &Text::new("report-needed"),
         &Text::new("report-there"),
         &Text::new("report-used"),
+        &Text::new("report-there-needed"),
         &Text::new("report-used-needed"),
         "",
         &Text::new("report-edition"),
@@ -295,11 +296,12 @@ fn demand_row(DemandReport { demand, ratio, .. }: &DemandReport) -> String {
     let confirmed = if demand.confirmed { String::new() } else { doubt() };
     format!(
         "<tr><td>{}</td><td class=\"number\">{:.1}</td><td class=\"number\">{:.1}</td><td class=\"number\">{:.1}</td>\
-         <td class=\"number\">{:.2}</td><td>{verdict}</td><td>{}{confirmed}<br><code>{}</code><br>{}; {}</td></tr>\n",
+         <td class=\"number\">{:.2}</td><td class=\"number\">{:.2}</td><td>{verdict}</td><td>{}{confirmed}<br><code>{}</code><br>{}; {}</td></tr>\n",
         escape(&demand.rule),
         1e3 * demand.required,
         1e3 * demand.provided,
         1e3 * demand.used,
+        demand.provided / demand.required,
         ratio,
         escape(&demand.edition),
         escape(demand.formula),

@@ -62,6 +62,6 @@ pub use section_field::SectionField;
 pub use section_quantity::OfSection;
 pub use session::{Reached, Session};
 pub use summary::Summary;
-pub use supports::LostSupport;
+pub use supports::{Carrying, LostSupport};
 
 pub use crate::dynamics::impact2d::{Hit, LastingInterval, Record, Row, State, Transition};

@@ -76,7 +76,7 @@ pub fn before_face(history: &History, contact: usize, t: f64) -> [f64; 2] {
 }
 
 /// Least gap of a pair's nodes before the faces they are declared with \[m\].
-pub(super) fn gap(history: &History, pair: usize, t: f64) -> f64 {
+pub fn gap(history: &History, pair: usize, t: f64) -> f64 {
     let model = history.model();
     let of = |contact: usize| {
         let site = &model.contacts[contact];

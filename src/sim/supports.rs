@@ -3,6 +3,7 @@
 use glam::DVec3;
 
 use super::History;
+use crate::scene::Kind;
 
 /// A support that was lost.
 #[derive(Clone, Debug, PartialEq)]
@@ -15,7 +16,32 @@ pub struct LostSupport {
     pub place: DVec3,
 }
 
+/// Whether a bearing carries its girder.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
+pub enum Carrying {
+    /// It does.
+    #[default]
+    Yes,
+    /// A slider in space that is lifted: it may carry again.
+    Lifted,
+    /// It has lost its support.
+    Lost,
+}
+
 impl History {
+    /// Whether each bearing of a girder carries it at `t`, clamped to what was computed; empty where all of them always do: none slides in
+    /// space or can lose its support.
+    pub fn carrying(&self, girder: usize, t: f64) -> Vec<Carrying> {
+        let Some(supports) = self.model().supports.get(girder) else { return Vec::new() };
+        let of = |number: usize| {
+            if t >= self.bearing_lost_at(girder, number) {
+                return Carrying::Lost;
+            }
+            if self.is_lifted(girder, number, t) { Carrying::Lifted } else { Carrying::Yes }
+        };
+        (0..supports.len()).map(of).collect()
+    }
+
     /// Supports that were lost up to `t`, in order of time.
     pub fn lost_supports(&self, t: f64) -> Vec<LostSupport> {
         let lost = |link: usize| {
@@ -43,8 +69,15 @@ impl History {
         lost.collect::<Option<Vec<f64>>>()?.into_iter().reduce(f64::max)
     }
 
+    /// Until when the computed motion of a body is one: the end, or when a girder in plan has lost the support of its last bearing and
+    /// falls. Extremes and touches are of the time until then \[s\].
+    pub fn sound_until(&self, body: usize) -> f64 {
+        let falls = if self.model().kind == Kind::Planar { self.without_support(body) } else { None };
+        falls.unwrap_or(f64::INFINITY).min(self.end())
+    }
+
     /// When a bearing of a girder lost its support \[s\]; infinite where it keeps it.
-    pub(super) fn bearing_lost_at(&self, girder: usize, number: usize) -> f64 {
+    pub fn bearing_lost_at(&self, girder: usize, number: usize) -> f64 {
         let first = self.bearing_links(girder, number).first();
         first.and_then(|link| self.lost_at(*link)).unwrap_or(f64::INFINITY)
     }

@@ -45,15 +45,17 @@ fn find(history: &History) -> Vec<Touch> {
 
 fn of_contact(history: &History, contact: usize) -> Vec<Touch> {
     let states: Vec<(f64, Contact)> = history.logs[contact].states().collect();
-    let pair = history.model().contacts[contact].pair;
+    let site = &history.model().contacts[contact];
+    let (pair, bodies) = (site.pair, [site.node_body, site.face_body]);
+    let sound = bodies.into_iter().flatten().map(|body| history.sound_until(body)).fold(history.end(), f64::min);
     let mut touches: Vec<Touch> = Vec::new();
     let mut open = true;
-    for (i, (from, state)) in states.iter().enumerate().filter(|(_, (t, _))| *t <= history.end()) {
+    for (i, (from, state)) in states.iter().enumerate().filter(|(_, (t, _))| *t <= sound) {
         let Contact::Closed(closed) = state else {
             open = true;
             continue;
         };
-        let until = states.get(i + 1).map_or(history.end(), |(t, _)| t.min(history.end()));
+        let until = states.get(i + 1).map_or(sound, |(t, _)| t.min(sound));
         if open {
             touches.push(Touch {
                 pair,
@@ -158,17 +160,17 @@ pub(super) fn hits(touches: &[Touch]) -> usize {
 }
 
 /// Times at which a body's extremes are looked for: every step of an integrator several times, flights at a rate that
-/// neither its bearings nor the ground can outrun.
+/// neither its bearings nor the ground can outrun; none after it has fallen.
 pub(super) fn looks(history: &History, body: usize) -> Vec<f64> {
-    let rate = flight_rate(history, body);
+    let (rate, last) = (flight_rate(history, body), history.sound_until(body));
     let mut times = Vec::new();
-    for span in history.paths[body].spans() {
-        let (from, until) = (span.from, span.until.min(history.end()));
+    for span in history.paths[body].spans().take_while(|span| span.from < last) {
+        let (from, until) = (span.from, span.until.min(last));
         #[expect(clippy::cast_possible_truncation, clippy::cast_sign_loss, reason = "a count of looks, clamped")]
         let count = if span.flies { ((until - from) * rate).clamp(4.0, 2e5) as usize } else { 4 };
         times.extend((0..count).map(|i| from + (until - from) * i as f64 / count as f64));
     }
-    times.push(history.end());
+    times.push(last);
     times
 }
 

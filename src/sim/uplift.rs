@@ -27,6 +27,15 @@ impl History {
         self.load_of(girder, number, (t, &self.frame(girder, t)))
     }
 
+    /// Whether a bearing is a slider in space that carries nothing at `t`.
+    pub(super) fn is_lifted(&self, girder: usize, number: usize, t: f64) -> bool {
+        let slides = self.bearing_links(girder, number).iter().any(|&link| self.model().links[link].device.lifts());
+        slides && self.model().kind == Kind::Spatial && {
+            let at_rest = self.model().bodies[girder].bearings[number].preload.z;
+            self.bearing_load(girder, number, t) <= NOTHING * at_rest.abs()
+        }
+    }
+
     fn load_of(&self, girder: usize, number: usize, (t, frame): (f64, &Frame)) -> f64 {
         let bearing = &self.model().bodies[girder].bearings[number];
         let motion = self.bearing_motion((girder, bearing), (t, frame));

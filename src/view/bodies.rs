@@ -2,6 +2,7 @@
 
 use glam::DVec3;
 
+use super::bearings;
 use super::block::{Block, abutment_block, moved_girder_block};
 use super::hiding::solidity;
 use super::list::{Ground, Line, Rgba, Solid};
@@ -9,11 +10,9 @@ use super::moment::Moment;
 use super::palette::{KEPT, Palette, SELECTED};
 use super::scale::round_down;
 use super::{Bounds, MOST_KEPT, Target, ViewInput, bent, decoration, exaggerated, piers, seats, walls};
-use crate::scene::{Bearings, Girder, Scene};
+use crate::scene::Scene;
 use crate::sim::Motion;
 
-/// Side of a bearing pad, as a share of the girder's thickness.
-const PAD_SIDE: f64 = 0.6;
 /// Height of a bearing pad, as a share of the girder's thickness, where no abutment says where the ground is.
 const PAD_HEIGHT: f64 = 0.8;
 
@@ -85,19 +84,13 @@ pub(super) fn bodies(input: &ViewInput<'_>, moment: &Moment, palette: &Palette) 
     }
     out.add_piers(input, moment, palette);
     for (i, (girder, motion)) in input.scene.girders.iter().zip(&moment.motions).enumerate() {
-        for seat in seats::blocks(input.scene, girder, (stands_on_seats(input), level)) {
+        for seat in seats::blocks(input.scene, girder, (seats::are_shown(input), level)) {
             out.add(input, &seat, &format!("{} seat", girder.name), palette.abutment, palette.edge, false);
         }
         if input.overlays.bearings {
-            for (k, pad) in pads(input, (i, girder), (motion, moment), level).iter().enumerate() {
-                out.add(
-                    input,
-                    pad,
-                    &format!("{} bearing {}", girder.name, k + 1),
-                    palette.bearing,
-                    palette.edge,
-                    false,
-                );
+            let pads = bearings::pads(input, (i, girder), (motion, moment), (level, palette));
+            for (k, (pad, color)) in pads.iter().enumerate() {
+                out.add(input, pad, &format!("{} bearing {}", girder.name, k + 1), *color, palette.edge, false);
             }
         }
         out.add_girder(input, (i, &girders[i], motion), palette);
@@ -230,57 +223,6 @@ impl Bodies {
     }
 }
 
-/// Whether ends on the ground without a seat of a stated length are drawn on one: in a viaduct, and where decks are drawn as
-/// bridges.
-fn stands_on_seats(input: &ViewInput<'_>) -> bool {
-    !input.scene.piers.is_empty() || input.overlays.decoration && decoration::has_bridge(input.scene)
-}
-
 fn solid(block: &Block, name: &str, color: Rgba) -> Solid {
     Solid { name: name.to_owned(), face: block.face.map(DVec3::as_vec3), sweep: block.sweep.as_vec3(), color }
-}
-
-/// A girder's bearings: pads that stand where they were placed, or on the pier that moves, and follow the girder with their top.
-fn pads(
-    input: &ViewInput<'_>,
-    (number, girder): (usize, &Girder),
-    (motion, moment): (&Motion, &Moment),
-    level: f64,
-) -> Vec<Block> {
-    let scene = input.scene;
-    let on_seats = stands_on_seats(input);
-    let supports = scene.supports(girder);
-    let underside = -girder.thickness / 2.0;
-    let half = PAD_SIDE * girder.thickness / 2.0;
-    let home = super::moment::at_rest(girder);
-    let below =
-        |place: DVec3, (at, pier): ([f64; 2], Option<usize>)| match pier.and_then(|number| moment.piers.get(number)) {
-            Some(pier) => pier.moved(place) - DVec3::Z * piers::pad(scene),
-            None if seats::carries(scene, girder, on_seats, at) => place - DVec3::Z * piers::pad(scene),
-            None => place.with_z(level),
-        };
-    bearing_places(girder)
-        .into_iter()
-        .zip(supports)
-        .enumerate()
-        .map(|(k, ([x, y], pier))| {
-            let at = DVec3::new(x, y, underside);
-            let moved = moment.feet.get(number).and_then(|feet| feet.get(k)).copied().unwrap_or_default();
-            let foot = below(home.place + home.attitude * at, ([x, y], pier)) + moved;
-            let top = motion.place + motion.attitude * at;
-            let (u, v) = (home.attitude * DVec3::X * half, home.attitude * DVec3::Y * half);
-            // Seen from below, against the clock seen from above.
-            Block { face: [foot - u - v, foot - u + v, foot + u + v, foot + u - v], sweep: top - foot }
-        })
-        .collect()
-}
-
-/// Where a girder's bearings are attached, in its own frame in plan \[m\].
-fn bearing_places(girder: &Girder) -> Vec<[f64; 2]> {
-    match &girder.bearings {
-        None => Vec::new(),
-        Some(Bearings::Each(each)) => each.iter().map(|b| b.at).collect(),
-        Some(Bearings::Shared(shared)) => shared.places(girder),
-        Some(Bearings::Deck(deck)) => deck.places(girder),
-    }
 }

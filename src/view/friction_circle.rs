@@ -15,6 +15,7 @@ use super::moment::Moment;
 use super::palette::{Palette, of_state};
 use super::texts::TEXT;
 use crate::language::{Text, values};
+use crate::scene::shown::shown;
 use crate::sim::{ContactNow, ContactState};
 
 /// Radius of the `μ_s` circle, and the least of a small picture \[points\].
@@ -35,6 +36,9 @@ fn radius(input: &ViewInput<'_>) -> f32 {
     let side = input.size[0].min(input.size[1]) as f32;
     (SHARE * side).clamp(RADII[1] * ppp, RADII[0] * ppp)
 }
+
+/// Characters of a node's name above its circle.
+const LONGEST_NAME: usize = 24;
 
 /// Most circles in a picture, one below the other.
 const MOST_CIRCLES: usize = 2;
@@ -99,6 +103,7 @@ fn friction_circle(
     marks.extend(path(input, contact.contact, round, palette));
     marks.extend(arrow(tangential(contact) / limit as f32, contact, round));
     marks.push(caption(contact, round, palette));
+    marks.extend(name(input, contact, (round, area.min.y), palette));
     Some((marks, area))
 }
 
@@ -166,6 +171,25 @@ fn arrow(share: Vec2, contact: &ContactNow, Round { middle, radius, ppp }: Round
         Mark::Stroke { points: vec![middle, tip - head], width: 2.4 * ppp, color },
         Mark::Fill { points: vec![tip - head + aside, tip, tip - head - aside], color },
     ]
+}
+
+/// Which contact it is of: the node, above the circle.
+fn name(
+    input: &ViewInput<'_>,
+    contact: &ContactNow,
+    (Round { middle, radius, ppp }, top): (Round, f32),
+    palette: &Palette,
+) -> Option<Mark> {
+    let node = &input.history?.model().contacts.get(contact.contact)?.node;
+    let size = (0.25 * radius).min((TEXT - 2.0) * ppp);
+    Some(Mark::Text {
+        at: Vec2::new(middle.x, 0.4 * top + 0.6 * (middle.y - radius)),
+        align: Vec2::splat(0.5),
+        size,
+        text: shown(node, LONGEST_NAME),
+        color: palette.faint_ink,
+        plate: None,
+    })
 }
 
 fn caption(contact: &ContactNow, Round { middle, radius, ppp }: Round, palette: &Palette) -> Mark {

@@ -7,10 +7,15 @@ use super::block::moved_girder_block;
 use super::list::Line;
 use super::moment::Moment;
 use super::palette::Palette;
-use super::walls;
+use super::{scale, walls};
 use crate::geometry::End;
+use crate::language::{Text, values};
 use crate::scene::Scene;
 use crate::scene::facing::Side;
+use crate::sim::readings;
+
+/// Difference of two readings of a gap that is not told, in parts of the larger one \[–\]. Chosen: the third digit.
+const ALIKE: f64 = 0.01;
 
 /// A gap as it is now.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -66,10 +71,34 @@ pub(super) struct Dimension {
     /// Its two ends, outside of the arrows \[m\].
     pub(super) ends: [DVec3; 2],
     pub(super) gap: f64,
+    /// The pair in the run's model.
+    pair: Option<usize>,
+}
+
+impl Dimension {
+    /// The value in words: along the axis from the middle of the end, and where it is another the least gap, square to the face.
+    pub(super) fn words(&self, input: &ViewInput<'_>) -> String {
+        let along = scale::length(self.gap);
+        let least = self.pair.zip(input.history).map(|(pair, history)| {
+            let t = if input.t.is_finite() { input.t.clamp(0.0, history.end()) } else { 0.0 };
+            readings::gap(history, pair, t)
+        });
+        let differs = |least: &f64| (least - self.gap).abs() > ALIKE * least.abs().max(self.gap.abs());
+        match least.filter(differs).map(scale::length) {
+            Some(least) => Text::new("view-gap-least").with(&values!["length" => along, "least" => least]),
+            None => Text::new("view-gap").with(&values!["length" => along]),
+        }
+    }
+}
+
+/// Numbers of the facing pairs in the run's model, in the order of [`gaps`]; none as placed.
+pub(super) fn pairs(input: &ViewInput<'_>) -> Vec<usize> {
+    let pairs = input.history.map(|history| history.model().pairs.iter().enumerate());
+    pairs.into_iter().flatten().filter(|(_, pair)| !pair.met).map(|(number, _)| number).collect()
 }
 
 /// The dimension line of a gap: a tick at either side and arrows from outside, as drawings have it.
-pub(super) fn dimension(input: &ViewInput<'_>, now: &GapNow, palette: &Palette) -> Dimension {
+pub(super) fn dimension(input: &ViewInput<'_>, (now, pair): (&GapNow, Option<usize>), palette: &Palette) -> Dimension {
     let pixel = input.camera.metres_per_pixel(now.from, f64::from(input.size[1])) * f64::from(input.pixels_per_point);
     let axis = (now.to - now.from).normalize_or(DVec3::X);
     let reach = axis * (22.0 * pixel);
@@ -88,7 +117,7 @@ pub(super) fn dimension(input: &ViewInput<'_>, now: &GapNow, palette: &Palette) 
         width: 1.3 * input.pixels_per_point,
         color: palette.dimension,
     };
-    Dimension { lines: strokes.into_iter().map(line).collect(), ends: [from - reach, to + reach], gap: now.gap }
+    Dimension { lines: strokes.into_iter().map(line).collect(), ends: [from - reach, to + reach], gap: now.gap, pair }
 }
 
 /// The block of a girder at a moment, by number.

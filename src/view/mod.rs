@@ -6,6 +6,7 @@
 #![expect(clippy::cast_possible_truncation, reason = "f64 becomes f32 in this room, for the renderer's sake")]
 
 mod area;
+mod bearings;
 mod bending;
 mod bent;
 pub mod block;
@@ -31,7 +32,6 @@ mod light;
 pub mod list;
 pub mod marks;
 pub mod moment;
-mod off_seat;
 mod overlap;
 mod palette;
 mod pick;
@@ -39,6 +39,7 @@ mod piers;
 mod print;
 pub mod scale;
 mod scale_bar;
+mod seat_edges;
 mod seats;
 mod texts;
 mod walls;
@@ -83,12 +84,14 @@ pub fn draw_moment(input: &ViewInput<'_>, moment: &Moment) -> DrawList {
     let forces = forces::forces(input, moment, &palette);
     let devices = devices::lines(input, moment, &palette);
     let overlaps = overlap::lines(input, moment);
-    let off_seats = off_seat::lines(input, moment);
+    let seat_edges = seat_edges::lines(input, moment);
     let gaps = if input.overlays.gap { gap::gaps(input.scene, moment) } else { Vec::new() };
     let real = |i: usize, g: &gap::GapNow| moment.true_gaps.get(i).copied().flatten().unwrap_or(g.gap);
     let gaps = gaps.into_iter().enumerate();
     let gaps: Vec<_> = gaps.map(|(i, g)| g.map(|g| gap::GapNow { gap: real(i, &g), ..g })).collect();
-    let gaps: Vec<_> = gaps.iter().flatten().map(|g| gap::dimension(input, g, &palette)).collect();
+    let pairs = gap::pairs(input);
+    let drawn = gaps.iter().enumerate().filter_map(|(i, g)| Some((g.as_ref()?, pairs.get(i).copied())));
+    let gaps: Vec<_> = drawn.map(|(g, pair)| gap::dimension(input, (g, pair), &palette)).collect();
     let marks = marks(input, moment, &palette, &forces, &gaps);
     let gap_lines = gaps.into_iter().flat_map(|g| g.lines);
     DrawList {
@@ -106,7 +109,7 @@ pub fn draw_moment(input: &ViewInput<'_>, moment: &Moment) -> DrawList {
             .chain(forces.lines)
             .chain(devices)
             .chain(overlaps)
-            .chain(off_seats)
+            .chain(seat_edges)
             .collect(),
         cones: forces.cones,
         arrows: forces.arrows,
@@ -165,7 +168,10 @@ fn marks(
     }
     texts::keep_clear(input, moment, forces, &mut placer);
     marks.extend(overlap::labels(input, moment, palette, &mut placer));
-    marks.extend(off_seat::labels(input, moment, palette, &mut placer));
+    marks.extend(seat_edges::labels(input, moment, palette, &mut placer));
+    if o.bearings {
+        marks.extend(bearings::labels(input, moment, palette, &mut placer));
+    }
     if o.contacts {
         marks.extend(texts::force_values(input, moment, forces, palette, &mut placer));
     }

@@ -11,7 +11,7 @@ use crate::scene::facing::{self, Side};
 use crate::scene::{FrictionLaw, Girder, Motion as GroundMotion, Scene, placed};
 use crate::sim::seat_on::SeatOn;
 use crate::sim::seats::{Ledge, corners_at};
-use crate::sim::{ContactNow, History, Hit, LinkNow, Motion, SolidId, State};
+use crate::sim::{Carrying, ContactNow, History, Hit, LinkNow, Motion, SolidId, State};
 
 /// Impulses that fade at once, at most: the latest.
 const MOST_IMPULSES: usize = 24;
@@ -58,9 +58,9 @@ pub struct OverlapNow {
     pub place: DVec3,
 }
 
-/// An end of which a corner is off its seat.
+/// What remains of the seat under an end.
 #[derive(Clone, Copy, Debug, PartialEq)]
-pub struct OffSeat {
+pub struct SeatNow {
     /// The girder.
     pub girder: usize,
     /// Its end.
@@ -69,6 +69,13 @@ pub struct OffSeat {
     pub edge: [DVec3; 2],
     /// What remains at the corners, square to the edge, in the order of [`Prism::end_corners`]; negative off it \[m\].
     pub remaining: [f64; 2],
+}
+
+impl SeatNow {
+    /// Whether a corner is off it.
+    pub(super) fn is_left(&self) -> bool {
+        self.remaining[0].min(self.remaining[1]) < 0.0
+    }
 }
 
 /// One instant of a run, or a scene as placed.
@@ -82,6 +89,8 @@ pub struct Moment {
     pub facings: Vec<Facing>,
     /// Closed contacts.
     pub contacts: Vec<ContactNow>,
+    /// Whether each bearing of each girder carries it; of a girder none where all always do.
+    pub carrying: Vec<Vec<Carrying>>,
     /// Displacement of the ground under each bearing of each girder \[m\]; none where the ground moves as one.
     pub feet: Vec<Vec<DVec3>>,
     /// Backwalls by abutment; `None` for those that stand, none where all do.
@@ -92,8 +101,8 @@ pub struct Moment {
     pub devices: Vec<LinkNow>,
     /// Overlaps that no contact carries.
     pub overlaps: Vec<OverlapNow>,
-    /// Ends of which a corner is off its seat.
-    pub off_seat: Vec<OffSeat>,
+    /// Seats that the scene gives.
+    pub seats: Vec<SeatNow>,
     /// Contacts that opened a moment ago.
     pub opened: Vec<Opened>,
     /// The friction laws in use; empty where nothing can touch.
@@ -116,6 +125,11 @@ impl Moment {
     /// The backwall of an abutment that moves.
     pub(super) fn wall(&self, abutment: usize) -> Option<&Wall> {
         self.walls.get(abutment)?.as_ref()
+    }
+
+    /// Whether a bearing carries its girder.
+    pub(super) fn carrying(&self, girder: usize, bearing: usize) -> Carrying {
+        self.carrying.get(girder).and_then(|all| all.get(bearing)).copied().unwrap_or_default()
     }
 
     /// What `input` asks for: the history at `t`, or the scene as placed.
@@ -155,12 +169,13 @@ impl Moment {
                 .collect(),
             opened: just_opened(history, t, linger(scene), &contacts),
             contacts,
+            carrying: (0..model.girders().len()).map(|girder| history.carrying(girder, t)).collect(),
             feet: history.ground_under_bearings(t),
             walls: walls::at(scene, Some((history, t))),
             piers: piers::at(scene, Some((history, t))),
             devices: history.links(t),
             overlaps: overlaps(history, t),
-            off_seat: off_seat(history, t),
+            seats: seats(history, t),
             laws: match history.impact() {
                 Some(_) => Vec::new(),
                 None => distinct(model.pairs.iter().map(|p| p.contact.law)),
@@ -178,12 +193,13 @@ impl Moment {
             motions: scene.girders.iter().map(at_rest).collect(),
             facings: pairs.iter().map(|p| Facing { first: p.first, second: p.second }).collect(),
             contacts: Vec::new(),
+            carrying: Vec::new(),
             feet: Vec::new(),
             walls: walls::at(scene, None),
             piers: piers::at(scene, None),
             devices: Vec::new(),
             overlaps: Vec::new(),
-            off_seat: Vec::new(),
+            seats: Vec::new(),
             opened: Vec::new(),
             laws: distinct(pairs.iter().map(|p| p.contact.law)),
             ghosts: Vec::new(),
@@ -203,8 +219,8 @@ fn overlaps(history: &History, t: f64) -> Vec<OverlapNow> {
     now.map(|o| OverlapNow { bodies: o.bodies, depth: depth(o), place: o.place }).collect()
 }
 
-/// Ends of which a corner is off its seat at an instant.
-fn off_seat(history: &History, t: f64) -> Vec<OffSeat> {
+/// Every seat at an instant.
+fn seats(history: &History, t: f64) -> Vec<SeatNow> {
     let ends = (0..history.model().girders().len()).flat_map(|girder| End::BOTH.map(|end| (girder, end)));
     ends.filter_map(|(girder, end)| {
         let ledge = Ledge::of(history, girder, end)?;
@@ -217,7 +233,7 @@ fn off_seat(history: &History, t: f64) -> Vec<OffSeat> {
             SeatOn::Moved(motion) => edge.map(|place| place + history.ground(motion, t)),
             SeatOn::Ground => edge,
         };
-        (remaining[0].min(remaining[1]) < 0.0).then_some(OffSeat { girder, end, edge, remaining })
+        Some(SeatNow { girder, end, edge, remaining })
     })
     .collect()
 }
@@ -327,13 +343,15 @@ mod tests {
         girder.initial = Initial { rotation_deg: 1.0, ..Initial::default() };
         girder.seat = Seat { plus: Some(0.001), minus: Some(0.001), side: None };
         let history = History::of(&scene).expect("runs");
-        let off = off_seat(&history, 0.0);
+        let left =
+            |history: &History, t: f64| seats(history, t).into_iter().filter(SeatNow::is_left).collect::<Vec<_>>();
+        let off = left(&history, 0.0);
         assert_eq!(off.iter().map(|off| off.end).collect::<Vec<_>>(), End::BOTH, "both ends, by symmetry");
         let [plus, minus] = off.as_slice() else { panic!("two") };
         assert!(plus.remaining[0] > 0.0 && plus.remaining[1] < 0.0, "+y at +x: {plus:?}");
         assert!(minus.remaining[1] > 0.0 && minus.remaining[0] < 0.0, "−y at −x: {minus:?}");
         assert!(
-            off_seat(&History::of(&presets::load("skew60-abutment").expect("ships")).expect("runs"), 1.0).is_empty(),
+            left(&History::of(&presets::load("skew60-abutment").expect("ships")).expect("runs"), 1.0).is_empty(),
             "no seats"
         );
     }

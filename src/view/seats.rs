@@ -3,7 +3,7 @@
 use glam::DVec3;
 
 use super::block::Block;
-use super::piers;
+use super::{ViewInput, decoration, piers};
 use crate::geometry::End;
 use crate::scene::{Girder, Scene, placed};
 
@@ -17,6 +17,12 @@ struct Reach {
     front: f64,
     /// Face of the abutment or end of the girder, from mid-span \[m\].
     back: f64,
+}
+
+/// Whether ends on the ground without a seat of a stated length are drawn on one: in a viaduct, and where decks are drawn as
+/// bridges.
+pub(super) fn are_shown(input: &ViewInput<'_>) -> bool {
+    !input.scene.piers.is_empty() || input.overlays.decoration && decoration::has_bridge(input.scene)
 }
 
 /// The seats of a girder's ends that stand on the ground: those with a length; where `all` asks for it each that carries bearings.

@@ -144,7 +144,7 @@ pub(super) fn gap_values(
 ) -> Vec<Mark> {
     let ppp = input.pixels_per_point;
     let label = |d: &Dimension| {
-        let text = Text::new("view-gap").with(&values!["length" => scale::length(d.gap)]);
+        let text = d.words(input);
         let (color, plate) = (palette.ink, palette.plate);
         let at = pixel(input, d.ends[0])?;
         Some(Label { at, clear: 5.0 * ppp, text, size: TEXT * ppp, color, plate, directions: BESIDE.to_vec() })

@@ -209,3 +209,12 @@ fn a_seat_longer_than_its_cap_is_warned_of() {
         said.err
     );
 }
+
+#[test]
+fn a_device_beside_its_girder_is_warned_of() {
+    let set = "restrainer.east-left.at_m=[25, 0]";
+    let said = call(&["check", "span-as-built", "--set", set]);
+    assert!(said.err.contains("restrainer.east-left.at_m is 10 m outside of deck in plan"), "{}", said.err);
+    let as_built = call(&["check", "span-as-built"]);
+    assert!(!as_built.err.contains("outside of deck"), "{}", as_built.err);
+}

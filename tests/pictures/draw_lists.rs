@@ -541,7 +541,7 @@ fn an_end_off_its_seat_is_drawn_with_the_edge_that_it_left() {
         let t = seat.map_or(1.0, |seat| seat.least().t);
         let camera = Camera::preset(ViewPreset::Iso, Bounds::of_scene(scene), ASPECT);
         let list = draw_list(&input(scene, Some(&history), t, &camera));
-        (list.xray_lines.iter().filter(|line| line.group == "off seat").count(), seat)
+        (list.xray_lines.iter().filter(|line| line.group == "seat edge").count(), seat)
     };
     scene.girders[0].seat.plus = Some(0.001);
     let (lines, seat) = drawn(&scene);

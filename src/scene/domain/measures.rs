@@ -2,7 +2,7 @@
 
 use glam::DVec3;
 
-use crate::scene::device::Ends;
+use crate::scene::device::{DeviceId, Ends, Part};
 use crate::scene::facing::{Facing, Side};
 use crate::scene::{Direction, Girder, Kind, ResolvedBearing, Scene, Setting, placed};
 
@@ -65,6 +65,38 @@ pub(in crate::scene) fn device_places(scene: &Scene, ends: &Ends<'_>) -> Vec<(&'
     let first = place(ends.girder, ends.at).map(|place| ("at_m", place));
     let second = ends.to.zip(ends.to_at).and_then(|(name, at)| place(name, at)).map(|place| ("to_m", place));
     first.into_iter().chain(second).collect()
+}
+
+/// A point of a device that is beside the girder that it is on.
+#[derive(Clone, Debug, PartialEq)]
+pub struct BesideGirder {
+    /// The key of the point, `restrainer.cable.at_m`.
+    pub key: String,
+    /// The girder.
+    pub girder: String,
+    /// How far outside of it in plan \[m\].
+    pub by: f64,
+}
+
+/// Points of devices that are farther outside of their girder than a bracket reaches, which is half the girder's width (chosen).
+pub fn beside_girders(scene: &Scene) -> Vec<BesideGirder> {
+    let outside = |name: &str, [x, y, _]: [f64; 3]| {
+        let girder = scene.girders.iter().find(|girder| girder.name == name)?;
+        let along = (x - y * girder.prism().shear()).abs() - 0.5 * girder.length;
+        let by = along.max(0.0).hypot((y.abs() - 0.5 * girder.width).max(0.0));
+        (by > 0.5 * girder.width).then_some(by)
+    };
+    let of_device = |(id, device): (DeviceId, &dyn Part)| {
+        let ends = device.ends();
+        let points = [("at_m", Some((ends.girder, ends.at))), ("to_m", ends.to.zip(ends.to_at))];
+        let beside = points.into_iter().filter_map(|(key, point)| {
+            let (girder, at) = point?;
+            let key = format!("{}.{}.{key}", id.kind.label(), ends.name);
+            Some(BesideGirder { key, girder: girder.to_owned(), by: outside(girder, at)? })
+        });
+        beside.collect::<Vec<_>>()
+    };
+    scene.devices().into_iter().flat_map(of_device).collect()
 }
 
 /// Distance of the farthest corner from G \[m\].

@@ -6,6 +6,8 @@
 
 pub(super) mod measures;
 
+pub use measures::{BesideGirder, beside_girders};
+
 use std::fmt;
 
 use super::facing::{self, Facing, Side};
