@@ -189,6 +189,11 @@ fn what_holds_a_skewed_deck_on_its_seat() {
         let history = run(lesson, number);
         says(lesson, number, &turn(&history));
         says(lesson, number, &seat_left(&history));
+        let seats = girderbench::sim::seats::of_girder(&history, 0);
+        let least = seats.iter().map(girderbench::sim::seats::Seat::least).min_by(|a, b| a.value.total_cmp(&b.value));
+        let shown = number.map_or(Some(lesson.at), |number| lesson.tries[number].at);
+        let off = shown.zip(least).map(|(at, least)| (at - least.t).abs());
+        assert!(off.is_some_and(|off| off < 0.01), "{number:?}: seen when least is left, {off:?} s from it");
     }
     let own = run(lesson, None);
     let seats = girderbench::sim::seats::of_girder(&own, 0);

@@ -149,7 +149,7 @@ fn what_cannot_be_computed_is_told_and_other_keys_are_chosen_by_their_names() {
     wait(&mut harness);
     press(&mut harness, "Skew β of deck");
     harness.run_steps(10);
-    harness.event(egui::Event::Text("x".into()));
+    harness.event(egui::Event::Text("mass".into()));
     harness.run_steps(4);
     let mass =
         harness.query_by_label_contains("girder.deck.mass_kg").or(harness.query_by_label_contains("Mass m of deck"));

@@ -126,6 +126,7 @@ fn every_export_and_a_film_go_where_the_path_says() {
     let mut harness = asking();
     let exports = [
         ("Export picture…", "a.png", "a.png"),
+        ("Export picture for print…", "p", "p.png"),
         ("Export report…", "b", "b.html"),
         ("Export tables…", "c", "c/summary.json"),
     ];

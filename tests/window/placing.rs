@@ -96,6 +96,14 @@ fn a_gap_is_dragged_at_its_dimension() {
     assert!((gap(&harness) - before - by).abs() < 1e-3, "wider by the mouse's way: {}", gap(&harness));
     pull(&mut harness, name, [-400.0, 0.0]);
     assert_eq!(gap(&harness), 0.0, "never into the girder");
+    harness.event(egui::Event::ModifiersChanged(egui::Modifiers::ALT));
+    pull(&mut harness, name, [100.0, 0.0]);
+    let fine = metres_per_point(&harness) * 100.0 / 50.0;
+    assert!(
+        (gap(&harness) - fine).abs() < 0.05 * fine + 1e-4,
+        "a fiftieth of the way with Alt: {} of {fine}",
+        gap(&harness)
+    );
 }
 
 #[test]

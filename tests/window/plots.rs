@@ -5,7 +5,7 @@ use egui::accesskit::Role;
 use egui::{Modifiers, Pos2};
 use egui_kittest::Harness;
 use egui_kittest::kittest::{NodeT as _, Queryable as _};
-use girderbench::app::{CompareCommand, EditCommand, TimeCommand, Workbench};
+use girderbench::app::{CompareCommand, EditCommand, FileCommand, TimeCommand, Workbench};
 use girderbench::scene::edit::Edit;
 use girderbench::scene::{PlotSettings, PlotShows, presets};
 
@@ -182,4 +182,48 @@ fn a_wave_is_read_over_time_and_station_where_a_deck_bends() {
     let near = [-1.0, 1.0].map(|way| [axial(way * 30.0 / f64::from(chart.height()), t), axial(0.0, t + way * step)]);
     let spread = near.iter().flatten().map(|other| (other - axial(0.0, t)).abs()).fold(0.0, f64::max);
     assert!((value - axial(0.0, t)).abs() < spread + 0.01 * value.abs() + 1e-3, "{said}: {}", axial(0.0, t));
+}
+
+#[test]
+fn a_curve_is_found_by_typing_and_asks_for_no_run() {
+    let mut harness = open(presets::OPENING);
+    let number = |harness: &Window| {
+        let runner = &harness.state().replay.runner;
+        runner.answer().filter(|_| !runner.is_stale()).map(|answer| answer.number)
+    };
+    let before = number(&harness);
+    add(&mut harness, PlotSettings::over_time(vec!["deck.x".into()]));
+    reach_as(&mut harness, Role::Button, "Other curve");
+    press(&mut harness, "Other curve");
+    harness.run_steps(5);
+    harness.event(egui::Event::Text("bearing1.force".into()));
+    harness.run_steps(5);
+    assert!(harness.query_by_label("deck.theta").is_none(), "the list is narrowed");
+    harness.get_by_label("deck.bearing1.force-y").click();
+    settle(&mut harness);
+    assert_eq!(harness.state().files.document.scene().view.plots[0].y, ["deck.bearing1.force-y"], "chosen");
+    assert!(before.is_some() && number(&harness) == before, "what is plotted changes no answer");
+}
+
+#[test]
+fn plots_are_written_as_they_are_seen() {
+    let mut harness = open(presets::OPENING);
+    harness.state_mut().apply(CompareCommand::Pin);
+    add(&mut harness, PlotSettings::over_time(vec!["deck.vx".into()]));
+    let legend = legend(&harness, "|ΣR|");
+    assert!(legend.contains("|ΣR|, run 1"), "the kept run's force: {legend}");
+    let folder = tempfile::tempdir().expect("a folder");
+    let path = folder.path().join("plots.svg");
+    harness.state_mut().apply(FileCommand::Plots(path.clone()));
+    for _ in 0..3000 {
+        harness.step();
+        if harness.state().window.notice().is_some() {
+            break;
+        }
+        std::thread::sleep(std::time::Duration::from_millis(10));
+    }
+    let svg = std::fs::read_to_string(path).expect("written");
+    for words in ["deck+x|wall.total", "deck+x|wall.total, run 1", "deck.x, run 1", "deck.vx, run 1"] {
+        assert!(svg.contains(words), "{words}");
+    }
 }

@@ -53,6 +53,13 @@ impl Workbench {
                 let title = self.files.document.scene().name.clone();
                 self.tasks.export_picture(list, self.view.viewport.size(), title, path);
             }
+            FileCommand::Export(Export::Print, path) => {
+                let Some(answer) = self.whole() else { return };
+                let shot = self.view.shot_for_print(self.replay.t());
+                let list = Arc::new(shot.list(&answer.history));
+                let title = self.files.document.scene().name.clone();
+                self.tasks.export_picture(list, shot.size, title, path);
+            }
             FileCommand::Export(Export::Tables, path) => {
                 if let Some(answer) = self.whole() {
                     self.tasks.export_tables(answer, path);
@@ -104,9 +111,11 @@ impl Workbench {
                 if self.files.document.scene().name != lesson.name {
                     self.open_lesson(open);
                 }
-                if let Some(edit) = self.learning.try_edit(number) {
-                    self.edit(edit);
-                }
+                let Some(to_try) = self.learning.to_try(number) else { return };
+                self.edit(to_try.edit());
+                self.learning.note(number, self.files.document.revision());
+                // Its run may not be there yet: the time is kept inside it when it comes.
+                self.replay.playback.clock.t = to_try.at.unwrap_or(self.replay.playback.clock.t);
             }
         }
     }

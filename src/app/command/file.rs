@@ -11,6 +11,8 @@ use crate::scene::{GroundId, RecordMotion};
 pub enum Export {
     /// The picture in view, as PNG.
     Picture,
+    /// The view for paper, as PNG: larger, on white, without what is selected, kept runs and handles.
+    Print,
     /// Trajectory, contacts, events and summary.
     Tables,
     /// The run on one page, as HTML.
@@ -46,11 +48,21 @@ impl Wish {
             | Self::Export(Export::Tables)
             | Self::Film(FilmFormat::Png) => None,
             Self::Save => Some("toml"),
-            Self::Export(Export::Picture) => Some("png"),
+            Self::Export(Export::Picture | Export::Print) => Some("png"),
             Self::Export(Export::Report) => Some("html"),
             Self::Plots(format) => Some(format),
             Self::Film(FilmFormat::Gif) => Some("gif"),
         }
+    }
+
+    /// What a new file of a scene of this name is called at first; none as [`extension`](Self::extension).
+    pub(in crate::app) fn file_name(self, scene: &str) -> Option<String> {
+        let what = match self {
+            Self::Plots(_) => "-plots",
+            Self::Export(Export::Print) => "-print",
+            _ => "",
+        };
+        Some(format!("{scene}{what}.{}", self.extension()?))
     }
 
     /// Whether it is for something that is there already.

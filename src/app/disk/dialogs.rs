@@ -45,10 +45,10 @@ impl Dialogs {
         if self.silent {
             return;
         }
-        let choice = match wish.extension() {
+        let choice = match wish.file_name(&as_file_name(name)) {
             _ if wish.is_for_reading() => Choice::File,
             None => Choice::Folder,
-            Some(extension) => Choice::New(format!("{}.{extension}", as_file_name(name))),
+            Some(file) => Choice::New(file),
         };
         let (send, wake, begun) = (self.send.clone(), self.wake.clone(), now());
         choose(choice, &filters(wish), move |chosen| {

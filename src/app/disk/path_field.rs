@@ -95,7 +95,7 @@ impl PathField {
 
     /// What a new file is called at first; nothing for what is there already, and for folders.
     pub(in crate::app) fn name_of_new(&self, wish: Wish) -> String {
-        wish.extension().map_or_else(String::new, |extension| format!("{}.{extension}", self.begin.1))
+        wish.file_name(&self.begin.1).unwrap_or_default()
     }
 
     fn type_text(&mut self, text: String) {

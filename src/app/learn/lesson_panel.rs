@@ -17,8 +17,8 @@ pub(in crate::app) fn menu(ui: &mut Ui, learning: Learning, out: &mut Vec<Comman
     }
 }
 
-/// Shows the words of a guided scene.
-pub(in crate::app) fn show(ui: &mut Ui, lesson: &Lesson, out: &mut Vec<Command>) {
+/// Shows the words of a guided scene; what was `tried` and is in force is marked.
+pub(in crate::app) fn show(ui: &mut Ui, lesson: &Lesson, tried: Option<usize>, out: &mut Vec<Command>) {
     ui.add(Label::new(RichText::new(&lesson.title).heading()).wrap());
     ui.horizontal(|ui| {
         if ui.button(text::RESET).on_hover_text(text::RESET_HINT).clicked() {
@@ -37,7 +37,7 @@ pub(in crate::app) fn show(ui: &mut Ui, lesson: &Lesson, out: &mut Vec<Command>)
     for (number, try_it) in lesson.tries.iter().enumerate() {
         ui.add_space(4.0);
         let label = format!("{}  {}", number + 1, try_it.words);
-        if ui.add(Button::new(label).wrap()).clicked() {
+        if ui.add(Button::new(label).selected(tried == Some(number)).wrap()).clicked() {
             out.push(Command::Learn(Learn::Try(number)));
         }
         ui.add(Label::new(&try_it.text).wrap());

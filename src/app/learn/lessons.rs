@@ -43,6 +43,9 @@ pub struct Try {
     pub words: String,
     /// What is seen then.
     pub text: String,
+    /// When it is seen; where it is left out the time stays \[s\].
+    #[serde(default, rename = "at_s")]
+    pub at: Option<f64>,
     /// Values by their paths, as in `--set`.
     pub set: Vec<String>,
 }
@@ -167,19 +170,31 @@ impl Try {
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
 pub struct Learning {
     open: Option<usize>,
+    /// What was tried last, and the revision of the scene since then.
+    tried: Option<(usize, u64)>,
 }
 
 impl Learning {
     /// Opens the lesson of this number; `None` where there is none, and the one that was open stays.
     pub(in crate::app) fn open(&mut self, number: usize) -> Option<&'static Lesson> {
         let lesson = lessons().get(number)?;
-        self.open = Some(number);
+        *self = Self { open: Some(number), tried: None };
         Some(lesson)
     }
 
     /// Closes the one that is open.
     pub(in crate::app) fn close(&mut self) {
-        self.open = None;
+        *self = Self::default();
+    }
+
+    /// Notes that this was tried, and that the scene has this revision since.
+    pub(in crate::app) fn note(&mut self, number: usize, revision: u64) {
+        self.tried = Some((number, revision));
+    }
+
+    /// What was tried, if the scene of this revision is as that left it.
+    pub(in crate::app) fn tried(self, revision: u64) -> Option<usize> {
+        self.tried.filter(|(_, then)| *then == revision).map(|(number, _)| number)
     }
 
     /// Number of the lesson that is open.
@@ -192,9 +207,9 @@ impl Learning {
         self.open.and_then(|number| lessons().get(number))
     }
 
-    /// The edit of a thing to try of the lesson that is open.
-    pub(in crate::app) fn try_edit(self, number: usize) -> Option<Edit> {
-        self.lesson()?.tries.get(number).map(Try::edit)
+    /// A thing to try of the lesson that is open.
+    pub(in crate::app) fn to_try(self, number: usize) -> Option<&'static Try> {
+        self.lesson()?.tries.get(number)
     }
 }
 
@@ -227,7 +242,7 @@ mod tests {
         assert_eq!(learning.open(1).map(|l| l.name), Some(lessons()[1].name), "the second");
         assert!(learning.open(lessons().len()).is_none(), "one too far");
         assert_eq!(learning.number(), Some(1), "the second is still open");
-        assert!(learning.try_edit(usize::MAX).is_none(), "no such thing to try");
+        assert!(learning.to_try(usize::MAX).is_none(), "no such thing to try");
         learning.close();
         assert!(learning.lesson().is_none(), "closed");
     }

@@ -1,11 +1,11 @@
 //! The map's window: keys and measure above, how far it has come, the map itself.
 
-use egui::{ComboBox, Grid, Id, RichText, ScrollArea, TextEdit, Ui, Window, vec2};
+use egui::{ComboBox, Grid, Id, RichText, Ui, Window, vec2};
 
 use super::maps::Maps;
 use super::{field, offer, progress};
 use crate::app::command::{Command, MapAxis, MapCommand, MapDraft};
-use crate::app::field::{Place, number};
+use crate::app::field::{Place, narrowed, number};
 use crate::app::style::theme::Palette;
 use crate::app::text;
 use crate::language::Text;
@@ -84,14 +84,10 @@ fn above(ui: &mut Ui, scene: &Scene, draft: &mut MapDraft) {
 fn key(ui: &mut Ui, scene: &Scene, axis: &mut MapAxis, [name, from, to, log]: [&str; 4]) {
     ui.label(name);
     let title = RichText::new(offer::title(&axis.key));
-    let menu = ui.menu_button(title, |ui| {
-        if let Some(key) = choose(ui, scene, name) {
-            if let Ok(laid) = Laid::out(scene) {
-                *axis = offer::axis(&laid, &key);
-            }
-            ui.close();
-        }
-    });
+    let menu = narrowed(ui, title, (Id::unique(("narrow keys", name)), 240.0), |ui, part| choose(ui, scene, part));
+    if let Some((key, laid)) = menu.inner.zip(Laid::out(scene).ok()) {
+        *axis = offer::axis(&laid, &key);
+    }
     menu.response.on_hover_text(format!("{}: {}", axis.key, meaning(&axis.key)));
     let unit = offer::unit(scene, &axis.key, axis.from.abs().max(axis.to.abs()));
     let place = Place::apart("");
@@ -110,25 +106,19 @@ fn meaning(path: &str) -> &'static str {
     of_place(path).map_or("", |(_, key)| key.meaning_told())
 }
 
-/// A key from a list that can be narrowed by typing.
-fn choose(ui: &mut Ui, scene: &Scene, name: &str) -> Option<String> {
-    let id = Id::unique(("narrow keys", name));
-    let mut part = ui.data(|data| data.get_temp::<String>(id)).unwrap_or_default();
-    ui.add(TextEdit::singleline(&mut part).hint_text(text::NARROW).desired_width(240.0));
-    let (mut chosen, words) = (None, part.trim().to_lowercase());
-    ScrollArea::vertical().max_height(280.0).show(ui, |ui| {
-        for key in offer::keys(scene) {
-            let title = offer::title(&key);
-            if !key.contains(&words) && !title.to_lowercase().contains(&words) {
-                continue;
-            }
-            let button = egui::Button::new(title).right_text(RichText::new(&key).weak().small());
-            if ui.add(button).on_hover_text(meaning(&key)).clicked() {
-                chosen = Some(key);
-            }
+/// A key from a list, of those whose path or title has these letters.
+fn choose(ui: &mut Ui, scene: &Scene, part: &str) -> Option<String> {
+    let (mut chosen, words) = (None, part.to_lowercase());
+    for key in offer::keys(scene) {
+        let title = offer::title(&key);
+        if !key.contains(&words) && !title.to_lowercase().contains(&words) {
+            continue;
         }
-    });
-    ui.data_mut(|data| data.insert_temp(id, part));
+        let button = egui::Button::new(title).right_text(RichText::new(&key).weak().small());
+        if ui.add(button).on_hover_text(meaning(&key)).clicked() {
+            chosen = Some(key);
+        }
+    }
     chosen
 }
 

@@ -163,11 +163,12 @@ fn panels(bench: &Workbench, ui: &mut Ui, out: &mut Vec<Command>) {
         ScrollArea::vertical().id_salt("what if").auto_shrink(false).show(ui, |ui| whatif::show(ui, shown, out));
     });
     if let Some(lesson) = learning.lesson() {
+        let tried = learning.tried(document.revision());
         beside(ui, (Pane::Lesson, folded), out, |ui, out| {
             fold::head(ui, Pane::Lesson, out, |_, _| ());
             // A lesson begins at its head, wherever the one before was left.
             let area = ScrollArea::vertical().id_salt(("lesson", &lesson.title)).auto_shrink(false);
-            area.show(ui, |ui| lesson_panel::show(ui, lesson, out));
+            area.show(ui, |ui| lesson_panel::show(ui, lesson, tried, out));
         });
     }
 }

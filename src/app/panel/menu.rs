@@ -79,6 +79,7 @@ fn file(ui: &mut Ui, used: &[PathBuf], mut paths_here: bool, out: &mut Vec<Comma
         (text::SAVE, "Ctrl S", Command::File(FileCommand::Save)),
         (text::SAVE_AS, "Ctrl Shift S", Command::File(FileCommand::Ask(Wish::Save))),
         (text::EXPORT_PICTURE, "", Command::File(FileCommand::Ask(Wish::Export(Export::Picture)))),
+        (text::EXPORT_PRINT, "", Command::File(FileCommand::Ask(Wish::Export(Export::Print)))),
         (text::EXPORT_FILM, "", Command::Film(Filming::Ask)),
         (text::EXPORT_TABLES, "", Command::File(FileCommand::Ask(Wish::Export(Export::Tables)))),
         (text::EXPORT_REPORT, "", Command::File(FileCommand::Ask(Wish::Export(Export::Report)))),

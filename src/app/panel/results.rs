@@ -145,6 +145,11 @@ fn readings(history: &History, girder: usize, reading: &Reading) -> Vec<(&'stati
     rows
 }
 
+/// A length of a contact: in µm below 1 mm \[m\].
+fn small(length: f64) -> String {
+    if length.abs() < 1e-3 { format!("{} µm", text::short(length * 1e6)) } else { text::length(length) }
+}
+
 /// The orbit of the corners of a girder over its seats, and what codes require.
 fn show_seats(ui: &mut Ui, answer: &Answer, girder: usize, t: f64) {
     for seat in answer.seats().iter().filter(|seat| seat.demands.girder == girder) {
@@ -249,8 +254,8 @@ fn rows(c: &ContactNow) -> [(&'static str, String); 12] {
         (text::FORCE_RATIO.as_str(), text::one_of(&text::short(used), &text::short(c.mu()))),
         (text::CONE_USED.as_str(), format!("{} %", text::short(100.0 * c.cone_use()))),
         (text::DASHPOTS.as_str(), newtons((c.normal * c.normal_damping + c.tangential_damping).length())),
-        (text::OVERLAP.as_str(), format!("{} µm", text::short(c.penetration * 1e6))),
-        (text::ANCHOR_OFF.as_str(), format!("{} µm", text::short(stretch.length() * 1e6))),
+        (text::OVERLAP.as_str(), small(c.penetration)),
+        (text::ANCHOR_OFF.as_str(), small(stretch.length())),
         (text::CLOSING.as_str(), format!("{} mm/s", text::short(-c.normal_velocity * 1e3))),
         (text::SLIDING.as_str(), format!("{} mm/s", text::short(c.sliding.length() * 1e3))),
     ]

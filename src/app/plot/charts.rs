@@ -193,15 +193,30 @@ fn pin_style(color: usize) -> LineStyle {
 }
 
 fn force<'a>(source: &Source<'_>, traces: &'a Traces, at: f64, palette: &Palette) -> Chart<'a> {
-    let drawn =
-        |curve| Drawn { curve: Cow::Borrowed(curve), color: palette.force, style: LineStyle::Solid, chosen: true };
+    let drawn = |curve: &'a Curve, color: Color32, style: LineStyle, chosen: bool| Drawn {
+        curve: Cow::Borrowed(curve),
+        color,
+        style,
+        chosen,
+    };
     let value = source.answer.map(|answer| answer.history.largest_resultant(at));
+    let mut entries = vec![Entry { name: "|ΣR|".into(), color: palette.force, style: LineStyle::Solid, value }];
+    let mut curves = Vec::new();
+    // Of spikes at other times no difference is drawn: kept runs stand behind the one shown.
+    for (number, pin) in (1..).zip(source.pins) {
+        let (color, style) = (PINS[pin.color], pin_style(pin.color));
+        let kept = traces.pins.iter().filter(|kept| kept.color == pin.color).flat_map(|kept| &kept.force);
+        curves.extend(kept.map(|curve| drawn(curve, color, style, false)));
+        let value = Some(pin.answer.history.largest_resultant(at));
+        entries.push(Entry { name: text::of_pin("|ΣR|", number), color, style, value });
+    }
+    curves.extend(traces.force.iter().map(|curve| drawn(curve, palette.force, LineStyle::Solid, true)));
     Chart {
         name: text::PLOT_FORCE.to_string(),
         unit: "N",
-        curves: traces.force.iter().map(drawn).collect(),
+        curves,
         bands: Vec::new(),
-        entries: vec![Entry { name: "|ΣR|".into(), color: palette.force, style: LineStyle::Solid, value }],
+        entries,
         filled: false,
         log: false,
     }
@@ -220,19 +235,21 @@ pub(super) fn own<'a>(panel: &'a Sampled, stack: &'a [Curve], values: &[[f64; 2]
     };
     let plain = panel.curves.iter().map(|(_, curve)| curve);
     let curves: Vec<&Curve> = if panel.stacked { stack.iter().collect() } else { plain.collect() };
-    let drawn = |(i, curve)| Drawn { curve: shown(curve), color: color(i), style: style(i), chosen: true };
+    let drawn = |(i, curve)| {
+        let (color, style) = look(panel, i);
+        Drawn { curve: shown(curve), color, style, chosen: true }
+    };
     let mut curves: Vec<Drawn<'a>> = curves.into_iter().enumerate().map(drawn).collect();
     if panel.stacked {
         // The highest is filled first, so that the lower ones lie on it.
         curves.reverse();
     }
-    let entry = |(i, (name, _)): (usize, &(String, Curve))| Entry {
-        name: name.clone(),
-        color: color(i),
-        style: style(i),
-        value: values.get(i).map(|v| v[1]),
+    let entry = |(i, (name, _)): (usize, &(String, Curve))| {
+        let (color, style) = look(panel, i);
+        Entry { name: name.clone(), color, style, value: values.get(i).map(|v| v[1]) }
     };
-    let names: Vec<&str> = panel.curves.iter().map(|(name, _)| name.as_str()).collect();
+    let named = panel.curves.iter().enumerate().filter(|(i, _)| panel.kept(*i).is_none());
+    let names: Vec<&str> = named.map(|(_, (name, _))| name.as_str()).collect();
     Chart {
         name: names.join(", "),
         unit: panel.unit,
@@ -244,14 +261,13 @@ pub(super) fn own<'a>(panel: &'a Sampled, stack: &'a [Curve], values: &[[f64; 2]
     }
 }
 
-/// The colour of a curve of the user's own, by its place in its panel.
-pub(super) fn color(i: usize) -> Color32 {
-    OWN[i % OWN.len()]
-}
-
-/// How it is dashed.
-pub(super) fn style(i: usize) -> LineStyle {
-    if i < OWN.len() { LineStyle::Solid } else { LineStyle::Dashed { length: 6.0 } }
+/// Colour and dashes of a curve of a panel of the user's own: by its place there, of a kept run those of that.
+pub(super) fn look(panel: &Sampled, i: usize) -> (Color32, LineStyle) {
+    if let Some(color) = panel.kept(i) {
+        return (PINS[color], pin_style(color));
+    }
+    let style = if i < OWN.len() { LineStyle::Solid } else { LineStyle::Dashed { length: 6.0 } };
+    (OWN[i % OWN.len()], style)
 }
 
 /// Curves one upon the other.

@@ -4,6 +4,8 @@ use std::sync::Arc;
 
 use crate::app::plot::resolution;
 use crate::app::run::answer::Answer;
+use crate::app::run::comparison::Pin;
+use crate::app::text;
 use crate::scene::{PlotSettings, PlotShows};
 use crate::sim::quantity::{Quantity, Unit};
 use crate::sim::{History, spectra};
@@ -29,9 +31,37 @@ pub(in crate::app) struct Sampled {
     pub(in crate::app) log: [bool; 2],
     /// Whether the curves are energies that are stored or lost: drawn one upon the other.
     pub(in crate::app) stacked: bool,
+    /// Colours of the kept runs that the last curves are of.
+    kept: Vec<usize>,
 }
 
 impl Sampled {
+    /// Adds what kept runs say of the same panel; energies one upon the other stay alone.
+    pub(in crate::app) fn beside_kept(
+        mut self,
+        pins: &[Pin],
+        plot: &PlotSettings,
+        window: [f64; 2],
+        points: usize,
+    ) -> Self {
+        if self.stacked {
+            return self;
+        }
+        for (number, pin) in (1..).zip(pins) {
+            for (name, curve) in sample(&pin.answer.history, plot, window, points).curves {
+                self.curves.push((text::of_pin(&name, number), curve));
+                self.kept.push(pin.color);
+            }
+        }
+        self
+    }
+
+    /// Colour of the kept run that the curve of this number is of; none of the run shown.
+    pub(in crate::app) fn kept(&self, curve: usize) -> Option<usize> {
+        let own = self.curves.len() - self.kept.len();
+        self.kept.get(curve.checked_sub(own)?).copied()
+    }
+
     /// As it is drawn in so many columns of a window of time. Against another quantity every point is a place; energies one upon the
     /// other share their times.
     pub(in crate::app) fn by_columns(mut self, window: [f64; 2], columns: usize) -> Self {
@@ -51,6 +81,7 @@ struct Key {
     window: [f64; 2],
     points: usize,
     plots: Vec<PlotSettings>,
+    pins: Vec<u64>,
 }
 
 /// Keeps the last samples until something else is to be seen.
@@ -61,17 +92,21 @@ pub(in crate::app) struct PanelCache {
 }
 
 impl PanelCache {
-    /// Every panel over a window, about `points` samples long.
+    /// Every panel over a window, kept runs with it, about `points` samples long.
     pub(in crate::app) fn of(
         &mut self,
         (history, answer): (&History, u64),
-        plots: &[PlotSettings],
+        (plots, pins): (&[PlotSettings], &[Pin]),
         window: [f64; 2],
         points: usize,
     ) -> Arc<Vec<Sampled>> {
-        let key = Key { answer, window, points, plots: plots.to_vec() };
+        let numbers = pins.iter().map(|pin| pin.answer.number).collect();
+        let key = Key { answer, window, points, plots: plots.to_vec(), pins: numbers };
         if self.key.as_ref() != Some(&key) {
-            let drawn = |p: &PlotSettings| sample(history, p, window, points).by_columns(window, points);
+            let drawn = |p: &PlotSettings| {
+                let sampled = sample(history, p, window, points).beside_kept(pins, p, window, points);
+                sampled.by_columns(window, points)
+            };
             self.panels = Arc::new(plots.iter().map(drawn).collect());
             self.key = Some(key);
         }
@@ -91,8 +126,13 @@ pub(in crate::app) fn shown(unit: Unit) -> (f64, &'static str) {
         Unit::NewtonMetre => (1.0, "N·m"),
         Unit::Pascal => (1e-6, "MPa"),
         Unit::Joule => (1.0, "J"),
-        Unit::One => (1.0, "1"),
+        Unit::One => (1.0, ""),
     }
+}
+
+/// A unit at an axis: a pure number has a dash.
+fn in_brackets(unit: &str) -> String {
+    format!("[{}]", if unit.is_empty() { "–" } else { unit })
 }
 
 /// A quantity of a panel, with its name.
@@ -124,6 +164,7 @@ fn spectrum(history: &History, plot: &PlotSettings, found: &[Found<'_>], window:
         x: Some(if fourier { "f [Hz]" } else { "T [s]" }.to_owned()),
         log: [plot.log; 2],
         stacked: false,
+        kept: Vec::new(),
     }
 }
 
@@ -146,11 +187,12 @@ fn course(history: &History, plot: &PlotSettings, found: &[Found<'_>], (window, 
     let unit = found.first().map_or("", |(_, q)| shown(q.unit()).1);
     Sampled {
         curves: found.iter().map(curve).collect(),
-        y: format!("[{unit}]"),
+        y: in_brackets(unit),
         unit,
         log: [false, plot.log],
-        x: x.map(|(name, _)| format!("{name} [{unit_x}]")),
+        x: x.map(|(name, _)| format!("{name} {}", in_brackets(unit_x))),
         stacked,
+        kept: Vec::new(),
     }
 }
 

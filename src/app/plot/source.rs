@@ -71,14 +71,15 @@ impl Source<'_> {
         let plots = self.scene.view.plots.iter().enumerate().filter(|(_, plot)| self.is_over_time(plot) == over_time);
         let (numbers, plots): (Vec<usize>, Vec<PlotSettings>) = plots.map(|(i, plot)| (i, plot.clone())).unzip();
         let cache = &self.samples.panels[usize::from(over_time)];
-        let of = |a: &Arc<Answer>| cache.borrow_mut().of((&a.history, a.number), &plots, window, points);
+        let of = |a: &Arc<Answer>| cache.borrow_mut().of((&a.history, a.number), (&plots, self.pins), window, points);
         let panels = self.answer.filter(|_| !plots.is_empty()).map(of).unwrap_or_default();
         (numbers, panels)
     }
 
-    /// Where the curves of an own panel are at a time \[s\].
+    /// Where the curves of an own panel are at a time, those of kept runs after its own \[s\].
     pub(in crate::app) fn own_at(&self, panel: usize, t: f64) -> Vec<[f64; 2]> {
         let (Some(answer), Some(plot)) = (self.answer, self.scene.view.plots.get(panel)) else { return Vec::new() };
-        sampled::at(answer, plot, t)
+        let kept = self.pins.iter().flat_map(|pin| sampled::at(&pin.answer, plot, t));
+        sampled::at(answer, plot, t).into_iter().chain(kept).collect()
     }
 }

@@ -75,6 +75,8 @@ pub(in crate::app) struct Kept {
     pub(in crate::app) color: usize,
     /// The girder's number there.
     pub(in crate::app) girder: usize,
+    /// |Force| between two bodies there, as of the run shown \[N\].
+    pub(in crate::app) force: Vec<Curve>,
 }
 
 /// Samples for one window of time.
@@ -169,7 +171,7 @@ fn kept(pin: &Pin, girder: &str, (window, points): ([f64; 2], usize), less: Opti
         }
     }
     let curves = curves.map(|curve| resolution::by_columns(curve, window, points));
-    Some(Kept { curves, color: pin.color, girder: number })
+    Some(Kept { curves, color: pin.color, girder: number, force: forces(history, window, points) })
 }
 
 fn sample(answer: &Answer, window: [f64; 2], points: usize) -> Traces {
@@ -216,12 +218,15 @@ fn sample(answer: &Answer, window: [f64; 2], points: usize) -> Traces {
             *curve = resolution::by_columns(std::mem::take(curve), window, points);
         }
     }
-    let poundings = history.poundings();
-    traces.force = poundings.iter().flat_map(|between| force(history, between, window, points)).collect();
-    if poundings.len() > CROWD {
-        traces.force = vec![largest(&traces.force, window, points)];
-    }
+    traces.force = forces(history, window, points);
     traces
+}
+
+/// |Force| between two bodies, hit by hit of every two, or of a crowd the largest \[N\].
+fn forces(history: &History, window: [f64; 2], points: usize) -> Vec<Curve> {
+    let poundings = history.poundings();
+    let all: Vec<Curve> = poundings.iter().flat_map(|between| force(history, between, window, points)).collect();
+    if poundings.len() > CROWD { vec![largest(&all, window, points)] } else { all }
 }
 
 /// One curve for many: the largest value within every point, and 0 between.

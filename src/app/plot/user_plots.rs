@@ -1,9 +1,9 @@
 //! Plot panels that the user has made: any quantity against time or against another; saved with the scene.
 
-use egui::{ComboBox, RichText, ScrollArea, TextEdit, Ui};
+use egui::{ComboBox, Id, RichText, Ui};
 
 use crate::app::command::{Command, EditCommand, FileCommand, WindowCommand, Wish};
-use crate::app::field::{Place, mark, tag};
+use crate::app::field::{Place, mark, narrowed, tag};
 use crate::app::plot::plot_files;
 use crate::app::plot::source::Source;
 use crate::app::text;
@@ -125,21 +125,15 @@ fn one(ui: &mut Ui, i: usize, plot: &mut PlotSettings, names: &[(String, Quantit
     ui.horizontal(|ui| {
         let table = format!("view.plot[{i}]");
         let place = Place::apart(&table);
-        let curves = ui.menu_button(text::ADD_CURVE, |ui| {
-            if let Some(name) = choose(ui, i, names.iter().filter(|(_, q)| unit.is_none_or(|u| q.unit() == u))) {
-                if !plot.y.contains(&name) {
-                    plot.y.push(name);
-                }
-                ui.close();
-            }
-        });
+        let alike = names.iter().filter(|(_, q)| unit.is_none_or(|u| q.unit() == u));
+        let curves =
+            narrowed(ui, text::ADD_CURVE, (Id::unique(("more", i)), 170.0), |ui, part| choose(ui, part, alike));
+        plot.y.extend(curves.inner.filter(|name| !plot.y.contains(name)));
         mark(&curves.response, place, ("y", text::ADD_CURVE.as_str()));
-        ui.menu_button(text::CHANGE_CURVE, |ui| {
-            if let Some(name) = choose(ui, i, names.iter()) {
-                plot.y = vec![name];
-                ui.close();
-            }
-        });
+        let other = (Id::unique(("other", i)), 170.0);
+        if let Some(name) = narrowed(ui, text::CHANGE_CURVE, other, |ui, part| choose(ui, part, names.iter())).inner {
+            plot.y = vec![name];
+        }
     });
     if plot.shows == PlotShows::History {
         against(ui, i, plot, names);
@@ -182,19 +176,13 @@ fn against(ui: &mut Ui, i: usize, plot: &mut PlotSettings, names: &[(String, Qua
     });
 }
 
-/// A name from a list that can be narrowed by typing.
-fn choose<'a>(ui: &mut Ui, i: usize, names: impl Iterator<Item = &'a (String, Quantity)>) -> Option<String> {
-    let id = egui::Id::unique(("narrow", i));
-    let mut part = ui.data(|d| d.get_temp::<String>(id)).unwrap_or_default();
-    ui.add(TextEdit::singleline(&mut part).hint_text(text::NARROW).desired_width(170.0));
+/// A name from a list, of those that have these letters.
+fn choose<'a>(ui: &mut Ui, part: &str, names: impl Iterator<Item = &'a (String, Quantity)>) -> Option<String> {
     let mut chosen = None;
-    ScrollArea::vertical().max_height(260.0).show(ui, |ui| {
-        for (name, _) in names.filter(|(name, _)| name.contains(part.trim())) {
-            if ui.button(name).clicked() {
-                chosen = Some(name.clone());
-            }
+    for (name, _) in names.filter(|(name, _)| name.contains(part)) {
+        if ui.button(name).clicked() {
+            chosen = Some(name.clone());
         }
-    });
-    ui.data_mut(|d| d.insert_temp(id, part));
+    }
     chosen
 }

@@ -5,7 +5,7 @@ use egui::{Id, RichText, Stroke, Ui, Window, vec2};
 use egui_plot::{HoverPosition, Line, Plot, PlotPoints, PlotUi, Points};
 
 use crate::app::command::{Command, EditCommand};
-use crate::app::plot::charts::{color, style};
+use crate::app::plot::charts::look;
 use crate::app::plot::sampled::Sampled;
 use crate::app::plot::source::Source;
 use crate::app::plot::value_axis::{fitting, grid_marks};
@@ -55,7 +55,7 @@ fn one(ui: &Ui, source: &Source<'_>, number: usize, panel: &Sampled) -> bool {
 fn names(ui: &mut Ui, panel: &Sampled, unit: &str) {
     ui.horizontal_wrapped(|ui| {
         for (i, (name, _)) in panel.curves.iter().enumerate() {
-            ui.label(RichText::new(name).small().color(color(i)));
+            ui.label(RichText::new(name).small().color(look(panel, i).0));
         }
         ui.label(RichText::new(panel.y.replacen(panel.unit, unit, 1)).small().weak());
     });
@@ -82,8 +82,9 @@ fn draw(ui: &mut Ui, (id, height, factor): (Id, f32, f64), panel: &Sampled, here
             for (i, (name, curve)) in panel.curves.iter().enumerate() {
                 let points: Vec<[f64; 2]> =
                     curve.iter().map(scaled).filter(|p| p[1].is_finite() && p[0].is_finite()).collect();
-                let stroke = Stroke::new(1.3, color(i));
-                plot.line(Line::new(name.as_str(), PlotPoints::new(points)).stroke(stroke).style(style(i)));
+                let (color, style) = look(panel, i);
+                let stroke = Stroke::new(1.3, color);
+                plot.line(Line::new(name.as_str(), PlotPoints::new(points)).stroke(stroke).style(style));
             }
             let here: Vec<[f64; 2]> = here.iter().map(scaled).filter(|p| p[1].is_finite()).collect();
             plot.points(Points::new("", PlotPoints::new(here)).radius(4.0).color(palette.playhead).allow_hover(false));

@@ -55,6 +55,8 @@ pub struct Runner {
     shown: Option<Shown>,
     /// Revision of the scene that was started last.
     revision: u64,
+    /// That scene, where it could be run.
+    asked: Option<Scene>,
     /// The newest scene, while the coarse pass of an older one is computed.
     waiting: Option<Next>,
     problems: Option<SceneErrors>,
@@ -75,6 +77,7 @@ impl Default for Runner {
         Self {
             shown: None,
             revision: 0,
+            asked: None,
             waiting: None,
             problems: None,
             job: None,
@@ -161,14 +164,22 @@ impl Runner {
         self.job.as_ref().map(Job::part)
     }
 
-    /// Runs a scene of this revision; whatever ran before is cancelled, but for a coarse pass that is about to come in.
+    /// Runs a scene of this revision; whatever ran before is cancelled, but for a coarse pass that is about to come in. A scene that
+    /// only shows otherwise what the one before it computes has that one's answer.
     pub(in crate::app) fn start(&mut self, scene: &Scene, revision: u64) {
+        if !self.given_up && self.asked.as_ref().is_some_and(|asked| only_shows_otherwise(asked, scene)) {
+            self.go_on_as(revision);
+            self.asked = Some(scene.clone());
+            return;
+        }
+        self.asked = None;
         (self.revision, self.given_up, self.waiting) = (revision, false, None);
         self.changed = now();
         self.wanted = scene.duration;
         match Session::new(scene) {
             Ok(session) => {
                 self.problems = None;
+                self.asked = Some(scene.clone());
                 self.waiting = Some(Next { session, revision });
                 self.begin_waiting();
             }
@@ -178,6 +189,15 @@ impl Runner {
                 self.shown = self.shown.take().filter(|_| !scene.girders.is_empty());
             }
         }
+    }
+
+    /// What is shown, computed and waits of the scene that was started last is of this revision too.
+    fn go_on_as(&mut self, revision: u64) {
+        let before = std::mem::replace(&mut self.revision, revision);
+        let shown = self.shown.as_mut().map(|shown| &mut shown.revision);
+        let job = self.job.as_mut().map(|job| &mut job.revision);
+        let waiting = self.waiting.as_mut().map(|next| &mut next.revision);
+        shown.into_iter().chain(job).chain(waiting).filter(|own| **own == before).for_each(|own| *own = revision);
     }
 
     /// Begins the scene that waits, unless a coarse pass is to come in first.
@@ -221,6 +241,7 @@ impl Runner {
     /// Lets go of the answer: another scene is about to be run.
     pub(in crate::app) fn forget(&mut self) {
         (self.shown, self.job, self.waiting, self.given_up) = (None, None, None, false);
+        self.asked = None;
     }
 
     /// Stops the run on a thread; the last good answer stays, and is an older scene's or coarse.
@@ -307,10 +328,31 @@ impl Runner {
     }
 }
 
+/// Whether two scenes differ, and in how they are shown alone.
+fn only_shows_otherwise(before: &Scene, after: &Scene) -> bool {
+    before.view != after.view && Scene { view: after.view.clone(), ..before.clone() } == *after
+}
+
 #[cfg(test)]
 mod tests {
     use super::*;
     use crate::scene::presets;
+
+    #[test]
+    fn another_view_of_a_scene_asks_for_no_run() {
+        let scene = presets::load("deck-30m").expect("ships");
+        let mut other = scene.clone();
+        other.view.plots.push(crate::scene::PlotSettings::over_time(vec!["deck.x".to_owned()]));
+        let mut runner = Runner::default();
+        runner.start(&scene, 1);
+        runner.start(&other, 2);
+        runner.wait();
+        let number = runner.fresh_answer().expect("of the second, computed for the first").number;
+        runner.start(&scene, 3);
+        assert_eq!(runner.fresh_answer().map(|answer| answer.number), Some(number), "at once");
+        runner.start(&Scene { duration: 4.0, ..other }, 4);
+        assert!(runner.is_stale(), "another run is another answer");
+    }
 
     #[test]
     fn edits_of_a_large_scene_are_followed_coarsely_and_the_last_in_full() {

@@ -55,6 +55,7 @@ pub(super) const MISSING: Text = Text::new("missing");
 pub(super) const SAVE: Text = Text::new("save");
 pub(super) const SAVE_AS: Text = Text::new("save-as");
 pub(super) const EXPORT_PICTURE: Text = Text::new("export-picture");
+pub(super) const EXPORT_PRINT: Text = Text::new("export-print");
 pub(super) const EXPORT_FILM: Text = Text::new("export-film");
 pub(super) const EXPORT_TABLES: Text = Text::new("export-tables");
 pub(super) const EXPORT_REPORT: Text = Text::new("export-report");

@@ -28,6 +28,7 @@ pub(in crate::app) fn wish(wish: Wish) -> &'static str {
         Wish::Open => Text::new("wish-open"),
         Wish::Record(_) | Wish::Component(..) => Text::new("wish-record"),
         Wish::Save => Text::new("wish-save"),
+        Wish::Export(Export::Print) => Text::new("wish-print"),
         Wish::Export(Export::Picture) => Text::new("wish-picture"),
         Wish::Export(Export::Tables) => Text::new("wish-tables"),
         Wish::Export(Export::Report) => Text::new("wish-report"),

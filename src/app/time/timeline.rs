@@ -73,6 +73,10 @@ pub(in crate::app) fn show(ui: &mut Ui, shown: Shown<'_>, [left, right]: [f32; 2
     if let Some(span) = playback.clock.span {
         bracket(&painter, &axis, strip, span, &palette);
     }
+    let fallen = falls.iter().filter(|(_, verdict)| matches!(verdict, Verdict::Falls { .. }));
+    if let Some(t) = fallen.map(|(_, verdict)| verdict.t()).reduce(f64::min) {
+        beyond(&painter, &axis, strip, t, &palette);
+    }
     let overlaps = answer.map_or(&[][..], |answer| answer.history.overlaps());
     let falls = falls.iter().map(|(_, verdict)| verdict.t());
     let times = passed.iter().map(|flag| flag.t).chain(falls).chain(overlaps.iter().map(Overlap::first));
@@ -87,6 +91,14 @@ pub(in crate::app) fn show(ui: &mut Ui, shown: Shown<'_>, [left, right]: [f32; 2
 fn told(bars: &[Span]) -> String {
     let time = |state| bars.iter().filter(|bar| bar.state == state).map(|bar| bar.end - bar.start).sum();
     text::bars(bars.len(), time(ContactState::Stick), time(ContactState::Slip))
+}
+
+/// From when a girder falls on, where the model computes no motion of it: shaded.
+fn beyond(painter: &Painter, axis: &TimeAxis, strip: Rect, t: f64, palette: &Palette) {
+    let from = axis.x(t).clamp(strip.left(), strip.right());
+    let shade = Rect::from_min_max(pos2(from, strip.top()), strip.max);
+    painter.rect_filled(shade, 0.0, palette.problem.gamma_multiply(0.16));
+    painter.vline(from, strip.y_range(), Stroke::new(1.0, palette.problem));
 }
 
 /// The stretch that is played: a bar over the ruler; what is not played is dimmed.

@@ -5,7 +5,7 @@ use glam::DVec3;
 
 use crate::app::command::{Command, EditCommand, Grip, HandCommand, HandKey};
 use crate::app::viewport::eye::Eye;
-use crate::app::viewport::gizmo::{self, Held, Pulled, Typing};
+use crate::app::viewport::gizmo::{self, Held, Manner, Pulled, Typing};
 use crate::scene::Scene;
 use crate::scene::edit::Edit;
 use crate::view::Target;
@@ -156,11 +156,12 @@ impl Hand {
         said.pulled.map(|pulled| Keyed::Change(pulled.edit, gesture))
     }
 
-    /// What the mouse that moves comes to; Ctrl keeps it from snapping.
+    /// What the mouse that moves comes to; Ctrl keeps it from snapping, Alt makes it fine.
     pub(in crate::app) fn drag(&mut self, ui: &Ui, eye: &Eye) -> Option<Command> {
-        let (at, free) = ui.input(|i| (i.pointer.interact_pos(), i.modifiers.command));
+        let (at, keys) = ui.input(|i| (i.pointer.interact_pos(), i.modifiers));
+        let manner = Manner { free: keys.command, fine: keys.alt };
         let held = self.held.as_ref().filter(|_| self.typing.is_empty())?;
-        let pulled = gizmo::pull(held, eye, at?, free)?;
+        let pulled = gizmo::pull(held, eye, at?, manner)?;
         let command = EditCommand::Change { edit: pulled.edit.clone(), gesture: Some(held.gesture) };
         self.pulled = Some(pulled);
         Some(command.into())

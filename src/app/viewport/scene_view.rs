@@ -14,7 +14,11 @@ use crate::render::AdapterSummary;
 use crate::scene::edit::EditError;
 use crate::scene::{Scene, ViewPreset};
 use crate::sim::OfSection;
-use crate::snapshot::Shot;
+use crate::snapshot::{Instant, Shot};
+use crate::view::Background;
+
+/// Width of a picture for paper: 20 cm at 300 dots an inch \[pixels\].
+const PRINT_WIDTH: u32 = 2400;
 
 /// Camera, picture and hand; layers, sight and tool.
 pub struct SceneView {
@@ -147,6 +151,17 @@ impl SceneView {
             bent: self.display.sight.bent,
             ..Shot::default()
         }
+    }
+
+    /// The view at an instant \[s\] for paper: on white, [`PRINT_WIDTH`] wide.
+    pub(in crate::app) fn shot_for_print(&self, t: f64) -> Shot {
+        let shot = self.shot();
+        let [width, height] = shot.size.map(f64::from);
+        let height =
+            (f64::from(PRINT_WIDTH) * height / width.max(1.0)).round().clamp(1.0, 4.0 * f64::from(PRINT_WIDTH));
+        #[expect(clippy::cast_possible_truncation, clippy::cast_sign_loss, reason = "clamped above")]
+        let size = [PRINT_WIDTH, height as u32];
+        Shot { size, background: Background::White, at: Instant::At(t), ..shot }
     }
 
     /// Everything of it that commands can change and a frame shows.

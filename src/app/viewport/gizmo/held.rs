@@ -30,11 +30,27 @@ pub(in crate::app) struct Held {
     pub(in crate::app) by_keys: bool,
 }
 
-/// What a pull comes to, with the mouse at `at`; `free` pulls do not snap.
-pub(in crate::app) fn pull(held: &Held, eye: &Eye, at: Pos2, free: bool) -> Option<Pulled> {
+/// How a mouse pulls.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
+pub(in crate::app) struct Manner {
+    /// Without snapping.
+    pub(in crate::app) free: bool,
+    /// A [`FINE`]th of the mouse's way, without snapping: gaps of a bridge seen as a whole are less than a point wide.
+    pub(in crate::app) fine: bool,
+}
+
+/// The mouse's way over that of a fine pull \[–\]. Chosen: 10 m of a whole bridge are then a gap with its movement.
+const FINE: f64 = 50.0;
+
+/// What a pull comes to, with the mouse at `at`.
+pub(in crate::app) fn pull(held: &Held, eye: &Eye, at: Pos2, manner: Manner) -> Option<Pulled> {
     let to = on_way(held.grip, eye, at, held.from)?;
-    let point = eye.metres_per_point(to);
-    let reach = if free { 0.0 } else { SNAP * point };
+    let (to, point) = if manner.fine {
+        (held.from + (to - held.from) / FINE, eye.metres_per_point(to) / FINE)
+    } else {
+        (to, eye.metres_per_point(to))
+    };
+    let reach = if manner.free || manner.fine { 0.0 } else { SNAP * point };
     let (scene, selected) = (&*held.scene, &held.selected[..]);
     let step = snap::round_step(point);
     pull::pulled(held.grip, &Pull { scene, selected, from: held.from, to, step, reach, typed: None })
