@@ -1,9 +1,11 @@
 //! What a designer reads off a run, against closed forms: extremes, seats, limits and when they are passed; quantities
 //! by name.
 
-use girderbench::scene::{Limits, Motion, PlotSettings, PlotShows, Scene, Seat, format, presets};
+use girderbench::scene::{
+    AfterUnseating, Bearings, Limits, Motion, PlotSettings, PlotShows, Scene, Seat, format, presets,
+};
 use girderbench::sim::quantity::{OfContact, OfPair, Quantity, Unit};
-use girderbench::sim::{ContactState, History, readings};
+use girderbench::sim::{Carrying, ContactState, History, readings};
 use girderbench::tables::{devices, in_memory};
 
 use crate::support::scene;
@@ -18,7 +20,7 @@ fn swinging() -> (Scene, f64) {
     scene.duration = 2.0;
     let girder = &mut scene.girders[0];
     girder.initial.velocity = [V, 0.0, 0.0];
-    let Some(girderbench::scene::Bearings::Shared(shared)) = &mut girder.bearings else { panic!("equal bearings") };
+    let Some(Bearings::Shared(shared)) = &mut girder.bearings else { panic!("equal bearings") };
     shared.damping_ratio = girderbench::scene::PerDirection::Both(0.0);
     let omega = std::f64::consts::TAU * shared.frequency_hz.xy()[0];
     scene.abutments[0].gap = Some(2.0 * V / omega);
@@ -48,6 +50,29 @@ fn extremes_of_a_free_swing_are_the_closed_form_s() {
     let peaks = gap.t * omega / std::f64::consts::TAU - 0.25;
     near(peaks, peaks.round(), 1e-6, "a quarter of a period after a whole one");
     assert_eq!((reading.force, reading.rotation.value), (None, 0.0), "it touches nobody and does not turn");
+}
+
+#[test]
+fn what_is_read_of_a_girder_ends_where_it_falls() {
+    let (mut scene, omega) = swinging();
+    let travel = 0.5 * V / omega;
+    let girder = &mut scene.girders[0];
+    girder.after_unseating = Some(AfterUnseating::Continue);
+    let Some(Bearings::Shared(shared)) = &mut girder.bearings else { panic!("equal bearings") };
+    shared.travel = Some(travel);
+    let history = History::of(&scene).expect("runs");
+    near(history.sound_until(0), 0.5f64.asin() / omega, 1e-9, "all bearings lose their support at v/ω sin ωt = travel");
+    let far = history.motion(0, history.end()).displacement.length();
+    assert!(far > 3.0 * travel && !history.events().is_empty(), "it is computed beyond: {far} m, and hits the wall");
+    near(history.summary().max_displacement, travel, 1e-9, "until the fall");
+    let reading = readings::reading(&history, 0);
+    near(reading.bearings.expect("some").deformation.1.value, travel, 1e-9, "of the bearings");
+    near(reading.drift[0].value, travel, 1e-9, "of a corner");
+    assert!(history.touches().is_empty(), "no touch before the fall: {:?}", history.touches());
+    let verdict = girderbench::sim::verdict::verdict(&history, 0).expect("it falls");
+    assert!(!verdict.stays() && verdict.words().starts_with("falls: "), "{}", verdict.words());
+    let carrying = history.carrying(0, history.end());
+    assert!(!carrying.is_empty() && carrying.iter().all(|now| *now == Carrying::Lost), "{carrying:?}");
 }
 
 #[test]
