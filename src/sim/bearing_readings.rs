@@ -16,9 +16,9 @@ pub struct BearingsReading {
     pub force: (usize, Extreme),
 }
 
-/// Size in plan.
-fn size(axes: [f64; 2]) -> f64 {
-    axes[0].hypot(axes[1])
+/// Deformation \[m\] and resistance \[N\] in plan.
+fn sizes_of(now: Loop) -> [f64; 2] {
+    [now.deformation, now.resistance].map(|axes| axes[0].hypot(axes[1]))
 }
 
 impl History {
@@ -34,23 +34,31 @@ impl History {
             return None;
         }
         let until: Vec<f64> = (0..count).map(|number| self.bearing_lost_at(girder, number)).collect();
-        let at = |number: usize, t: f64| if t > until[number] { None } else { self.bearing_loop(girder, number, t) };
         let times = touches::looks(self, girder);
-        let seen: Vec<Vec<Option<Loop>>> =
-            times.iter().map(|&t| (0..count).map(|number| at(number, t)).collect()).collect();
-        let largest = |of: fn(&Loop) -> f64| {
+        let mut seen = vec![[0.0; 2]; times.len() * count];
+        for (all, &t) in seen.chunks_exact_mut(count).zip(&times) {
+            // Of all bearings together the girder's pose is computed once.
+            let own = self.frame(girder, t);
+            let frame = |body: usize, section: usize| {
+                if (body, section) == (girder, 0) { own } else { self.section_frame(body, section, t) }
+            };
+            for (number, sizes) in all.iter_mut().enumerate().filter(|(number, _)| t <= until[*number]) {
+                *sizes = self.bearing_loop_in((girder, number), t, &frame).map_or([0.0; 2], sizes_of);
+            }
+        }
+        let largest = |of: usize| {
+            let at = |number: usize, t: f64| {
+                let now = if t > until[number] { None } else { self.bearing_loop(girder, number, t) };
+                now.map_or(0.0, |now| sizes_of(now)[of])
+            };
             let of_bearing = |number: usize| {
-                let values: Vec<f64> = seen.iter().map(|all| all[number].as_ref().map_or(0.0, of)).collect();
-                let (t, value) = touches::largest_seen(&times, &values, |t| at(number, t).as_ref().map_or(0.0, of));
+                let values: Vec<f64> = seen.iter().skip(number).step_by(count).map(|sizes| sizes[of]).collect();
+                let (t, value) = touches::largest_seen(&times, &values, |t| at(number, t));
                 (number, Extreme { value, t })
             };
             // Of equals the first.
             (0..count).map(of_bearing).reduce(|a, b| if b.1.value > a.1.value { b } else { a })
         };
-        Some(BearingsReading {
-            girder,
-            deformation: largest(|now| size(now.deformation))?,
-            force: largest(|now| size(now.resistance))?,
-        })
+        Some(BearingsReading { girder, deformation: largest(0)?, force: largest(1)? })
     }
 }

@@ -47,6 +47,11 @@ impl LinkNow {
     }
 }
 
+/// Whether a device acts along the line between its points.
+fn follows_line(link: &Link, motion: &Separation) -> bool {
+    link.kinematics == Kinematics::Points && motion.placed.length() > 0.0
+}
+
 /// A link with the poses of its ends, the motion of its points, and the arms of its force \[m\].
 struct LinkMotion<'a> {
     link: &'a Link,
@@ -78,9 +83,8 @@ impl History {
         } else {
             (DVec3::ZERO, DVec3::ZERO, 0.0)
         };
-        let follows_line = link.kinematics == Kinematics::Points && motion.placed.length() > 0.0;
         let own = if acts { device.force(&phase, &motion) } else { DVec3::ZERO };
-        let along = Loop::of(&motion, own, follows_line);
+        let along = Loop::of(&motion, own, follows_line(link, &motion));
         let (state, strength) = (device.state(&phase), device.strength());
         let line = device.centre_line(&phase, ends);
         Some(LinkNow {
@@ -98,6 +102,24 @@ impl History {
             stored,
             dissipated,
         })
+    }
+
+    /// Deformation and resistance of a device along its axes at `t`, and its force on the first point in world axes \[N\], by the poses of
+    /// sections of bodies then.
+    pub(super) fn link_acting(
+        &self,
+        number: usize,
+        t: f64,
+        frame: &dyn Fn(usize, usize) -> Frame,
+    ) -> Option<(Loop, DVec3)> {
+        let phase = self.link_phase(number, t)?;
+        let LinkMotion { link, frames, motion, .. } = self.link_motion_of(number, frame)?;
+        let (own, force) = if link.device.acts(&phase) {
+            (link.device.force(&phase, &motion), link.force(&phase, &motion, &frames[1]))
+        } else {
+            (DVec3::ZERO, DVec3::ZERO)
+        };
+        Some((Loop::of(&motion, own, follows_line(link, &motion)), force))
     }
 
     /// Devices at `t`, in the order of their numbers.

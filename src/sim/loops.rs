@@ -43,20 +43,31 @@ impl History {
     /// A bearing of a girder at `t`, along the girder's axes as placed, its hysteretic part with it; nothing where there is none.
     pub fn bearing_loop(&self, girder: usize, number: usize, t: f64) -> Option<Loop> {
         let t = t.clamp(0.0, self.end());
-        let body = self.model().girders().get(girder)?;
+        self.model().girders().get(girder)?;
+        self.bearing_loop_in((girder, number), t, &|body, section| self.section_frame(body, section, t))
+    }
+
+    /// The same by the poses of sections of bodies at `t`, within what was computed.
+    pub(super) fn bearing_loop_in(
+        &self,
+        (girder, number): (usize, usize),
+        t: f64,
+        frame: &dyn Fn(usize, usize) -> Frame,
+    ) -> Option<Loop> {
+        let body = &self.model().bodies[girder];
         let bearing = body.bearings.get(number)?;
-        let motion = self.bearing_motion((girder, bearing), (t, &self.frame(girder, t)));
         let numbers = self.bearing_links(girder, number);
-        let parts = || numbers.iter().filter_map(|link| self.link(*link, t));
+        let parts = || numbers.iter().filter_map(|link| self.link_acting(*link, t, frame));
         if numbers.iter().any(|&link| self.model().links[link].bodies[1].is_some()) {
             // Links between girder and pier are all of it.
             let sum = |sum: Loop, part: Loop| Loop {
                 deformation: part.deformation,
                 resistance: [0, 1].map(|axis| sum.resistance[axis] + part.resistance[axis]),
             };
-            return Some(parts().map(|now| now.along).fold(Loop::default(), sum));
+            return Some(parts().map(|(along, _)| along).fold(Loop::default(), sum));
         }
-        let hysteretic: DVec3 = parts().map(|now| now.force).sum();
+        let motion = self.bearing_motion((girder, bearing), (t, &frame(girder, 0)));
+        let hysteretic: DVec3 = parts().map(|(_, force)| force).sum();
         let force = bearing.force(&(), &motion) + body.axes.transpose() * hysteretic;
         Some(Loop::of(&motion, force, false))
     }

@@ -98,6 +98,35 @@ fn top_of(block: &Block) -> DVec3 {
     middle.with_z(highest)
 }
 
+/// Least distance of a name from the edge of the picture \[points\].
+const MARGIN: f32 = 30.0;
+/// In scenes of more bodies those out of the picture have no name: seeking places for a long row would hold up a frame. Chosen.
+const MOST_SOUGHT: usize = 16;
+/// Parts of an edge or a diagonal of an upper side at whose ends a name is tried.
+const TRIED: u32 = 32;
+
+/// Where a name stands on a block \[pixels\]: the middle of its upper side, or where that is out of the picture the place on its edges and
+/// diagonals nearest to it that is not.
+fn name_place(input: &ViewInput<'_>, block: &Block) -> Option<Vec2> {
+    let middle = top_of(block);
+    let margin = Vec2::splat(MARGIN * input.pixels_per_point);
+    let size = Vec2::from(input.size.map(|side| side as f32));
+    let within = |at: &Vec2| at.cmpge(margin).all() && at.cmple(size - margin).all();
+    let wanted = pixel(input, middle);
+    let bodies = input.scene.girders.len() + input.scene.abutments.len() + input.scene.piers.len();
+    if wanted.as_ref().is_some_and(within) || bodies > MOST_SOUGHT {
+        return wanted;
+    }
+    let mut upper = block.corners();
+    upper.sort_by(|a, b| b.z.total_cmp(&a.z));
+    let upper = &upper[..4];
+    let pairs = upper.iter().enumerate().flat_map(|(i, a)| upper[i + 1..].iter().map(move |b| (*a, *b)));
+    let tried = pairs.flat_map(|(a, b)| (0..=TRIED).map(move |i| a.lerp(b, f64::from(i) / f64::from(TRIED))));
+    let seen = tried.filter_map(|place| pixel(input, place)).filter(within);
+    let far = |at: &Vec2| wanted.map_or(0.0, |wanted| at.distance_squared(wanted));
+    seen.min_by(|a, b| far(a).total_cmp(&far(b))).or(wanted)
+}
+
 /// A girder's name, with its state under the impact model: `deck · c: contact, sliding and turning`.
 fn with_state(name: &str, moment: &Moment, girder: usize) -> String {
     match moment.states.get(girder) {
@@ -118,7 +147,7 @@ pub(super) fn names(input: &ViewInput<'_>, moment: &Moment, palette: &Palette, p
         .chain(walls)
         .chain(piers)
         .filter_map(|(name, block)| {
-            let at = pixel(input, top_of(&block))?;
+            let at = name_place(input, &block)?;
             let text = one_line(&name);
             let (color, plate) = (palette.ink, palette.plate.with_alpha(0xa8));
             Some(placer.place(&Label {
