@@ -25,7 +25,7 @@ table! {
         mass: f64 = "mass_kg" as "field-mass", Range::Positive, Fallback::Needed("must be given"),
             "mass that moves with its cap: the cap and about a third of a cantilever column, kg";
         position: Option<[f64; 2]> = "position_m", Range::Like("two numbers"),
-            Fallback::Words("the middle of the bearings that stand on it"), "its place in plan, world, m";
+            Fallback::Words("the middle of the extent of the bearings on it, along and across"), "its place in plan, world, m";
         heading_deg: Option<f64> = "heading_deg" as "field-heading", Range::Any,
             Fallback::Words("square to the end of the first girder on it"),
             "direction of its first axis, which is called along, degrees from world x";

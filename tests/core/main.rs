@@ -28,6 +28,7 @@ mod physics {
     mod bounds;
     mod cable;
     mod contact_laws;
+    mod device_starts;
     mod devices;
     mod drift;
     mod edge_nodes;

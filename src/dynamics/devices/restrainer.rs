@@ -109,9 +109,23 @@ impl Connection for Restrainer {
 }
 
 impl Device for Restrainer {
+    /// Pulled there once, in a straight line from where it was slack: broken beyond its break, on its yield surface beyond its yield,
+    /// `ε_p = (1 − K₂/K)(ε − T_y/K)`.
     fn initial(&self, motion: &Separation) -> Phase {
-        let law = if self.elongation(&Line::of(motion)) > 0.0 { TAUT } else { SLACK };
-        Phase { law, ..Phase::default() }
+        let line = Line::of(motion);
+        let elongation = self.elongation(&line);
+        let elastic = self.yielding.map_or(f64::INFINITY, |yielding| yielding.force / self.stiffness);
+        let plastic = (1.0 - self.ratio()) * (elongation - elastic).max(0.0);
+        // Not beyond the surface by rounding: yield would begin and end at once.
+        let plastic = if plastic > 0.0 { plastic + 4.0 * f64::EPSILON * elongation } else { 0.0 };
+        let law = match elongation {
+            e if e <= 0.0 => SLACK,
+            e if e >= self.break_elongation => BROKEN,
+            e if e >= elastic && line.rate > 0.0 => YIELD,
+            _ => TAUT,
+        };
+        let from = if law == YIELD { elongation } else { 0.0 };
+        Phase { law, memory: [plastic, from, 0.0] }
     }
 
     fn acts(&self, phase: &Phase) -> bool {

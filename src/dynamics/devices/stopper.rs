@@ -91,9 +91,20 @@ impl Connection for Stopper {
 }
 
 impl Device for Stopper {
+    /// Pressed there once: broken beyond its break, a ductile one with the `w_p` that leaves p at its limit.
     fn initial(&self, motion: &Separation) -> Phase {
-        let law = if motion.vector().x > self.gap { ON } else { OPEN };
-        Phase { law, ..Phase::default() }
+        let (press, limit) = (motion.vector().x - self.gap, self.limit());
+        let plastic = (press - limit).max(0.0);
+        // Not beyond the limit by rounding: yield would begin and end at once.
+        let plastic = if plastic > 0.0 { plastic + 4.0 * f64::EPSILON * press } else { 0.0 };
+        let law = match self.failure {
+            _ if press <= 0.0 => OPEN,
+            Failure::Brittle { .. } if press >= limit => BROKEN,
+            Failure::Ductile { displacement, .. } if plastic >= displacement => BROKEN,
+            Failure::Ductile { .. } if press >= limit && motion.rate.x > 0.0 => YIELD,
+            _ => ON,
+        };
+        Phase { law, memory: [plastic, 0.0, 0.0] }
     }
 
     fn acts(&self, phase: &Phase) -> bool {
