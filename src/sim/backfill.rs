@@ -6,6 +6,9 @@ use super::History;
 use crate::dynamics::model::compiled_model::Backwall;
 use crate::scene::ResolvedBackfill;
 
+/// Part of the greatest push that a gap is by rounding alone \[–\]: a difference of two numbers of its size.
+const ROUNDED: f64 = 1e-12;
+
 /// A backwall at one instant.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct WallNow {
@@ -74,14 +77,16 @@ impl History {
         let (then, now) = (self.link(soil, t)?, self.link(soil, self.end())?);
         // F²/(2 K_ur) is stored: unloading by F/K_ur leaves the gap.
         let elastic = if now.acts { 2.0 * now.stored / now.force.length().max(f64::MIN_POSITIVE) } else { -now.gap };
+        let (push, gap) = (push.max(0.0), push_at(self.end()) - elastic);
         Some(BackfillReading {
             abutment,
-            push: push.max(0.0),
+            push,
             t,
-            force: -then.force.dot(inward),
+            // Of soil that was not reached −0.
+            force: (-then.force.dot(inward)).max(0.0) + 0.0,
             ultimate,
             height,
-            remaining_gap: (push_at(self.end()) - elastic).max(0.0),
+            remaining_gap: if gap > ROUNDED * push { gap } else { 0.0 },
         })
     }
 }

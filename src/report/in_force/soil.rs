@@ -6,26 +6,26 @@ use crate::scene::{Abutment, BackfillLaw, Scene};
 
 /// Two lines for a backwall that moves: of its soil, of the wall.
 pub fn soil(scene: &Scene, abutment: &Abutment) -> Option<[String; 2]> {
-    let (soil, given) = (abutment.soil(scene)?, abutment.backfill?);
-    let said = |name: &str, value: f64, unit: &str, is_given: bool| {
+    let (soil, assumed) = (abutment.soil(scene)?, abutment.backfill?.assumed());
+    let said = |name: &str, value: f64, unit: &str, key: &str| {
         let unit = if unit.is_empty() { String::new() } else { format!(" {unit}") };
         said!(
             "check-soil-number",
             "name" => name,
             "value" => six(value),
             "unit" => unit,
-            "assumed" => if is_given { "" } else { Text::new("check-soil-assumed").as_str() }
+            "assumed" => if assumed.contains(&key) { Text::new("check-soil-assumed").as_str() } else { "" }
         )
     };
     let envelope = match soil.law {
-        BackfillLaw::Hyperbolic => said(", R_f", soil.failure_ratio, "", given.failure_ratio.is_some()),
-        BackfillLaw::MeanStiffness => said(", y_max", soil.limit, "m", given.limit.is_some()),
+        BackfillLaw::Hyperbolic => said(", R_f", soil.failure_ratio, "", "failure_ratio"),
+        BackfillLaw::MeanStiffness => said(", y_max", soil.limit, "m", "failing_push_m"),
         BackfillLaw::Bilinear => String::new(),
     };
     let base = soil.base.map_or_else(
         || Text::new("check-soil-no-base").into(),
         |[force, displacement]| {
-            let from = said(&Text::new("check-soil-base"), force, "N", given.friction.is_some());
+            let from = said(&Text::new("check-soil-base"), force, "N", "base_friction");
             said!("check-soil-base-from", "from" => from, "displacement" => six(displacement))
         },
     );
@@ -38,15 +38,15 @@ pub fn soil(scene: &Scene, abutment: &Abutment) -> Option<[String; 2]> {
             "check-soil",
             "abutment" => abutment.name.as_str(),
             "law" => word_told(BackfillLaw::WORDS, soil.law.label()),
-            "k" => said("K", soil.stiffness, "N/m", given.stiffness.is_some()),
-            "ultimate" => said("F_ult", soil.ultimate, "N", given.ultimate.is_some()),
-            "unloading" => said("K_ur", soil.unloading, "N/m", given.unloading.is_some()),
+            "k" => said("K", soil.stiffness, "N/m", "stiffness_n_per_m"),
+            "ultimate" => said("F_ult", soil.ultimate, "N", "ultimate_n"),
+            "unloading" => said("K_ur", soil.unloading, "N/m", "unloading_stiffness_n_per_m"),
             "envelope" => envelope,
             "factor" => six(soil.reduction)
         ),
         said!(
             "check-soil-b",
-            "mass" => said(&Text::new("check-soil-mass"), soil.mass, "kg", given.mass.is_some()),
+            "mass" => said(&Text::new("check-soil-mass"), soil.mass, "kg", "wall_mass_kg"),
             "base" => base,
             "fuse" => fuse
         ),
