@@ -186,11 +186,17 @@ impl Page {
     }
 
     fn widget_now(&self, role: &str, begins: &str) -> Option<Value> {
-        let fits = |widget: &&Value| {
+        // Letters of the name or value that begins so; the shortest, as "Export picture" begins "Export picture for print" too.
+        let letters = |widget: &Value| {
             let words = [&widget["name"], &widget["value"]].map(|words| words.as_str().unwrap_or_default());
-            widget["role"] == role && words.iter().any(|words| words.starts_with(begins))
+            words.into_iter().filter(|words| words.starts_with(begins)).map(str::len).min()
         };
-        self.widgets().as_array().into_iter().flatten().find(fits).cloned()
+        let widgets = self.widgets();
+        let of_role = widgets.as_array().into_iter().flatten().filter(|widget| widget["role"] == role);
+        of_role
+            .filter_map(|widget| Some((letters(widget)?, widget)))
+            .min_by_key(|(letters, _)| *letters)
+            .map(|(_, widget)| widget.clone())
     }
 
     /// Chooses an item of a menu. A menu that does not open is clicked once more: on a busy machine the press and the release of a click
