@@ -11,8 +11,7 @@ use super::output::write_files;
 use super::plot_files::plot_files;
 use crate::files::check_folder;
 use crate::language::{Text, said};
-use crate::sim::quantity::Unit;
-use crate::sim::{History, Quantity};
+use crate::sim::{History, Quantity, Unit};
 use crate::study::plot::COLORS;
 use crate::study::plot::chart::{Chart, Curve, Panel};
 use crate::tables::{DEFAULT_SAMPLE_HZ, quantities};
@@ -92,50 +91,54 @@ fn found(history: &History, name: &str) -> Result<(String, Quantity), Failure> {
     })
 }
 
+/// The number of a curve, and its values.
+type Column = (usize, Vec<f64>);
+
 fn chart(history: &History, x: Option<&(String, Quantity)>, y: &[(String, Quantity)], hz: f64) -> Chart {
     let times: Vec<f64> = crate::tables::sample_times(history.end(), hz).collect();
-    let level = |t: f64| x.map_or(t, |(_, quantity)| quantity.at(history, t));
-    let curve = |(number, (name, quantity)): (usize, &(String, Quantity))| Curve {
-        name: name.clone(),
-        color: COLORS[number % COLORS.len()].to_owned(),
-        dashes: "none",
-        points: times.iter().map(|&t| [level(t), quantity.at(history, t)]).collect(),
+    let values = |quantity: &Quantity| -> Vec<f64> { times.iter().map(|&t| quantity.at(history, t)).collect() };
+    let (level, name) = match x {
+        None => (times.clone(), Text::new("report-time").as_str().to_owned()),
+        Some((name, quantity)) => {
+            let mut level = values(quantity);
+            let unit = scaled([&mut level].into_iter(), quantity.unit());
+            (level, format!("{name} {unit}"))
+        }
     };
-    let mut panels: Vec<Panel> = Vec::new();
-    for of in y.iter().enumerate() {
-        // Quantities of one unit share a field.
-        let name = format!("[{}]", unit(of.1.1.unit()));
-        match panels.iter_mut().find(|panel| panel.name == name) {
-            Some(panel) => panel.curves.push(curve(of)),
-            None => panels.push(Panel { name, curves: vec![curve(of)] }),
+    // Quantities of one unit share a field.
+    let mut fields: Vec<(Unit, Vec<Column>)> = Vec::new();
+    for (number, (_, quantity)) in y.iter().enumerate() {
+        let curve = (number, values(quantity));
+        match fields.iter_mut().find(|(unit, _)| *unit == quantity.unit()) {
+            Some((_, curves)) => curves.push(curve),
+            None => fields.push((quantity.unit(), vec![curve])),
         }
     }
-    for panel in &mut panels {
-        let named: Vec<&str> = panel.curves.iter().take(MOST_NAMED).map(|curve| curve.name.as_str()).collect();
-        let more = if panel.curves.len() > MOST_NAMED { ", …" } else { "" };
-        panel.name = format!("{}{more} {}", named.join(", "), panel.name);
-    }
-    let x = x.map_or_else(
-        || Text::new("report-time").as_str().to_owned(),
-        |(name, quantity)| format!("{name} [{}]", unit(quantity.unit())),
-    );
-    Chart { title: history.scene().name.clone(), x, panels }
+    let panel = |(unit, mut curves): (Unit, Vec<Column>)| {
+        let unit = scaled(curves.iter_mut().map(|(_, values)| values), unit);
+        let named: Vec<&str> = curves.iter().take(MOST_NAMED).map(|&(number, _)| y[number].0.as_str()).collect();
+        let more = if curves.len() > MOST_NAMED { ", …" } else { "" };
+        let alone = curves.len() == 1;
+        let curve = |(number, values): Column| Curve {
+            // The only curve of a panel goes by the panel's name.
+            name: if alone { String::new() } else { y[number].0.clone() },
+            color: COLORS[number % COLORS.len()].to_owned(),
+            dashes: "none",
+            points: level.iter().zip(values).map(|(&x, y)| [x, y]).collect(),
+        };
+        Panel { name: format!("{}{more} {unit}", named.join(", ")), curves: curves.into_iter().map(curve).collect() }
+    };
+    Chart { title: history.scene().name.clone(), x: name, panels: fields.into_iter().map(panel).collect() }
 }
 
 /// Curves that the name of a field names.
 const MOST_NAMED: usize = 3;
 
-fn unit(unit: Unit) -> &'static str {
-    match unit {
-        Unit::Metre => "m",
-        Unit::Radian => "rad",
-        Unit::MetrePerSecond => "m/s",
-        Unit::RadianPerSecond => "rad/s",
-        Unit::MetrePerSecond2 => "m/s²",
-        Unit::Newton => "N",
-        Unit::NewtonMetre => "N·m",
-        Unit::Pascal => "Pa",
-        Unit::Joule => "J",
-        Unit::One => "1",
-    }
+/// Takes the values of an axis into the unit that gives them few digits; its name, in brackets.
+fn scaled<'a>(columns: impl Iterator<Item = &'a mut Vec<f64>>, unit: Unit) -> String {
+    let mut columns: Vec<&mut Vec<f64>> = columns.collect();
+    let sizes = columns.iter().flat_map(|values| values.iter()).map(|value| value.abs());
+    let (factor, name) = unit.shown_up_to(sizes.fold(0.0, f64::max));
+    columns.iter_mut().flat_map(|values| values.iter_mut()).for_each(|value| *value *= factor);
+    format!("[{}]", if name.is_empty() { "–" } else { name })
 }

@@ -22,7 +22,7 @@ table! {
         height: Option<f64> = "height_m" as "field-face-height", Range::Positive, Fallback::Words("three times the girder's thickness"),
             "height of the face, about the girder's mid-depth, m";
         offset: Option<f64> = "offset_m" as "field-sideways", Range::Any, Fallback::Number(0.0),
-            "sideways shift of the face's centre along the face, m";
+            "shift of the face's centre along the face, to the right as seen from the girder, m";
         polygon: Option<Vec<[f64; 3]>> = "polygon_m", Range::Like("four corners [x, y, z]"),
             Fallback::Needed("this or gap_m"),
             "the face in the world, anticlockwise as seen from the girder, m; flat, convex, a rectangle or a trapezium \

@@ -41,6 +41,7 @@ mod wave;
 mod whole;
 
 pub mod device;
+pub mod difference;
 pub mod domain;
 pub mod edit;
 pub mod facing;

@@ -57,7 +57,7 @@ impl History {
                 (number, Extreme { value, t })
             };
             // Of equals the first.
-            (0..count).map(of_bearing).reduce(|a, b| if b.1.value > a.1.value { b } else { a })
+            (0..count).map(of_bearing).reduce(|a, b| if touches::exceeds(b.1.value, a.1.value) { b } else { a })
         };
         Some(BearingsReading { girder, deformation: largest(0)?, force: largest(1)? })
     }

@@ -38,6 +38,7 @@ pub mod spectra;
 mod summary;
 mod supports;
 mod touches;
+mod unit;
 mod uplift;
 pub mod verdict;
 
@@ -63,5 +64,6 @@ pub use section_quantity::OfSection;
 pub use session::{Reached, Session};
 pub use summary::Summary;
 pub use supports::{Carrying, LostSupport};
+pub use unit::Unit;
 
 pub use crate::dynamics::impact2d::{Hit, LastingInterval, Record, Row, State, Transition};

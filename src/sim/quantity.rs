@@ -7,34 +7,9 @@ use glam::DVec3;
 
 pub use super::energy_quantity::OfEnergy;
 pub use super::section_quantity::OfSection;
-use super::{ContactNow, ContactState, History, energy_quantity, readings, seats, section_quantity};
+use super::{ContactNow, ContactState, History, Unit, energy_quantity, readings, seats, section_quantity};
 use crate::geometry::End;
 use crate::scene::Kind;
-
-/// Unit of a quantity's values.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub enum Unit {
-    /// Metres.
-    Metre,
-    /// Radians.
-    Radian,
-    /// Metres a second.
-    MetrePerSecond,
-    /// Radians a second.
-    RadianPerSecond,
-    /// Metres a second squared.
-    MetrePerSecond2,
-    /// Newtons.
-    Newton,
-    /// Newton metres.
-    NewtonMetre,
-    /// Pascals.
-    Pascal,
-    /// Joules.
-    Joule,
-    /// None.
-    One,
-}
 
 /// What of a girder.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]

@@ -122,13 +122,14 @@ pub(super) fn largest(times: &[f64], value: impl Fn(f64) -> f64) -> Extreme {
     largest
 }
 
-/// The same of each of several values that are computed together.
+/// The same of each of several values that are computed together. A value that stays, as the force of a device that yields, is dated
+/// to where it is first reached: what lies within [`touches::PLATEAU`] of a largest value is as large.
 pub(super) fn largest_of_each<const N: usize>(times: &[f64], values: impl Fn(f64) -> [f64; N]) -> [Extreme; N] {
     let mut best: [Option<(usize, Extreme)>; N] = [None; N];
     for (i, &t) in times.iter().enumerate() {
         for (best, value) in best.iter_mut().zip(values(t)) {
             // No comparison with NaN is true.
-            if best.map_or(!value.is_nan(), |(_, seen)| value > seen.value) {
+            if best.map_or(!value.is_nan(), |(_, seen)| touches::exceeds(value, seen.value)) {
                 *best = Some((i, Extreme { value, t }));
             }
         }
@@ -137,7 +138,7 @@ pub(super) fn largest_of_each<const N: usize>(times: &[f64], values: impl Fn(f64
         let Some((i, best)) = best[own] else { return Extreme { value: f64::NAN, t: 0.0 } };
         let around = [times[i.saturating_sub(1)], times[(i + 1).min(times.len() - 1)]];
         let (t, refined) = touches::golden(|t| values(t)[own], around[0], around[1]);
-        if refined > best.value { Extreme { value: refined, t } } else { best }
+        if touches::exceeds(refined, best.value) { Extreme { value: refined, t } } else { best }
     })
 }
 

@@ -104,6 +104,15 @@ fn peak(history: &History, contact: usize, from: f64, until: f64) -> (f64, f64) 
     first_largest(&times, force)
 }
 
+/// Part of a value by which another one has to be larger to count as larger, so that a value that stays, as the force of what yields, is
+/// dated to where it is first reached: the rounding of a sum of some thousand terms, far below every tolerance of a run.
+pub(super) const PLATEAU: f64 = 1e-12;
+
+/// Whether a value is larger than another one by more than [`PLATEAU`].
+pub(super) fn exceeds(value: f64, seen: f64) -> bool {
+    value > seen + PLATEAU * seen.abs()
+}
+
 /// Highest value of a function with one hump.
 pub(super) fn golden(f: impl Fn(f64) -> f64, mut a: f64, mut b: f64) -> (f64, f64) {
     const RATIO: f64 = 0.618_033_988_749_894_9;
@@ -138,10 +147,12 @@ pub(super) fn first_largest(times: &[f64], value: impl Fn(f64) -> f64) -> (f64, 
 
 /// The same where the values at the looks are known.
 pub(super) fn largest_seen(times: &[f64], values: &[f64], value: impl Fn(f64) -> f64) -> (f64, f64) {
-    let higher = |best: (f64, f64), next: (f64, f64)| if next.1 > best.1 { next } else { best };
+    let higher = |best: (f64, f64), next: (f64, f64)| if exceeds(next.1, best.1) { next } else { best };
     let seen = times.iter().copied().zip(values.iter().copied()).fold((0.0, 0.0), higher);
     let peaks = values.windows(3).zip(times.windows(3));
     let peaks = peaks.filter(|(v, _)| v[1] >= v[0] && v[1] >= v[2] && v[1] > 0.9 * seen.1);
+    // Within a plateau there is nothing to look for.
+    let peaks = peaks.filter(|(v, _)| exceeds(v[1], v[0]) || exceeds(v[1], v[2]));
     peaks.map(|(_, t)| golden(&value, t[0], t[2])).fold(seen, higher)
 }
 

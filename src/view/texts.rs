@@ -103,10 +103,10 @@ const MARGIN: f32 = 30.0;
 /// In scenes of more bodies those out of the picture have no name: seeking places for a long row would hold up a frame. Chosen.
 const MOST_SOUGHT: usize = 16;
 /// Parts of an edge or a diagonal of an upper side at whose ends a name is tried.
-const TRIED: u32 = 32;
+const TRIED: u32 = 96;
 
-/// Where a name stands on a block \[pixels\]: the middle of its upper side, or where that is out of the picture the place on its edges and
-/// diagonals nearest to it that is not.
+/// Where a name stands on a block \[pixels\]: the middle of its upper side, or where that is out of the picture the mean of what is seen
+/// of its edges and diagonals.
 fn name_place(input: &ViewInput<'_>, block: &Block) -> Option<Vec2> {
     let middle = top_of(block);
     let margin = Vec2::splat(MARGIN * input.pixels_per_point);
@@ -123,8 +123,8 @@ fn name_place(input: &ViewInput<'_>, block: &Block) -> Option<Vec2> {
     let pairs = upper.iter().enumerate().flat_map(|(i, a)| upper[i + 1..].iter().map(move |b| (*a, *b)));
     let tried = pairs.flat_map(|(a, b)| (0..=TRIED).map(move |i| a.lerp(b, f64::from(i) / f64::from(TRIED))));
     let seen = tried.filter_map(|place| pixel(input, place)).filter(within);
-    let far = |at: &Vec2| wanted.map_or(0.0, |wanted| at.distance_squared(wanted));
-    seen.min_by(|a, b| far(a).total_cmp(&far(b))).or(wanted)
+    let (sum, count) = seen.fold((Vec2::ZERO, 0.0), |(sum, count), at| (sum + at, count + 1.0));
+    if count > 0.0 { Some(sum / count) } else { wanted }
 }
 
 /// A girder's name, with its state under the impact model: `deck · c: contact, sliding and turning`.

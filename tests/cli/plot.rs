@@ -26,7 +26,7 @@ fn quantities_are_written_against_each_other_with_their_units() {
     assert_eq!(said.status, Some(0), "{}", said.err);
     let read = |name: &str| std::fs::read_to_string(folder.path().join(name)).expect(name);
     assert_eq!(read("plot.csv").lines().count(), 12, "heading and 0, 0.05, … 0.5 s");
-    assert!(read("plot.svg").contains("deck.x [m]"), "its unit");
+    assert!(read("plot.svg").contains("deck.x [mm]"), "an engineer's unit");
 }
 
 #[test]

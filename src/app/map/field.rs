@@ -131,7 +131,7 @@ fn draw_axes(painter: &Painter, (area, cells): (Rect, Cells), map: &Map, units: 
         painter.hline(field.left() - 4.0..=field.left(), y, Stroke::new(1.0, palette.line));
         painter.text(pos2(field.left() - 7.0, y), Align2::RIGHT_CENTER, label(1, cell), small.clone(), palette.weak);
     }
-    let name = |axis: usize| text::with_unit(&offer::title(&map.draft.axes[axis].key), units[axis].suffix);
+    let name = |axis: usize| text::with_unit(&text::title_of(&map.draft.axes[axis].key), units[axis].suffix);
     painter.text(pos2(field.center().x, area.bottom()), Align2::CENTER_BOTTOM, name(0), small.clone(), palette.force);
     let upright = painter.layout_no_wrap(name(1), small, palette.force);
     let foot = pos2(area.left(), field.center().y + 0.5 * upright.size().x);
@@ -210,7 +210,7 @@ fn plate(painter: &Painter, room: Rect, at: Pos2, words: String, palette: &Palet
 /// Values of both keys at a cell and what its run has come to.
 fn said(map: &Map, [x, y]: [usize; 2], units: [Unit; 2]) -> String {
     let value = |axis: usize, cell: usize| {
-        format!("{} {}", offer::title(&map.draft.axes[axis].key), units[axis].words(map.value_at(axis, cell)))
+        format!("{} {}", text::title_of(&map.draft.axes[axis].key), units[axis].words(map.value_at(axis, cell)))
     };
     let run = match map.row([x, y]) {
         None => text::MAP_NOT_YET.to_string(),

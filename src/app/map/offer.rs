@@ -1,7 +1,6 @@
 //! Which keys of a scene a map can have, how each is called, and what a map shows at first.
 
 use crate::app::command::{MapAxis, MapDraft};
-use crate::app::text;
 use crate::app::unit::{Size, Unit, unit_of};
 use crate::scene::keys::{Fallback, Key, Range, TABLES, of_place};
 use crate::scene::overrides::Laid;
@@ -76,16 +75,6 @@ fn places(scene: &Scene, path: &str) -> Vec<String> {
     }
 }
 
-/// What a key is called on an axis, without its unit.
-pub(super) fn title(path: &str) -> String {
-    let label = of_place(path).map_or(path, |(_, key)| text::field(key));
-    match path.split('.').collect::<Vec<_>>()[..] {
-        ["girder" | "abutment", name, ..] if name != path => text::of_whom(label, name),
-        [_, name, _] => text::of_whom(label, name),
-        _ => label.to_owned(),
-    }
-}
-
 /// How numbers of a key are shown in a scene.
 pub(super) fn unit(scene: &Scene, path: &str, now: f64) -> Unit {
     unit_of(path, now, Size::of_scene(scene))
@@ -117,6 +106,7 @@ pub(super) fn first(scene: &Scene) -> Option<MapDraft> {
 #[cfg(test)]
 mod tests {
     use super::*;
+    use crate::app::text;
     use crate::scene::overrides;
     use crate::scene::presets;
 
@@ -149,7 +139,7 @@ mod tests {
         assert_eq!(draft.axes.each_ref().map(|axis| axis.key.as_str()), ["girder.deck.skew_deg", "motion.angle_deg"]);
         assert!(draft.axes.iter().all(|axis| axis.from < axis.to), "a stretch each: {draft:?}");
         assert_eq!(
-            title(&draft.axes[0].key),
+            text::title_of(&draft.axes[0].key),
             text::of_whom(text::field(of_place("girder.deck.skew_deg").expect("known").1), "deck")
         );
     }

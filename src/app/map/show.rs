@@ -83,7 +83,7 @@ fn above(ui: &mut Ui, scene: &Scene, draft: &mut MapDraft) {
 /// A key and its stretch.
 fn key(ui: &mut Ui, scene: &Scene, axis: &mut MapAxis, [name, from, to, log]: [&str; 4]) {
     ui.label(name);
-    let title = RichText::new(offer::title(&axis.key));
+    let title = RichText::new(text::title_of(&axis.key));
     let menu = narrowed(ui, title, (Id::unique(("narrow keys", name)), 240.0), |ui, part| choose(ui, scene, part));
     if let Some((key, laid)) = menu.inner.zip(Laid::out(scene).ok()) {
         *axis = offer::axis(&laid, &key);
@@ -110,7 +110,7 @@ fn meaning(path: &str) -> &'static str {
 fn choose(ui: &mut Ui, scene: &Scene, part: &str) -> Option<String> {
     let (mut chosen, words) = (None, part.to_lowercase());
     for key in offer::keys(scene) {
-        let title = offer::title(&key);
+        let title = text::title_of(&key);
         if !key.contains(&words) && !title.to_lowercase().contains(&words) {
             continue;
         }

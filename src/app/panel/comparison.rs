@@ -1,6 +1,7 @@
 //! Runs that are kept to compare with: up to four "before"s, seen as ghosts, as thin lines, and in a table.
 
 use egui::{Grid, RichText, Ui};
+use toml::Value;
 
 use crate::app::command::{Command, CompareCommand};
 use crate::app::run::answer::Answer;
@@ -8,7 +9,10 @@ use crate::app::run::comparison::Pin;
 use crate::app::run::spot::Spot;
 use crate::app::style::theme::PINS;
 use crate::app::text;
-use crate::sim::History;
+use crate::app::unit::{Size, unit_of};
+use crate::scene::Scene;
+use crate::scene::difference::Difference;
+use crate::scene::shown::shown;
 
 /// Shows what is kept, and how the run that is shown, `now`, differs from each.
 pub(in crate::app) fn show(
@@ -40,6 +44,9 @@ pub(in crate::app) fn show(
                 out.push(CompareCommand::Unpin(i).into());
             }
         });
+        if let Some(now) = now {
+            differences_of(ui, pin, now);
+        }
     }
     if ui.checkbox(&mut differences, text::DIFFERENCES).on_hover_text(text::DIFFERENCES_HINT).changed() {
         out.push(CompareCommand::Differences(differences).into());
@@ -47,8 +54,41 @@ pub(in crate::app) fn show(
     table(ui, pins, now, out);
 }
 
+/// Keys that are named under a pin; the others stand in its hint.
+const MOST_NAMED: usize = 2;
+
+/// Where the scene of a run that is kept differs from that of the run shown: its own values.
+fn differences_of(ui: &mut Ui, pin: &Pin, now: &Answer) {
+    let found = pin.answer.values().differences(now.values());
+    if found.is_empty() {
+        return;
+    }
+    let words: Vec<String> = found.iter().map(|difference| own_value(difference, pin.answer.history.scene())).collect();
+    let first = words[..words.len().min(MOST_NAMED)].join(", ");
+    let line = if words.len() > MOST_NAMED { text::and_more(&first, words.len() - MOST_NAMED) } else { first };
+    let hint = format!("{}\n{}", text::PIN_DIFFERS_HINT, words.join("\n"));
+    ui.add(egui::Label::new(RichText::new(line).weak().small()).wrap()).on_hover_text(hint);
+}
+
+/// A key and what the first of two scenes has there.
+fn own_value(difference: &Difference<'_>, scene: &Scene) -> String {
+    let number = |value: f64| unit_of(difference.place, value, Size::of_scene(scene)).words(value);
+    let value = |value: &Value| match value {
+        Value::Float(value) => number(*value),
+        #[expect(clippy::cast_precision_loss, reason = "a key's whole number is far below 2⁵³")]
+        Value::Integer(value) => number(*value as f64),
+        Value::String(words) => shown(words, MOST_LETTERS),
+        other => shown(&other.to_string(), MOST_LETTERS),
+    };
+    let own = difference.values[0].map_or_else(|| "–".to_owned(), value);
+    text::pin_differs(&text::title_of(difference.place), &own)
+}
+
+/// Letters of a value that is a list or a name: what the panel has room for.
+const MOST_LETTERS: usize = 40;
+
 /// A number's name, how a run's is written, where it is seen.
-type Row = (&'static str, fn(&Answer) -> String, fn(&History) -> Option<Spot>);
+type Row = (&'static str, fn(&Answer) -> String, fn(&Answer) -> Option<Spot>);
 
 /// A row for each number, a column for each run, the run that is shown first: its numbers lead to where they are seen.
 fn table(ui: &mut Ui, pins: &[Pin], now: Option<&Answer>, out: &mut Vec<Command>) {
@@ -57,13 +97,22 @@ fn table(ui: &mut Ui, pins: &[Pin], now: Option<&Answer>, out: &mut Vec<Command>
         .into_iter()
         .chain(pins.iter().enumerate().map(|(i, p)| (format!("{}", i + 1), &*p.answer)))
         .collect();
-    let rows: [Row; 5] = [
-        (text::MOVES.as_str(), |a| text::length(a.summary.max_displacement), Spot::farthest),
-        (text::TURNS.as_str(), |a| format!("{}°", text::short(a.summary.max_rotation.to_degrees())), Spot::most_turned),
-        (text::PEAK.as_str(), |a| text::force(a.summary.peak_total), Spot::hardest),
-        (text::HITS.as_str(), |a| a.summary.hits.to_string(), Spot::first_touch),
+    let seat = |a: &Answer| a.least_seat().map_or_else(|| "–".to_owned(), |(_, least)| text::length(least.value));
+    let least_seat = |a: &Answer| a.least_seat().map(|(girder, least)| Spot::girder(girder, least.t));
+    let mut rows: Vec<Row> = vec![
+        (text::MOVES.as_str(), |a| text::length(a.summary.max_displacement), |a| Spot::farthest(&a.history)),
+        (
+            text::TURNS.as_str(),
+            |a| format!("{}°", text::short(a.summary.max_rotation.to_degrees())),
+            |a| Spot::most_turned(&a.history),
+        ),
+        (text::PEAK.as_str(), |a| text::force(a.summary.peak_total), |a| Spot::hardest(&a.history)),
+        (text::HITS.as_str(), |a| a.summary.hits.to_string(), |a| Spot::first_touch(&a.history)),
         (text::LOST.as_str(), |a| text::energy(a.lost()), |_| None),
     ];
+    if runs.iter().any(|(_, answer)| answer.least_seat().is_some()) {
+        rows.insert(2, (text::LEAST_SEAT.as_str(), seat, least_seat));
+    }
     Grid::new("pins").striped(true).spacing([8.0, 2.0]).show(ui, |ui| {
         ui.label("");
         for (name, _) in &runs {
@@ -74,7 +123,7 @@ fn table(ui: &mut Ui, pins: &[Pin], now: Option<&Answer>, out: &mut Vec<Command>
             ui.label(RichText::new(what).weak());
             for (_, answer) in &runs {
                 let shown = now.is_some_and(|now| std::ptr::eq(now, *answer));
-                let Some(spot) = there(&answer.history).filter(|_| shown) else {
+                let Some(spot) = there(answer).filter(|_| shown) else {
                     ui.label(words(answer));
                     continue;
                 };

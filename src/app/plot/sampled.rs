@@ -7,8 +7,7 @@ use crate::app::run::answer::Answer;
 use crate::app::run::comparison::Pin;
 use crate::app::text;
 use crate::scene::{PlotSettings, PlotShows};
-use crate::sim::quantity::{Quantity, Unit};
-use crate::sim::{History, spectra};
+use crate::sim::{History, Quantity, spectra};
 
 /// Points that a touch adds to a curve of a contact, so that its peak is not lost between two samples.
 const IN_A_TOUCH: u32 = 6;
@@ -114,22 +113,6 @@ impl PanelCache {
     }
 }
 
-/// How a unit is shown: factor from SI, and its name.
-pub(in crate::app) fn shown(unit: Unit) -> (f64, &'static str) {
-    match unit {
-        Unit::Metre => (1e3, "mm"),
-        Unit::Radian => (180.0 / std::f64::consts::PI, "°"),
-        Unit::MetrePerSecond => (1.0, "m/s"),
-        Unit::RadianPerSecond => (180.0 / std::f64::consts::PI, "°/s"),
-        Unit::MetrePerSecond2 => (1.0, "m/s²"),
-        Unit::Newton => (1.0, "N"),
-        Unit::NewtonMetre => (1.0, "N·m"),
-        Unit::Pascal => (1e-6, "MPa"),
-        Unit::Joule => (1.0, "J"),
-        Unit::One => (1.0, ""),
-    }
-}
-
 /// A unit at an axis: a pure number has a dash.
 fn in_brackets(unit: &str) -> String {
     format!("[{}]", if unit.is_empty() { "–" } else { unit })
@@ -152,11 +135,11 @@ fn spectrum(history: &History, plot: &PlotSettings, found: &[Found<'_>], window:
     let fourier = plot.shows == PlotShows::Fourier;
     let of = if fourier { spectra::fourier } else { spectra::response };
     let curve = |(name, quantity): &Found<'_>| {
-        let (factor, _) = shown(quantity.unit());
+        let (factor, _) = quantity.unit().shown();
         let lines = of(history, *quantity, window).into_iter().map(|[x, y]| [x, y * factor]);
         ((*name).clone(), lines.collect())
     };
-    let unit = found.first().map_or("", |(_, q)| shown(q.unit()).1);
+    let unit = found.first().map_or("", |(_, q)| q.unit().shown().1);
     Sampled {
         curves: found.iter().map(curve).collect(),
         y: if fourier { format!("[{unit}·s]") } else { format!("[{unit}], 5 %") },
@@ -177,14 +160,14 @@ fn course(history: &History, plot: &PlotSettings, found: &[Found<'_>], (window, 
     let intervals = points.max(2) - 1;
     let fine = 1 + intervals * resolution::parts(end, intervals, MOST_POINTS, values);
     let times = times(history, window, fine);
-    let (factor_x, unit_x) = x.map_or((1.0, "s"), |(_, q)| shown(q.unit()));
+    let (factor_x, unit_x) = x.map_or((1.0, "s"), |(_, q)| q.unit().shown());
     let level = |t: f64| x.map_or(t, |(_, q)| q.at(history, t) * factor_x);
     let curve = |(name, quantity): &Found<'_>| {
-        let (factor, _) = shown(quantity.unit());
+        let (factor, _) = quantity.unit().shown();
         let point = |&t: &f64| [level(t), quantity.at(history, t) * factor];
         ((*name).clone(), times.iter().map(point).collect())
     };
-    let unit = found.first().map_or("", |(_, q)| shown(q.unit()).1);
+    let unit = found.first().map_or("", |(_, q)| q.unit().shown().1);
     Sampled {
         curves: found.iter().map(curve).collect(),
         y: in_brackets(unit),
@@ -203,7 +186,7 @@ pub(in crate::app) fn at(answer: &Answer, plot: &PlotSettings, t: f64) -> Vec<[f
     }
     let value = |name: &String| {
         let quantity = answer.quantity(name)?;
-        Some(quantity.at(&answer.history, t) * shown(quantity.unit()).0)
+        Some(quantity.at(&answer.history, t) * quantity.unit().shown().0)
     };
     let level = plot.x.as_ref().and_then(value).unwrap_or(t);
     plot.y.iter().filter_map(value).map(|y| [level, y]).collect()

@@ -6,9 +6,10 @@ use std::time::Duration;
 use crate::codes::{self, SeatDemands};
 use crate::language::Message;
 use crate::scene::Kind;
+use crate::scene::difference::Values;
 use crate::scene::domain::{self, Departure};
 use crate::sim::moving_ground::{MovedSupport, moved_supports};
-use crate::sim::readings::{self, Passed, Reading};
+use crate::sim::readings::{self, Extreme, Passed, Reading};
 use crate::sim::seats::{self, OrbitPoint};
 use crate::sim::verdict::{self, Verdict};
 use crate::sim::{Balance, ContactState, Dropped, EventKind, History, Hit, Overlap, Quantity, Summary, TooDeep};
@@ -96,6 +97,7 @@ pub struct Answer {
     seats: OnceLock<Vec<SeatAnswer>>,
     piers: OnceLock<Vec<PierReport>>,
     soils: OnceLock<Vec<BackfillReport>>,
+    values: OnceLock<Values>,
 }
 
 impl Answer {
@@ -142,6 +144,7 @@ impl Answer {
             seats: OnceLock::new(),
             piers: OnceLock::new(),
             soils: OnceLock::new(),
+            values: OnceLock::new(),
         }
     }
 
@@ -215,6 +218,21 @@ impl Answer {
     pub fn soil(&self, abutment: &str) -> Option<&BackfillReport> {
         let soils = self.soils.get_or_init(|| tables::backfill(&self.history));
         soils.iter().find(|soil| soil.abutment == abutment)
+    }
+
+    /// The least that any seat of the first `MOST_VERDICTS` girders is left with, square to its edge, and whose it is \[m\]; none without
+    /// seats.
+    pub fn least_seat(&self) -> Option<(usize, Extreme)> {
+        let girders = 0..self.history.model().girders().len().min(MOST_VERDICTS);
+        let seats = girders.filter_map(|girder| Some((girder, self.reading(girder)?)));
+        let all = seats.flat_map(|(girder, reading)| reading.seats.iter().map(move |seat| (girder, seat)));
+        let all = all.map(|(girder, seat)| (girder, seat.least()));
+        all.reduce(|a, b| if b.1.value < a.1.value { b } else { a })
+    }
+
+    /// Every value of its scene; gathered when first asked for.
+    pub fn values(&self) -> &Values {
+        self.values.get_or_init(|| Values::of(self.history.scene()))
     }
 
     /// Every quantity with its name; listed when first asked for, as a long row has many.

@@ -44,10 +44,9 @@ pub(in crate::app) fn name_of_edit(edit: &Edit, scene: &Scene) -> String {
         Edit::Batch(edits) => match &edits[..] {
             [] => Text::new("edit-nothing").into(),
             [one] => name_of_edit(one, scene),
-            [first, ..] => {
+            [first, more @ ..] => {
                 let first = name_of_edit(first, scene);
-                let verb = first.split(' ').next().unwrap_or("change");
-                Text::new("edit-several").with(&values!["verb" => verb, "count" => edits.len()])
+                Text::new("edit-several").with(&values!["first" => first, "more" => more.len()])
             }
         },
     }

@@ -1,7 +1,7 @@
 //! Words around fields: what they say of themselves, the ground motion, contact numbers of all pairs.
 
 use crate::language::{Text, values};
-use crate::scene::keys::Key;
+use crate::scene::keys::{self, Key};
 
 // What a field says of itself.
 pub(in crate::app) const ALLOWED: Text = Text::new("allowed");
@@ -104,6 +104,16 @@ pub(in crate::app) fn given(path: &str) -> String {
 /// What the field of a key of the scene file is called.
 pub(in crate::app) fn field(key: &Key) -> &'static str {
     key.label.map_or(key.name, |label| Text::new(label).as_str())
+}
+
+/// What the key at a place of the scene is called, without its unit: `girder.deck.skew_deg` is the skew of the deck.
+pub(in crate::app) fn title_of(place: &str) -> String {
+    let label = keys::of_place(place).map_or(place, |(_, key)| field(key));
+    match place.split('.').collect::<Vec<_>>()[..] {
+        ["girder" | "abutment", name, ..] if name != place => of_whom(label, name),
+        [_, name, _] => of_whom(label, name),
+        _ => label.to_owned(),
+    }
 }
 
 /// What a quantity of a part of the scene is called.

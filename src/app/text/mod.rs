@@ -225,6 +225,7 @@ pub(super) const PIN_THERE: Text = Text::new("pin-there");
 pub(super) const PINS_FULL: Text = Text::new("pins-full");
 pub(super) const NO_PINS: Text = Text::new("no-pins");
 pub(super) const NOW: Text = Text::new("now");
+pub(super) const PIN_DIFFERS_HINT: Text = Text::new("pin-differs-hint");
 pub(super) const PLOTS_SECTION: Text = Text::new("plots-section");
 pub(super) const ADD_PANEL: Text = Text::new("add-panel");
 pub(super) const EXPORT_PLOTS: Text = Text::new("export-plots");

@@ -33,6 +33,16 @@ pub(in crate::app) fn of_pin(name: &str, number: usize) -> String {
     Text::new("of-pin").with(&values!["name" => name, "number" => number])
 }
 
+/// A key and its value in a run that is kept, where the run shown has another.
+pub(in crate::app) fn pin_differs(key: &str, value: &str) -> String {
+    Text::new("pin-differs").with(&values!["key" => key, "value" => value])
+}
+
+/// A list of which so many are left out.
+pub(in crate::app) fn and_more(list: &str, more: usize) -> String {
+    Text::new("pin-more").with(&values!["list" => list, "more" => more])
+}
+
 /// By how much the run shown differs from one that is kept.
 pub(in crate::app) fn less_pin(name: &str, number: usize) -> String {
     Text::new("less-pin").with(&values!["name" => name, "number" => number])

@@ -103,6 +103,7 @@ pub(in crate::app) const MOVES: Text = Text::new("moves");
 pub(in crate::app) const PEAK: Text = Text::new("peak");
 pub(in crate::app) const HITS: Text = Text::new("hits");
 pub(in crate::app) const LOST: Text = Text::new("lost");
+pub(in crate::app) const LEAST_SEAT: Text = Text::new("least-seat");
 
 /// A time in periods of the shaking.
 pub(in crate::app) fn periods(count: f64) -> String {

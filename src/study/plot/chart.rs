@@ -95,7 +95,7 @@ impl Chart {
     /// The document; upright axes over this range, or each over that of its curves.
     fn document(&self, upright: Option<[f64; 2]>) -> String {
         let first = if self.title.is_empty() { UNTITLED } else { TOP };
-        let height = first + PANEL * self.panels.len().max(1) as f64 + 30.0;
+        let height = first + PANEL * self.panels.len().max(1) as f64 + 14.0;
         let mut svg = String::new();
         let _ = writeln!(
             svg,

@@ -4,8 +4,8 @@
 use girderbench::scene::{
     AfterUnseating, Bearings, Limits, Motion, PlotSettings, PlotShows, Scene, Seat, format, presets,
 };
-use girderbench::sim::quantity::{OfContact, OfPair, Quantity, Unit};
-use girderbench::sim::{Carrying, ContactState, History, readings};
+use girderbench::sim::quantity::{OfContact, OfPair, Quantity};
+use girderbench::sim::{Carrying, ContactState, History, Unit, readings};
 use girderbench::tables::{devices, in_memory};
 
 use crate::support::scene;
