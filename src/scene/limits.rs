@@ -20,5 +20,9 @@ table! {
         force: Option<f64> = "force_n" as "field-force-limit", Range::NotNegative, NONE, "largest force of any contact, a single corner, N";
         total_force: Option<f64> = "total_force_n" as "field-total-force-limit", Range::NotNegative, NONE,
             "largest force between any two bodies, all their contacts together, N";
+        bearing_displacement: Option<f64> = "bearing_displacement_m" as "field-bearing-limit", Range::NotNegative, NONE,
+            "largest deformation in plan of any bearing, m";
+        pier_drift: Option<f64> = "pier_drift_m" as "field-pier-limit", Range::NotNegative, NONE,
+            "largest displacement in plan of any pier's cap against its foot, m";
     }
 }

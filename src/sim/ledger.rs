@@ -3,13 +3,16 @@
 //! Powers are integrated over every body's path and every contact's states, each on its own steps, so the balance checks
 //! the trajectory against the forces that it claims; nothing is booked while a run is computed.
 
+use std::collections::BTreeMap;
+
 use rayon::prelude::*;
 
 use super::books::{Account, Books};
 use super::impact::forces;
-use super::quadrature::integrate;
+use super::quadrature::{COUNT, Nodes, integrate};
 use super::touches::flight_rate;
 use super::{EventKind, History, Ledger};
+use crate::contact::Frame;
 use crate::dynamics::free_flight::body_motion::BodyMotion;
 use crate::dynamics::impact2d::LastingInterval;
 use crate::dynamics::model::ground_now::GroundNow;
@@ -38,7 +41,7 @@ impl Books {
                 .into_par_iter()
                 .map(|contact| contact_account(history, contact))
                 .collect(),
-            devices: (0..history.link_logs.len()).into_par_iter().map(|link| device_account(history, link)).collect(),
+            devices: device_accounts(history),
             lasting: history.impact().map_or(Vec::new(), |record| {
                 record.lasting.iter().map(|interval| lasting_account(history, interval)).collect()
             }),
@@ -75,7 +78,9 @@ impl Books {
             ledger.work_ground += given;
         }
         for (link, account) in self.devices.iter().enumerate() {
-            let [loss, given] = account.at(t, |a, b| device_works(history, link, [a, b]));
+            let rest =
+                |a: f64, b: f64| if a < b { device_works(history, link, &mut Poses::within(a, b)) } else { [0.0; 2] };
+            let [loss, given] = account.at(t, rest);
             ledger.work_ground += given;
             let entry = if self.bearings[link] { &mut ledger.loss_bearing } else { &mut ledger.loss_device };
             *entry += loss;
@@ -204,33 +209,93 @@ fn contact_account(history: &History, contact: usize) -> Account<4> {
     account
 }
 
-/// Loss in a device while its force acts, and work of the ground that it is on where that moves as given, step by step.
-fn device_account(history: &History, link: usize) -> Account<2> {
-    let mut account = Account::new();
-    let model = history.model();
-    let phases = history.link_logs[link].phases();
-    for (i, (from, phase)) in phases.iter().enumerate() {
-        let until = phases.get(i + 1).map_or(history.end(), |(t, _)| t.min(history.end()));
-        if !model.links[link].device.acts(phase) || until <= *from {
-            continue;
-        }
-        let bodies = model.links[link].bodies.into_iter().flatten();
-        for w in step_borders(history, bodies, *from, until).windows(2).filter(|w| w[1] > w[0]) {
-            account.add(w[0], w[1], device_works(history, link, [w[0], w[1]]));
-        }
-        account.add(until, until, [0.0; 2]);
+/// Accounts of all devices. Those of links between the same bodies are kept together, as they share the poses at the nodes of a cell.
+fn device_accounts(history: &History) -> Vec<Account<2>> {
+    let mut sets: BTreeMap<[Option<usize>; 2], Vec<usize>> = BTreeMap::new();
+    for link in 0..history.link_logs.len() {
+        sets.entry(history.model().links[link].bodies).or_default().push(link);
     }
-    account
+    let sets: Vec<_> = sets.into_iter().collect();
+    let accounts = |(bodies, links): ([Option<usize>; 2], Vec<usize>)| {
+        let accounts = accounts_between(history, bodies, &links);
+        links.into_iter().zip(accounts)
+    };
+    let mut all: Vec<(usize, Account<2>)> = sets.into_par_iter().flat_map_iter(accounts).collect();
+    all.sort_by_key(|(link, _)| *link);
+    all.into_iter().map(|(_, account)| account).collect()
+}
+
+/// Losses in links between these bodies while their forces act, and work of the ground that they are on where that moves as given, step
+/// by step.
+fn accounts_between(history: &History, bodies: [Option<usize>; 2], links: &[usize]) -> Vec<Account<2>> {
+    let phases = |link: usize| history.link_logs[link].phases();
+    let mut borders = step_borders(history, bodies.into_iter().flatten(), 0.0, history.end());
+    borders.extend(links.iter().flat_map(|&link| phases(link)).map(|(t, _)| t.clamp(0.0, history.end())));
+    borders.sort_by(f64::total_cmp);
+    borders.dedup();
+    let mut accounts: Vec<Account<2>> = links.iter().map(|_| Account::new()).collect();
+    // Number of each link's phase that is next, and whether its force has acted.
+    let mut now = vec![(0, false); links.len()];
+    for w in borders.windows(2) {
+        let mut poses = Poses::within(w[0], w[1]);
+        for ((&link, account), (next, acted)) in links.iter().zip(&mut accounts).zip(&mut now) {
+            *next += phases(link)[*next..].iter().take_while(|(t, _)| *t <= w[0]).count();
+            let phase = next.checked_sub(1).map(|phase| phases(link)[phase].1);
+            let acts = phase.is_some_and(|phase| history.model().links[link].device.acts(&phase));
+            match (acts, *acted) {
+                (true, _) => account.add(w[0], w[1], device_works(history, link, &mut poses)),
+                // An idle cell after the last, so that what follows is not integrated again.
+                (false, true) => account.add(w[0], w[0], [0.0; 2]),
+                (false, false) => {}
+            }
+            *acted = acts;
+        }
+    }
+    for (account, (_, acted)) in accounts.iter_mut().zip(now) {
+        if acted {
+            account.add(history.end(), history.end(), [0.0; 2]);
+        }
+    }
+    accounts
+}
+
+/// Poses of sections of bodies at the nodes of a cell, each computed when first asked for.
+struct Poses {
+    from: f64,
+    nodes: Nodes,
+    of: Vec<((usize, usize), [Frame; COUNT])>,
+}
+
+impl Poses {
+    /// Those of \[a, b\], which is not empty.
+    fn within(a: f64, b: f64) -> Self {
+        Self { from: a, nodes: Nodes::within(a, b), of: Vec::new() }
+    }
+
+    /// Computes those of a section of a body where they are not known; their place in `of`.
+    fn place(&mut self, history: &History, body: usize, section: usize) -> usize {
+        let known = self.of.iter().position(|(of, _)| *of == (body, section));
+        known.unwrap_or_else(|| {
+            self.of.push(((body, section), self.nodes.times.map(|t| history.section_frame(body, section, t))));
+            self.of.len() - 1
+        })
+    }
 }
 
 /// Loss in a device over a cell, and work of the ground that moves as given \[J\]. What a linear bearing takes while its bodies fly
 /// together is booked with the works of their flight.
-fn device_works(history: &History, link: usize, [a, b]: [f64; 2]) -> [f64; 2] {
-    let own = &history.model().links[link];
-    if own.device.is_linear() && own.bodies.into_iter().flatten().any(|body| flies_with_works(history, body, a)) {
+fn device_works(history: &History, number: usize, poses: &mut Poses) -> [f64; 2] {
+    let link = &history.model().links[number];
+    if link.device.is_linear()
+        && link.bodies.into_iter().flatten().any(|body| flies_with_works(history, body, poses.from))
+    {
         return [0.0; 2];
     }
-    integrate(a, b, |t| device_powers(history, link, t))
+    let places = [0, 1].map(|end| Some(poses.place(history, link.bodies[end]?, link.sections[end])));
+    poses.nodes.sum(|node, t| {
+        let frames = link.frames(|end, _| places[end].map(|place| poses.of[place].1[node]));
+        [history.link_power(number, t, &frames), given_device_power(history, number, t)]
+    })
 }
 
 /// Whether a body is in a flight at `t` that says its works.
@@ -287,16 +352,14 @@ fn contact_powers(history: &History, contact: usize, t: f64) -> [f64; 4] {
     [normal, tangential, friction, given]
 }
 
-/// Power lost in a device, and that of the ground where one end moves as given \[W\].
-fn device_powers(history: &History, link: usize, t: f64) -> [f64; 2] {
+/// Power of the ground where one end of a device moves as given \[W\].
+fn given_device_power(history: &History, link: usize, t: f64) -> f64 {
+    if history.model().moving.is_none() {
+        return 0.0;
+    }
     let bodies = history.model().links[link].bodies;
-    let given = if history.model().moving.is_some() {
-        let force = history.link(link, t).map_or(DVec3::ZERO, |now| now.force);
-        given_power(history, [(bodies[0], force), (bodies[1], -force)], t)
-    } else {
-        0.0
-    };
-    [history.link_power(link, t), given]
+    let force = history.link(link, t).map_or(DVec3::ZERO, |now| now.force);
+    given_power(history, [(bodies[0], force), (bodies[1], -force)], t)
 }
 
 /// Power of what moves as given against the forces on it \[W\].

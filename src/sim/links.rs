@@ -183,9 +183,10 @@ impl History {
         self.link_motion(number, t).map_or(0.0, |(link, phase, motion)| link.device.stored_energy(&phase, &motion))
     }
 
-    /// Power that a device dissipates \[W\].
-    pub(super) fn link_power(&self, number: usize, t: f64) -> f64 {
-        let acting = self.link_motion(number, t).filter(|(link, phase, ..)| link.device.acts(phase));
-        acting.map_or(0.0, |(link, phase, motion)| link.device.dissipated_power(&phase, &motion))
+    /// Power that a device dissipates with its ends in these poses at `t` \[W\].
+    pub(super) fn link_power(&self, number: usize, t: f64, frames: &[Frame; 2]) -> f64 {
+        let link = &self.model().links[number];
+        let acting = self.link_phase(number, t).filter(|phase| link.device.acts(phase));
+        acting.map_or(0.0, |phase| link.device.dissipated_power(&phase, &link.motion([&frames[0], &frames[1]]).0))
     }
 }

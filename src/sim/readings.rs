@@ -35,7 +35,7 @@ pub struct Reading {
 pub struct Passed {
     /// Which, as the scene's file calls it.
     pub limit: &'static str,
-    /// By whom: a girder, or a pair.
+    /// By whom: a girder, a bearing (`deck.bearing1`), a pier, or a pair.
     pub whose: String,
     /// Of a seat, under which end.
     pub end: Option<End>,
@@ -173,6 +173,12 @@ pub fn passed(history: &History) -> Vec<Passed> {
     if let Some(limit) = limits.total_force {
         all.extend(of_resultants(history, limit));
     }
+    if let Some(limit) = limits.bearing_displacement {
+        all.extend((0..history.model().girders().len()).flat_map(|girder| of_bearings(history, girder, limit)));
+    }
+    if let Some(limit) = limits.pier_drift {
+        all.extend((0..history.model().piers.len()).filter_map(|pier| of_pier(history, pier, limit)));
+    }
     all.sort_by(|a, b| a.t.total_cmp(&b.t));
     all
 }
@@ -201,6 +207,33 @@ fn of_girder(history: &History, girder: usize, name: &str, all: &mut Vec<Passed>
             watch("remaining_seat_m", Some(end), (least, -1.0), &|t| seats::remaining(history, girder, end, t));
         }
     }
+}
+
+/// Every bearing of a girder whose deformation in plan passes a limit while it is one.
+fn of_bearings(history: &History, girder: usize, limit: f64) -> Vec<Passed> {
+    let body = &history.model().girders()[girder];
+    let times = touches::looks(history, girder);
+    let passed = |number: usize| {
+        let times: Vec<f64> = times.iter().copied().filter(|&t| t <= history.bearing_lost_at(girder, number)).collect();
+        let size = |t: f64| {
+            let [along, across] = history.bearing_loop(girder, number, t)?.deformation;
+            Some(along.hypot(across))
+        };
+        let size = |t: f64| size(t).unwrap_or(0.0);
+        let t = first(&times, history.end(), |t| size(t) - limit)?;
+        let whose = format!("{}.bearing{}", body.name, number + 1);
+        Some(Passed { limit: "bearing_displacement_m", whose, end: None, t, reached: largest(&times, size).value })
+    };
+    (0..body.bearings.len()).filter_map(passed).collect()
+}
+
+/// A pier whose drift passes a limit.
+fn of_pier(history: &History, pier: usize, limit: f64) -> Option<Passed> {
+    let times = touches::looks(history, history.model().piers[pier].body);
+    let drift = |t: f64| history.pier(pier, t).map_or(0.0, |now| now.displacement.truncate().length());
+    let t = first(&times, history.end(), |t| drift(t) - limit)?;
+    let whose = history.scene().piers[pier].name.clone();
+    Some(Passed { limit: "pier_drift_m", whose, end: None, t, reached: largest(&times, drift).value })
 }
 
 /// Every two bodies whose force passes a limit, all contacts between them together: when it first does so.

@@ -12,7 +12,7 @@ use crate::sim::{History, LostSupport, Overlap, TooDeep, Uplift, Upright, readin
 pub struct PassedReport {
     /// Its key in the scene's `[limits]`.
     pub limit: &'static str,
-    /// The girder or pair; of a seat the girder with its end: `deck+x`.
+    /// The girder, bearing (`deck.bearing1`), pier or pair; of a seat the girder with its end: `deck+x`.
     pub whose: String,
     /// When for the first time \[s\].
     pub t: f64,

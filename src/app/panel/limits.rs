@@ -34,7 +34,7 @@ fn first_limit(key: &str, scene: &Scene, summary: Option<&Summary>) -> f64 {
     let length = Size::of_scene(scene).length;
     match key {
         "drift_m" => length * 0.05,
-        "remaining_seat_m" => length * 0.01,
+        "remaining_seat_m" | "bearing_displacement_m" | "pier_drift_m" => length * 0.01,
         "force_n" => two_digits(summary.map_or(1.0, |s| s.peak_force.max(1.0))),
         "total_force_n" => two_digits(summary.map_or(1.0, |s| s.peak_total.max(1.0))),
         "rotation_deg" => two_digits(summary.map_or(1.0, |s| s.max_rotation.to_degrees())),

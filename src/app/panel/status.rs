@@ -103,11 +103,18 @@ fn drifting(ui: &mut Ui, answer: &Answer) {
     }
 }
 
+/// Part of the largest energy in play from which what contacts lost over the edges of faces is a fault of the answer and no detail of
+/// it: a hundredth of the energy is half a hundredth of a velocity. Chosen.
+const LOST_MUCH: f64 = 0.01;
+
 /// That contacts were pressed too deep for their law, or left a face with energy in their springs.
 fn law_sense(ui: &mut Ui, answer: &Answer, out: &mut Vec<Command>) {
     let words = text::law_sense(&answer.history, &answer.too_deep, answer.dropped.as_ref());
     if !words.is_empty() {
-        let label = RichText::new(text::BEYOND_LAW).color(Palette::of(ui).problem);
+        let label = if answer.too_deep.is_empty() { text::LEFT_FACE } else { text::BEYOND_LAW };
+        let detail = answer.too_deep.is_empty() && answer.dropped.is_some_and(|dropped| dropped.share < LOST_MUCH);
+        let palette = Palette::of(ui);
+        let label = RichText::new(label).color(if detail { palette.weak } else { palette.problem });
         let deepest = answer.too_deep.first().map(|deep| Spot::contact(deep.contact, deep.depth.t));
         let spot = deepest.or(answer.dropped.as_ref().map(|dropped| Spot::end_of_touch(&answer.history, dropped)));
         let response = ui.link(label).on_hover_text(format!("{}\n{}", words.join("\n"), text::GO_THERE));

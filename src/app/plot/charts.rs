@@ -237,13 +237,10 @@ pub(super) fn own<'a>(panel: &'a Sampled, stack: &'a [Curve], values: &[[f64; 2]
     let curves: Vec<&Curve> = if panel.stacked { stack.iter().collect() } else { plain.collect() };
     let drawn = |(i, curve)| {
         let (color, style) = look(panel, i);
-        Drawn { curve: shown(curve), color, style, chosen: true }
+        Drawn { curve: shown(curve), color, style, chosen: panel.kept(i).is_none() }
     };
-    let mut curves: Vec<Drawn<'a>> = curves.into_iter().enumerate().map(drawn).collect();
-    if panel.stacked {
-        // The highest is filled first, so that the lower ones lie on it.
-        curves.reverse();
-    }
+    // Kept runs lie behind the one shown. Of energies one upon the other the highest is filled first, so that the lower ones lie on it.
+    let curves: Vec<Drawn<'a>> = curves.into_iter().enumerate().rev().map(drawn).collect();
     let entry = |(i, (name, _)): (usize, &(String, Curve))| {
         let (color, style) = look(panel, i);
         Entry { name: name.clone(), color, style, value: values.get(i).map(|v| v[1]) }

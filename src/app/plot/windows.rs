@@ -79,11 +79,12 @@ fn draw(ui: &mut Ui, (id, height, factor): (Id, f32, f64), panel: &Sampled, here
             Some(format!("{}\n{}", words(0, position.x), words(1, position.y)))
         })
         .show(ui, |plot: &mut PlotUi<'_>| {
-            for (i, (name, curve)) in panel.curves.iter().enumerate() {
+            // Kept runs lie behind the one shown.
+            for (i, (name, curve)) in panel.curves.iter().enumerate().rev() {
                 let points: Vec<[f64; 2]> =
                     curve.iter().map(scaled).filter(|p| p[1].is_finite() && p[0].is_finite()).collect();
                 let (color, style) = look(panel, i);
-                let stroke = Stroke::new(1.3, color);
+                let stroke = Stroke::new(if panel.kept(i).is_some() { 0.9 } else { 1.5 }, color);
                 plot.line(Line::new(name.as_str(), PlotPoints::new(points)).stroke(stroke).style(style));
             }
             let here: Vec<[f64; 2]> = here.iter().map(scaled).filter(|p| p[1].is_finite()).collect();

@@ -2,6 +2,7 @@
 
 use crate::app::command::{Command, Look, SelectCommand, TimeCommand, ViewCommand};
 use crate::scene::facing::Side;
+use crate::scene::{Girder, StandsOn};
 use crate::sim::quantity::{OfPair, Quantity};
 use crate::sim::readings::Extreme;
 use crate::sim::readings::Passed;
@@ -106,9 +107,18 @@ impl Spot {
     /// Where a limit is passed for the first time.
     pub(in crate::app) fn passed(history: &History, passed: &Passed) -> Option<Self> {
         let model = history.model();
-        if let Some(girder) = model.girders().iter().position(|body| body.name == passed.whose) {
+        // A bearing is seen with its girder.
+        let whose = |name: &str| name == passed.whose || passed.whose.starts_with(&format!("{name}.bearing"));
+        if let Some(girder) = model.girders().iter().position(|body| whose(&body.name)) {
             let look = passed.end.map_or(Look::Girder(girder), |end| Look::End(girder, end));
             return Some(Self { look, ..Self::girder(girder, passed.t) });
+        }
+        if let Some(pier) = history.scene().piers.iter().position(|pier| pier.name == passed.whose) {
+            let scene = history.scene();
+            let stands = |girder: &Girder| scene.standing(girder).contains(&StandsOn::Pier(pier));
+            let stands = scene.girders.iter().position(stands);
+            let look = Look::Girder(stands?);
+            return Some(Self { t: passed.t, select: Some(Target::Pier(pier)), look });
         }
         let ours = |touch: &&Touch| model.pairs[touch.pair].name == passed.whose;
         let mut touches = history.touches().iter().filter(ours);

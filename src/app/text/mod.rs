@@ -282,6 +282,7 @@ pub(super) const STATUS: [(Text, Text); 7] = [
 pub(super) const OUTSIDE: Text = Text::new("outside");
 pub(super) const DRIFTING: Text = Text::new("drifting");
 pub(super) const BEYOND_LAW: Text = Text::new("beyond-law");
+pub(super) const LEFT_FACE: Text = Text::new("left-face");
 pub(super) const UNBALANCED: Text = Text::new("unbalanced");
 pub(super) const SAVED: Text = Text::new("saved");
 pub(super) const PICTURE_WRITTEN: Text = Text::new("picture-written");

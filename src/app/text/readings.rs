@@ -166,6 +166,9 @@ pub(in crate::app) fn passed(flag: &Passed) -> String {
         "drift_m" => Text::new("passed-drifts").with(&values!["value" => length(flag.reached)]),
         "remaining_seat_m" => Text::new("passed-seat").with(&values!["value" => length(flag.reached)]),
         "total_force_n" => Text::new("passed-total").with(&values!["value" => force(flag.reached)]),
+        "bearing_displacement_m" | "pier_drift_m" => {
+            Text::new("passed-moves").with(&values!["value" => length(flag.reached)])
+        }
         _ => Text::new("passed-force").with(&values!["value" => force(flag.reached)]),
     };
     let t = format!("{:.4}", flag.t);

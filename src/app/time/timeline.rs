@@ -65,7 +65,8 @@ pub(in crate::app) fn show(ui: &mut Ui, shown: Shown<'_>, [left, right]: [f32; 2
     let palette = Palette::of(ui);
     let lanes = Rect::from_min_max(pos2(strip.left(), strip.top() + RULER), strip.max);
     painter.rect_filled(lanes, 2.0, palette.track);
-    ruler(&painter, &axis, strip, &palette);
+    let every = ticks(axis.window, f64::from(strip.width()) / 90.0);
+    ruler(&painter, &axis, (strip, &every), &palette);
     caption(ui, rect, lanes);
     if let Some(answer) = answer {
         draw_lanes(&painter, answer, &axis, lanes, &palette);
@@ -81,6 +82,8 @@ pub(in crate::app) fn show(ui: &mut Ui, shown: Shown<'_>, [left, right]: [f32; 2
     let falls = falls.iter().map(|(_, verdict)| verdict.t());
     let times = passed.iter().map(|flag| flag.t).chain(falls).chain(overlaps.iter().map(Overlap::first));
     flags(&painter, times, &axis, strip, &palette);
+    // Over the flags, so that both are read.
+    times_of(&painter, &axis, (strip, &every), &palette);
     if let Some(x) = axis.pointed(ui) {
         painter.vline(x, strip.y_range(), Stroke::new(1.0, palette.weak));
     }
@@ -135,12 +138,18 @@ fn small() -> FontId {
     FontId::proportional(10.5)
 }
 
-fn ruler(painter: &Painter, axis: &TimeAxis, strip: Rect, palette: &Palette) {
-    let every = ticks(axis.window, f64::from(strip.width()) / 90.0);
+/// Lines at these times.
+fn ruler(painter: &Painter, axis: &TimeAxis, (strip, every): (Rect, &[f64]), palette: &Palette) {
+    for &t in every {
+        painter.vline(axis.x(t), strip.top() + RULER - 4.0..=strip.bottom(), Stroke::new(1.0, palette.line));
+    }
+}
+
+/// These times in figures above the lanes.
+fn times_of(painter: &Painter, axis: &TimeAxis, (strip, every): (Rect, &[f64]), palette: &Palette) {
     let step = every.get(1).zip(every.first()).map_or(1.0, |(b, a)| b - a);
-    for t in every {
+    for &t in every {
         let x = axis.x(t);
-        painter.vline(x, strip.top() + RULER - 4.0..=strip.bottom(), Stroke::new(1.0, palette.line));
         let align = if x > strip.right() - 46.0 { Align2::RIGHT_TOP } else { Align2::LEFT_TOP };
         let aside = if align == Align2::LEFT_TOP { 2.0 } else { -2.0 };
         painter.text(pos2(x + aside, strip.top()), align, text::tick(t, step), small(), palette.weak);

@@ -7,7 +7,7 @@ use girderbench::sim::History;
 use girderbench::study::stability::family;
 
 /// Random scenes with moderate friction, and with friction far past the Painlevé bound.
-const SEEDS: [u64; 2] = [214, 160];
+const SEEDS: [u64; 2] = [110, 80];
 /// The most friction in each.
 const FRICTION: [f64; 2] = [0.4, 2.0];
 /// Deepest that a point may be found behind a face which it has come to through its polygon, in parts of the face.
@@ -33,13 +33,13 @@ fn scene(seed: u64, most: f64) -> Option<Scene> {
 #[test]
 fn random_scenes_end_and_account_for_their_energy() {
     let [run, hits, stays] = examine(SEEDS[0], FRICTION[0]);
-    assert!(run > 100 && hits > 5000 && stays > 300, "{run} scenes, {hits} hits, {stays} lasting contacts");
+    assert!(run > 50 && hits > 2500 && stays > 150, "{run} scenes, {hits} hits, {stays} lasting contacts");
 }
 
 #[test]
 fn random_scenes_with_any_friction_end_and_account_for_their_energy() {
     let [run, hits, stays] = examine(SEEDS[1], FRICTION[1]);
-    assert!(run > 70 && hits > 3000 && stays > 200, "{run} scenes, {hits} hits, {stays} lasting contacts");
+    assert!(run > 35 && hits > 1500 && stays > 100, "{run} scenes, {hits} hits, {stays} lasting contacts");
 }
 
 /// Runs that many scenes; scenes, hits and lasting contacts.

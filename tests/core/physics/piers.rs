@@ -4,7 +4,7 @@ use std::f64::consts::TAU;
 
 use girderbench::geometry::End;
 use girderbench::scene::{Scene, overrides, presets};
-use girderbench::sim::{History, Quantity};
+use girderbench::sim::{History, Quantity, readings};
 use glam::DVec3;
 
 use crate::support::{run, scene, within};
@@ -107,6 +107,16 @@ fn under_a_sine_both_masses_follow_the_closed_form() {
     within("period", pier.periods[0] * FREQUENCIES[1] - 1.0, 1e-14);
     let drift = Quantity::find(&history, "p.drift").expect("a quantity");
     within("its plot", drift.at(&history, pier.drift.t) - pier.drift.value, 1e-15);
+    // A limit on it is passed where the curve comes to it for the first time.
+    let mut limited = on_one_pier("", motion);
+    let limit = 0.5 * pier.drift.value;
+    limited.limits.pier_drift = Some(limit);
+    let passed = readings::passed(&run(&limited));
+    let [passed] = &passed[..] else { panic!("one pier: {passed:?}") };
+    assert_eq!((passed.limit, passed.whose.as_str(), passed.reached), ("pier_drift_m", "p", pier.drift.value));
+    within("drift then", drift.at(&history, passed.t) - limit, 1e-8);
+    let before = (0..1000).map(|i| drift.at(&history, passed.t * f64::from(i) / 1000.0)).fold(0.0, f64::max);
+    assert!(before < limit, "not before: {before}");
 }
 
 /// The paper's skewed girder before its abutment, on the ground or on a pier with this stiffness.

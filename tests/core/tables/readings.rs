@@ -110,6 +110,15 @@ fn a_limit_is_passed_when_the_closed_form_says() {
     assert_eq!((drift.limit, drift.whose.as_str()), ("drift_m", scene.girders[0].name.as_str()), "names it");
     near(drift.t, (0.6f64).asin() / omega, 4e-9, "v/ω sin ωt = limit");
     near(drift.reached, V / omega, 1e-12, "as far as it goes");
+    scene.limits = Limits { bearing_displacement: Some(limit), ..Limits::default() };
+    let history = History::of(&scene).expect("runs");
+    let passed = readings::passed(&history);
+    assert_eq!(passed.len(), history.model().girders()[0].bearings.len(), "every bearing alike: {passed:?}");
+    for (number, bearing) in passed.iter().enumerate() {
+        assert_eq!(bearing.whose, format!("{}.bearing{}", scene.girders[0].name, number + 1), "names it");
+        near(bearing.t, (0.6f64).asin() / omega, 4e-9, "v/ω sin ωt = limit");
+        near(bearing.reached, V / omega, 1e-12, "as far as it goes");
+    }
 }
 
 #[test]
@@ -256,6 +265,8 @@ fn limits_and_plots_are_kept_in_the_file() {
         remaining_seat: Some(0.002),
         force: Some(50.0),
         total_force: Some(90.0),
+        bearing_displacement: Some(0.02),
+        pier_drift: Some(0.03),
     };
     scene.view.plots = vec![
         PlotSettings::over_time(vec!["energy.kinetic".into()]),
