@@ -28,6 +28,7 @@ run-lifts-at = { $bearing } carries nothing at { $t } s: it lifts
 run-damped-at = { $bearing } carries nothing at { $t } s and lifts; its vertical dashpot pulls by up to { $pull } at { $tp } s while its spring is still pressed
 run-pulls-at = { $bearing } carries nothing at { $t } s and then pulls, by up to { $pull } at { $tp } s: no uplift is in its law
 run-total-at = { $force } at { $t } s, all contacts between two bodies together
+run-pair-returns = ; returns e = { $returned }, { $asked } asked for
 run-pair-total = , { $total } of all contacts together
 run-lost-at = { $bearing } at { $t } s, at ({ $x }, { $y }) m: later samples are without it
 run-pier-yields = ; it yields from { $t } s on, ductility { $ductility }; unloaded at the end { $along }, { $across } mm stay along, across
@@ -119,6 +120,8 @@ warning-unjoined = warning: { $one } and { $other }: { $apart } mm apart as plac
 warning-more-unjoined = warning: { $more } more such pairs
 check-touch-anywhere = bodies touch where they meet
 check-touch-nowhere = nothing can touch
+check-impact = impact model: e_n = { $en }, e_t = { $et }, μ_s = { $mus }, μ_k = { $muk } of a face, μ̄_s = { $cmus }, μ̄_k = { $cmuk } of a corner
+check-impact-differs = the two models are of two joints: e_n = { $impact } in [impact], { $contact } in [contact]
 check-no-pairs = no facing ends: { $elsewhere }
 check-assumed = assumed: { $path } = { $value }
 check-planar = planar
@@ -299,6 +302,7 @@ wrong-nothing-common = { $a } and { $b }: { $instants } instants and { $quantiti
 wrong-both-read = { $flags }: { $a } and { $b } are folders of results, which are read and not run: leave it out, or give a scene
 note-no-pictures = no pictures: { $why }
 sweep-measures = Measures, with units:
+sweep-outside = in { $count } of { $runs } runs, e.g. { $first }
 sweep-refused = refused
 
 ## what compare, identify, measure and study print
@@ -421,7 +425,7 @@ table-number = a finite number stands there
 table-fields = every line of the table has the same number of fields, as UTF-8 text
 table-error = { $place }: { $value }: { $remedy }
 warning-drift = warning: { $words }
-support-drifts = ground under { $name }: when its record and that of the ground of reference have ended it goes on moving at { $speed } m/s against that ground, and is { $last } m from it at the end of the run: correct the baseline of both (of a record processing, whichever baseline, "none", "linear" or "berg-housner", leaves it at rest; of a synthetic earthquake longest_period_s), or give both one record that comes to rest, with delay_s and motion_factor
+support-drifts = ground under { $name }: when its record and that of the ground of reference have ended it goes on moving at { $speed } m/s against that ground, and is { $last } m from it at the end of the run: correct the baseline of both (of a record processing, whichever baseline, "none", "linear" or "berg-housner", leaves it at rest; of a synthetic earthquake longest_period_s, of a sine phase_deg = 90), or give both one record that comes to rest, with delay_s and motion_factor
 support-stays-apart = its record leaves the ground moving at { $speed } m/s, so that a support that is late stays behind, the farthest, { $name }, by { $last } m at the end of the run: let the record come to rest (processing, whichever baseline, "none", "linear" or "berg-housner", leaves it at rest; of a synthetic earthquake longest_period_s)
 warning-more-drift = warning: { $more } more such supports
 interrupted-nothing = nothing was written

@@ -100,6 +100,7 @@ wrong-no-such-pier = no pier or abutment has this name; { $known }, or leave it 
 wrong-nameless = give it a name
 wrong-name = tables and --set could not tell it apart: use letters, digits, - and _, and single spaces inside
 wrong-ground-twice = another ground has this name: grounds need a name each
+wrong-name-taken = plots call the ground and the ledger so, and measurements the table: give another name
 wrong-name-twice = another body has this name, or a device: girders, abutments, piers and devices need a name each
 wrong-pair-friction = for { $pair } it exceeds the mu_static in force, { $mus }: lower it, or raise mu_static
 wrong-face = this is no contact face: { $error }
@@ -384,6 +385,7 @@ record-give-interval = give the interval between samples: a line `# dt = 0.01 s`
 record-give-unit = give the unit of the samples: a line `# unit = g`, or unit beside the file
 record-two-lines = a record needs at least 2 samples, one a line
 record-unit-of = unit { $unit }
+record-cut-number = the file ends within its last number: copy it again as a whole
 record-units = a unit of acceleration is g, gal (cm/s2) or m/s2
 record-twice = { $key } in the file and beside it
 record-once = state it once

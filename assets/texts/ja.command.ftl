@@ -28,6 +28,7 @@ run-lifts-at = { $bearing } は { $t } s に荷重が零となり、浮き上が
 run-damped-at = { $bearing } は { $t } s に荷重が零となり、浮き上がる。ばねがまだ押されている間に鉛直の減衰が最大 { $pull } で引く（{ $tp } s）
 run-pulls-at = { $bearing } は { $t } s に荷重が零となり、その後最大 { $pull } で引く（{ $tp } s）：この支承の則に浮き上がりはない
 run-total-at = { $force }（{ $t } s）、二物体間の全接触の和
+run-pair-returns = ；反発係数 { $returned } が返る（指定 { $asked }）
 run-pair-total = 、全接触の和は { $total }
 run-lost-at = { $bearing }：{ $t } s、({ $x }, { $y }) m。以後の値はこの支承なし
 run-pier-yields = 。{ $t } s から降伏、塑性率 { $ductility }。最後に除荷して橋軸 { $along }、直角 { $across } mm 残る
@@ -116,6 +117,8 @@ warning-unjoined = 警告：{ $one } と { $other }：初期の間隔 { $apart }
 warning-more-unjoined = 警告：このような組がほか { $more } 件
 check-touch-anywhere = 物体は出会う所で接触する
 check-touch-nowhere = 接触しうるものはない
+check-impact = 衝突モデル：e_n = { $en }、e_t = { $et }、面の μ_s = { $mus }、μ_k = { $muk }、隅の μ̄_s = { $cmus }、μ̄_k = { $cmuk }
+check-impact-differs = 二つのモデルの継手が異なる：[impact] の e_n = { $impact }、[contact] の e_n = { $contact }
 check-no-pairs = 向かい合う端なし：{ $elsewhere }
 check-assumed = 仮定：{ $path } = { $value }
 check-planar = 平面
@@ -290,6 +293,7 @@ wrong-nothing-common = { $a } と { $b }：共通の時刻 { $instants }、共�
 wrong-both-read = { $flags }：{ $a } と { $b } は結果のフォルダーで、読むだけで計算しない：これを外すか、シーンを与える
 note-no-pictures = 図なし：{ $why }
 sweep-measures = 量とその単位：
+sweep-outside = { $runs } 件の計算のうち { $count } 件で、例：{ $first }
 sweep-refused = 拒否
 
 ## compare、identify、measure、study の表示
@@ -412,7 +416,7 @@ table-number = 有限の数とする
 table-fields = 表のどの行も欄の数が等しい UTF-8 の文字とする
 table-error = { $place }：{ $value }：{ $remedy }
 warning-drift = 警告：{ $words }
-support-drifts = { $name } の下の地盤：自身の記録と基準の地盤の記録が終わった後も、基準の地盤に対して { $speed } m/s で動き続け、計算の終わりに { $last } m 離れる：両方の基線を補正する（記録は processing の baseline は "none"、"linear"、"berg-housner" のうち静止して終わるもの、模擬地震動は longest_period_s）か、静止して終わる同じ記録を delay_s と motion_factor とともに与える
+support-drifts = { $name } の下の地盤：自身の記録と基準の地盤の記録が終わった後も、基準の地盤に対して { $speed } m/s で動き続け、計算の終わりに { $last } m 離れる：両方の基線を補正する（記録は processing の baseline は "none"、"linear"、"berg-housner" のうち静止して終わるもの、模擬地震動は longest_period_s、正弦波は phase_deg = 90）か、静止して終わる同じ記録を delay_s と motion_factor とともに与える
 support-stays-apart = 記録が終わっても地盤が { $speed } m/s で動き続けるため、遅れて動く支点は基準の地盤からずれたまま残り、最も遠い { $name } は計算の終わりに { $last } m 離れる：記録を静止させて終わらせる（processing の baseline は "none"、"linear"、"berg-housner" のうち静止して終わるもの、模擬地震動は longest_period_s）
 warning-more-drift = 警告：そのような支点がほかに { $more } 箇所
 interrupted-nothing = 何も書いていない

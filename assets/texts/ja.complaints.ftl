@@ -100,6 +100,7 @@ wrong-no-such-pier = その名前の橋脚も橋台もない。{ $known }。外�
 wrong-nameless = 名前を付ける
 wrong-name = 表と --set で区別できない。文字、数字、- と _、間の1つの空白だけを使う
 wrong-ground-twice = 同じ名前の地動がある。地動の名前はそれぞれ異なるものとする
+wrong-name-taken = グラフでは地盤とエネルギー収支が、測定では台がこの名前：別の名前を付ける
 wrong-name-twice = 同じ名前の物体か装置がある。桁、橋台、橋脚、装置の名前はそれぞれ異なるものとする
 wrong-pair-friction = { $pair } で有効な mu_static { $mus } を超える。これを下げるか、mu_static を上げる
 wrong-face = 接触面にならない：{ $error }
@@ -384,6 +385,7 @@ record-give-interval = 時間刻みを与える：`# dt = 0.01 s` の行か、�
 record-give-unit = データの単位を与える：`# unit = g` の行か、ファイルの外の unit
 record-two-lines = 記録には1行に1つ、2個以上のデータが要る
 record-unit-of = 単位 { $unit }
+record-cut-number = ファイルが最後の数の途中で終わっている：完全なファイルを使う
 record-units = 加速度の単位は g、gal（cm/s2）、m/s2 のどれか
 record-twice = ファイルの中と外の { $key }
 record-once = 一方だけに書く

@@ -1,15 +1,20 @@
 //! Warnings where a scene lies outside the domain in which the program is checked, where an answer does not balance, and where supports drift apart.
 
+use std::collections::{BTreeMap, BTreeSet};
+
+use rayon::prelude::*;
+
 use super::console::Console;
 use super::digits::six;
 use super::summary::name;
 use crate::language::{Text, said};
 use crate::scene::Scene;
-use crate::scene::domain::{BesideGirder, beside_girders, outside};
+use crate::scene::domain::{BesideGirder, Departure, beside_girders, outside};
 use crate::scene::seating::{self, BeyondCap};
 use crate::scene::shown::escaped;
 use crate::sim::History;
 use crate::sim::moving_ground::{MovedSupport, drifting};
+use crate::study::sweep::Plan;
 use crate::tables::Report;
 
 /// So many warnings are written out; a row of a thousand girders in the wrong unit would fill a screen with one fault.
@@ -27,6 +32,27 @@ pub(super) fn warn(scene: &Scene, console: &mut Console) {
     off_their_seats(scene, console);
     for words in scene.cut_motions() {
         console.note(&said!("note", "words" => words.to_string()));
+    }
+}
+
+/// Most runs of a sweep whose scenes are looked at, spread over all of them where there are more: a second's work.
+const MOST_RUNS: usize = 2000;
+
+/// Warns of quantities that lie outside in runs of a sweep where its scene itself lies inside: in how many of those looked at, and the first.
+pub(super) fn warn_of_runs(plan: &Plan, console: &mut Console) {
+    let key = |departure: &Departure| (departure.place.clone(), departure.limit.quantity.as_str());
+    let known: BTreeSet<_> = outside(&plan.scene).iter().map(key).collect();
+    let looked_at: Vec<usize> = (0..plan.runs()).step_by(plan.runs().div_ceil(MOST_RUNS).max(1)).collect();
+    // A combination that makes no scene is told of when its run comes.
+    let of_run = |run: &usize| plan.scene_of(*run).map_or(Vec::new(), |scene| outside(&scene));
+    let all: Vec<Vec<Departure>> = looked_at.par_iter().map(of_run).collect();
+    let mut found: BTreeMap<_, (usize, Departure)> = BTreeMap::new();
+    for departure in all.into_iter().flatten().filter(|departure| !known.contains(&key(departure))) {
+        found.entry(key(&departure)).or_insert((0, departure)).0 += 1;
+    }
+    for (count, first) in found.into_values().take(MOST_WARNINGS) {
+        let what = said!("sweep-outside", "count" => count, "runs" => looked_at.len(), "first" => first.to_string());
+        console.note(&said!("warning", "what" => what));
     }
 }
 

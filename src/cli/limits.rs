@@ -13,6 +13,14 @@ const MOST_CELLS: f64 = 1.7e8;
 /// Most cells of a table that is compared without being on the disk, as text and as numbers at once: 0.7 GB.
 const MOST_IN_MEMORY: f64 = 2e7;
 
+/// Most cells of a table that is drawn too: a picture of so many points is a document of 40 MB.
+const MOST_DRAWN: f64 = 2e6;
+
+/// Refuses a `plot.csv` of too many cells in so many columns, before anything is computed.
+pub(super) fn check_plot(sample_hz: f64, scene: &Scene, columns: usize) -> Result<(), Failure> {
+    check(sample_hz, ("plot.csv", sample_hz * scene.duration * columns as f64), MOST_DRAWN)
+}
+
 /// Refuses a `trajectory.csv` of too many cells, before anything is computed.
 pub(super) fn check_trajectory(sample_hz: f64, scene: &Scene) -> Result<(), Failure> {
     let columns = tables::trajectory_columns(scene) as f64;

@@ -7,6 +7,7 @@ use super::compute::compute_as_asked;
 use super::console::Console;
 use super::domain;
 use super::failure::Failure;
+use super::limits;
 use super::output::write_files;
 use super::plot_files::plot_files;
 use crate::files::check_folder;
@@ -50,6 +51,7 @@ pub(super) fn run(args: &PlotArgs, console: &mut Console) -> Result<(), Failure>
     let lists = args.list || args.y.is_empty();
     if !lists {
         check_folder(&args.out)?;
+        limits::check_plot(args.sample, &scene, 1 + args.x.iter().len() + args.y.len())?;
     }
     domain::warn(&scene, console);
     let timed = args.scene.of_its_file(compute_as_asked(&scene))?;

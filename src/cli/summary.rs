@@ -288,7 +288,15 @@ fn answer(report: &Report) -> Vec<Line> {
         let law = word_told(FrictionLaw::WORDS, pair.law);
         let total = pair.peak_total.map_or(String::new(), |total| said!("run-pair-total", "total" => force(total)));
         let peak = force(pair.peak_force);
-        let value = said!("run-pair-of", "law" => law, "touches" => pair.touches, "peak" => peak, "total" => total);
+        let [asked, returned] = pair.restitution;
+        let other = pair.peak_force > 0.0 && (returned - asked).abs() > OTHER_RESTITUTION;
+        let restitution = if other {
+            said!("run-pair-returns", "asked" => six(asked), "returned" => format!("{returned:.4}"))
+        } else {
+            String::new()
+        };
+        let value = said!("run-pair-of", "law" => law, "touches" => pair.touches, "peak" => peak, "total" => total)
+            + &restitution;
         line(said!("run-pair", "name" => pair.name.as_str()), value)
     }));
     lines.extend(report.bearings.iter().take(MOST_LISTED).map(bearings));
@@ -350,6 +358,9 @@ fn effort(report: &Report) -> Vec<Line> {
 fn force(newtons: f64) -> String {
     if newtons < 1e4 { format!("{newtons:.4} N") } else { format!("{:.4} kN", newtons / 1e3) }
 }
+
+/// Difference of two coefficients of restitution that is worth a word \[–\]: what two digits show. Chosen.
+const OTHER_RESTITUTION: f64 = 0.01;
 
 /// A time in few digits; adding 0 turns −0 into 0.
 fn short(seconds: f64) -> String {

@@ -91,10 +91,9 @@ pub fn returned_restitution(numbers: &PairNumbers, speed: f64) -> f64 {
 }
 
 impl Law {
-    /// Law of one of `nodes` nodes that share this law.
+    /// This law divided by `parts`: that of one of so many nodes that share it.
     #[must_use]
-    pub fn shared(&self, nodes: usize) -> Self {
-        let parts = nodes as f64;
+    pub fn shared(&self, parts: f64) -> Self {
         Self { normal: self.normal.divided(parts), k_t: self.k_t / parts, c_t: self.c_t / parts, ..*self }
     }
 
@@ -209,7 +208,7 @@ mod tests {
 
     #[test]
     fn nodes_share_stiffness_and_dashpots_but_not_friction() {
-        let (whole, part) = (law_of_pair(&numbers()), law_of_pair(&numbers()).shared(4));
+        let (whole, part) = (law_of_pair(&numbers()), law_of_pair(&numbers()).shared(4.0));
         assert_eq!(4.0 * part.normal.elastic(1e-3), whole.normal.elastic(1e-3), "normal force");
         assert_eq!((4.0 * part.k_t, 4.0 * part.c_t), (whole.k_t, whole.c_t), "tangential spring and dashpot");
         assert_eq!((part.mu_s, part.mu_k), (whole.mu_s, whole.mu_k), "coefficients of friction");

@@ -32,7 +32,7 @@ impl Grey {
         #[expect(clippy::cast_possible_truncation, clippy::cast_sign_loss, reason = "clamped to a byte")]
         self.values.iter().for_each(|v| count[v.clamp(0.0, 255.0) as usize] += 1);
         let mut left = share * self.values.len() as f64;
-        for (level, count) in (0_u8..).zip(count) {
+        for (level, count) in (0..=u8::MAX).zip(count) {
             left -= count as f64;
             if left <= 0.0 {
                 return f32::from(level);

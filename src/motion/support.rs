@@ -62,11 +62,15 @@ impl GroundPath {
         &self.ground
     }
 
-    /// Velocity at which it goes on once its record has ended \[m/s\]; none of a sine, which has no end.
+    /// Velocity at which it goes on once its record has ended \[m/s\]; of a sine, which has no end, the mean: `∫(A sin(ωt + φ) + B cos(ωt + φ))`
+    /// from rest has that of `(A cos φ − B sin φ)/ω`.
     pub fn last_velocity(&self) -> Option<DVec3> {
         match self.ground {
             Ground::Still => Some(DVec3::ZERO),
-            Ground::Sine { .. } => None,
+            Ground::Sine { omega: 0.0, .. } => None,
+            Ground::Sine { amplitude, quadrature, omega, phase } => {
+                Some((amplitude * phase.cos() - quadrature * phase.sin()) / omega)
+            }
             Ground::Record { .. } => self.at_samples.last().map(|[velocity, _]| *velocity),
         }
     }
@@ -110,7 +114,7 @@ impl RelativeMotion {
         [0, 1].map(|i| own[i] * self.own.factor - reference[i])
     }
 
-    /// Velocity at which it goes on once both grounds' records have ended \[m/s\]; none where one has no end.
+    /// Velocity at which it goes on once both grounds' records have ended, of sines the mean \[m/s\]; none of a record without samples.
     pub fn last_velocity(&self) -> Option<DVec3> {
         Some(self.path.last_velocity()? * self.own.factor - self.reference.last_velocity()?)
     }
@@ -120,7 +124,8 @@ impl RelativeMotion {
         self.path.at(t - self.own.delay)[0] * self.own.factor
     }
 
-    /// Velocity at which the support's own ground goes on once its record has ended \[m/s\]; none where that has no end.
+    /// Velocity at which the support's own ground goes on once its record has ended, of a sine the mean \[m/s\]; none of a record without
+    /// samples.
     pub fn own_last_velocity(&self) -> Option<DVec3> {
         Some(self.path.last_velocity()? * self.own.factor)
     }

@@ -139,7 +139,7 @@ fn of_contact(history: &History, listed: &mut Listed) -> Vec<String> {
     if pairs.is_empty() || pairs.iter().any(|pair| own(&pair.contact) == general) {
         items.extend(numbers(listed, "contact", general, of(&ContactSettings::default())));
     }
-    if contact.stiffness.is_none() {
+    if contact.stiffness.is_none() && pairs.iter().any(|pair| !pair.met) {
         items.push(Text::new("report-assume-stiffness").into());
     }
     // Pairs with the same numbers in one line.

@@ -42,7 +42,7 @@ impl Values {
         let all: BTreeMap<&String, _> = here.chain(there.map(|(place, value)| (place, [None, Some(value)]))).collect();
         let differ = all.into_iter().filter(|(_, [one, other])| one != other);
         let mut differ: Vec<Difference<'a>> = differ.map(|(place, values)| Difference { place, values }).collect();
-        differ.sort_by_key(|found| (found.place.split(['.', '[']).count(), !found.place.starts_with("girder.")));
+        differ.sort_by_key(|found| (found.place.split(['.', '[']).count().max(3), !found.place.starts_with("girder.")));
         differ
     }
 }

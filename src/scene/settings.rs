@@ -23,7 +23,7 @@ table! {
         tolerance: f64 = "tolerance" as "field-tolerance", Range::Within([FINEST_TOLERANCE, 0.01]), Fallback::Number(1e-10),
             "local error a step, relative to the motion in hand";
         method: SolverMethod = "method" as "field-method", Range::Words(SolverMethod::WORDS), SolverMethod::FALLBACK,
-            "closed-form flight where it exists, an embedded pair of order 8 elsewhere, every event root-found";
+            "closed-form flight where it exists, elsewhere an embedded pair of order 8 or, where contacts are stiff, Radau IIA of five stages; every event root-found";
     }
 }
 

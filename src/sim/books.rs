@@ -46,4 +46,6 @@ pub(super) struct Books {
     /// Per stretch of lasting contact of the impact model: the loss in friction.
     pub(super) lasting: Vec<Account<1>>,
     pub(super) initial: f64,
+    /// Instants in rising order, and the largest kinetic energy up to each.
+    pub(super) kinetic: Vec<(f64, f64)>,
 }

@@ -19,7 +19,7 @@ pub enum OfEnergy {
     Gravity,
     /// Work of the ground and of pushes.
     Work,
-    /// Lost in the bearings' dashpots.
+    /// Lost in the bearings: dashpots, yield, sliding.
     LostBearings,
     /// Lost in elastic girders.
     LostGirders,

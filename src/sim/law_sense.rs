@@ -17,7 +17,7 @@ const PARTS: u32 = 32;
 /// Energy from which a drop counts, in parts of the largest energy in play: the ledger's bound at a tolerance of 1e-8.
 const LEAST_DROP: f64 = 1e-6;
 
-/// A contact whose penetration exceeds a tenth of the shortest side of either girder.
+/// A contact whose penetration exceeds a tenth of the shortest side of either girder, or of the depth behind its face.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct TooDeep {
     /// The contact, the deepest of its pair.
@@ -78,7 +78,9 @@ impl History {
             let thickness = if self.model().kind == Kind::Planar { f64::INFINITY } else { prism.thickness };
             prism.length.min(prism.width).min(thickness)
         });
-        let allowed = DEEPEST * sides.fold(f64::INFINITY, f64::min);
+        // What stands behind a face can be thinner than every girder: a backwall.
+        let behind = own.nodes().map(|site| self.model().contacts[site].face.depth);
+        let allowed = DEEPEST * sides.chain(behind).fold(f64::INFINITY, f64::min);
         // At its deepest a contact has no normal velocity: its force is no less than the spring's. A node has at least the
         // whole law's share of one of them all.
         let force = own.law.normal.elastic(allowed) / own.nodes().count().max(1) as f64;

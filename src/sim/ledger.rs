@@ -47,6 +47,7 @@ impl Books {
             }),
             bearings: bearings(history),
             initial: 0.0,
+            kinetic: largest_kinetic(history),
         };
         let start = books.stored(history, 0.0);
         // Hits at the very start have taken theirs already.
@@ -96,7 +97,8 @@ impl Books {
             ledger.loss_hits += stops.sum::<f64>();
         }
         jumps(history, t, &mut ledger);
-        balance(&mut ledger, self.initial);
+        let seen = self.kinetic.partition_point(|(instant, _)| *instant <= t);
+        balance(&mut ledger, self.initial, seen.checked_sub(1).map_or(0.0, |last| self.kinetic[last].1));
         ledger
     }
 
@@ -143,11 +145,32 @@ fn jumps(history: &History, t: f64, ledger: &mut Ledger) {
     }
 }
 
-fn balance(ledger: &mut Ledger, initial: f64) {
+/// Instants at which the kinetic energy is looked at.
+const KINETIC_LOOKS: u32 = 64;
+
+/// The largest kinetic energy up to each of some instants, which no period of a motion repeats: they are multiples of the golden section
+/// of the run, so that a motion that is at rest at the end, as on a sine of whole periods, is seen as it moves.
+fn largest_kinetic(history: &History) -> Vec<(f64, f64)> {
+    let golden = 0.5 * (5f64.sqrt() - 1.0);
+    let mut times: Vec<f64> = (0..KINETIC_LOOKS).map(|i| history.end() * (f64::from(i) * golden).fract()).collect();
+    times.sort_by(f64::total_cmp);
+    let kinetic = |t: f64| (0..history.paths.len()).map(|body| energies(history, body, t)[0]).sum::<f64>();
+    let seen: Vec<f64> = times.par_iter().map(|&t| kinetic(t)).collect();
+    let mut most = 0.0_f64;
+    let running = seen.into_iter().map(|energy| {
+        most = most.max(energy);
+        most
+    });
+    times.iter().copied().zip(running).collect()
+}
+
+/// The residual, and the largest energy in play: of what is stored, lost, worked and moving at the end, at the start, and in the largest
+/// kinetic energy before, `kinetic` \[J\].
+fn balance(ledger: &mut Ledger, initial: f64, kinetic: f64) {
     let l = &*ledger;
     let (stored, lost) = (l.stored(), l.lost());
-    let scale =
-        [stored, lost, initial, l.work_ground, l.work_push, l.kinetic].into_iter().fold(0.0f64, |m, x| m.max(x.abs()));
+    let all = [stored, lost, initial, l.work_ground, l.work_push, l.kinetic, kinetic];
+    let scale = all.into_iter().fold(0.0f64, |m, x| m.max(x.abs()));
     ledger.residual = stored + lost + l.released() - (l.work_ground + l.work_push) - initial;
     ledger.scale = scale;
 }

@@ -74,7 +74,7 @@ impl History {
         closed.max_by(|a, b| a.force.length().total_cmp(&b.force.length())).map(|now| now.contact)
     }
 
-    /// The largest |force| between any two bodies that touched, by a pair between them \[N\]; one entry for every two bodies, in the
+    /// The largest |force| between any two bodies that touched, by the pair of their hardest touch \[N\]; one entry for every two bodies, in the
     /// order of their pairs; none where all touches are impulses.
     pub fn largest_resultants(&self) -> Vec<(usize, Extreme)> {
         let most = |of: &Pounding| Some((of.pair, of.most().filter(|most| most.value > 0.0)?));
@@ -95,7 +95,9 @@ impl History {
             between.entry(solids).or_default().push(touch);
         }
         let of = |(solids, touches): ([SolidId; 2], Vec<&Touch>)| {
-            let pair = touches.iter().map(|touch| touch.pair).min()?;
+            // The pair of the hardest touch stands for the two bodies; of equals the first.
+            let hardest = |a: &'_ Touch, b: &'_ Touch| a.peak_force.total_cmp(&b.peak_force).then(b.pair.cmp(&a.pair));
+            let pair = touches.iter().copied().max_by(|a, b| hardest(a, b))?.pair;
             let hits = together(&touches).into_iter().map(|hit| PoundingHit {
                 start: hit[0].start,
                 end: hit.iter().map(|touch| touch.end).fold(hit[0].end, f64::max),

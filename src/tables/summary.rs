@@ -124,9 +124,11 @@ pub struct PairReport {
     pub touches: usize,
     /// Largest force of one contact \[N\].
     pub peak_force: f64,
-    /// Largest force between its two bodies, of all their contacts together; by the first of their pairs \[N\].
+    /// Largest force between its two bodies, of all their contacts together; with the pair of their hardest touch \[N\].
     #[serde(skip_serializing_if = "Option::is_none")]
     pub peak_total: Option<f64>,
+    /// Coefficient of restitution that is asked for, and the one that a flush free head-on hit returns at the design speed \[–\].
+    pub restitution: [f64; 2],
 }
 
 /// Versions that an answer depends on.
@@ -212,12 +214,14 @@ fn pairs(history: &History) -> Vec<PairReport> {
     }
     let of_pair = |number: usize| {
         let (touches, peak_force) = touched.get(&number).copied().unwrap_or_default();
+        let pair = &history.model().pairs[number];
         PairReport {
-            name: history.model().pairs[number].name.clone(),
+            name: pair.name.clone(),
             law: law_of(history, number),
             touches,
             peak_force,
             peak_total: totals.get(&number).map(|most| most.value),
+            restitution: [pair.contact.restitution_normal, pair.returned_restitution()],
         }
     };
     history.listed_pairs().into_iter().map(of_pair).collect()

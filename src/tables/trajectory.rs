@@ -36,11 +36,13 @@ pub fn trajectory(history: &History, sample_hz: f64, out: &mut dyn Write) -> std
     to_csv(&columns, rows, out)
 }
 
-/// Columns of the table of a scene.
+/// Columns of the table of a scene, at most: of an abutment only where its backwall moves, of a support only where its ground moves
+/// otherwise.
 pub fn trajectory_columns(scene: &Scene) -> usize {
     let spatial = scene.kind == Kind::Spatial;
     let state = scene.model.kind.models().contains(&ModelKind::Impact);
-    1 + scene.girders.len() * header(std::iter::once(""), spatial, state).len().saturating_sub(1)
+    let bodies = scene.girders.len() + scene.piers.len() + scene.abutments.len();
+    1 + bodies * header(std::iter::once(""), spatial, state).len().saturating_sub(1)
 }
 
 fn header<'a>(names: impl Iterator<Item = &'a str>, spatial: bool, state: bool) -> Vec<String> {

@@ -163,13 +163,7 @@ impl Answer {
 
     /// Energy lost in dashpots, friction and hits until the end \[J\].
     pub fn lost(&self) -> f64 {
-        let ledger = self.history.ledger(self.history.end());
-        ledger.loss_bearing
-            + ledger.loss_normal
-            + ledger.loss_tangential
-            + ledger.loss_friction
-            + ledger.loss_hits
-            + ledger.loss_device
+        self.history.ledger(self.history.end()).lost()
     }
 
     /// Limits of the scene that were passed, the earliest first; reckoned when first asked for.
@@ -288,7 +282,7 @@ fn apart_at(one: &History, other: &History, t: f64) -> [f64; 2] {
         let (a, b) = (one.motion(i, t), other.motion(i, t));
         [(a.displacement - b.displacement).length(), (a.theta - b.theta).abs()]
     };
-    let both = one.model().girders().len().min(other.model().bodies.len());
+    let both = one.model().girders().len().min(other.model().girders().len());
     (0..both).map(girder).fold([0.0; 2], |a, b| [0, 1].map(|i| f64::max(a[i], b[i])))
 }
 

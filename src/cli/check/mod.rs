@@ -90,6 +90,7 @@ fn text(scene: &Scene, model: &Model, moved: &[MovedSupport]) -> String {
         .chain(piers)
         .chain(pairs)
         .chain(none)
+        .chain(impact(scene))
         .chain(assumed_stiffness(scene))
         .chain(device::texts(scene))
         .chain(assumed(scene))
@@ -100,6 +101,29 @@ fn text(scene: &Scene, model: &Model, moved: &[MovedSupport]) -> String {
 fn lines(all: &[String]) -> String {
     let shown: Vec<String> = all.iter().map(|line| escaped(line).to_string()).collect();
     shown.join("\n  ") + "\n"
+}
+
+/// The numbers of the impact model where it computes the scene, and that those of the contact model beside it are others.
+fn impact(scene: &Scene) -> Option<String> {
+    let (own, contact) = (scene.impact, &scene.contact);
+    if !scene.model.kind.models().contains(&ModelKind::Impact) {
+        return None;
+    }
+    let [corner_static, corner_kinetic] = own.corner_friction().map(six);
+    let numbers = said!(
+        "check-impact",
+        "en" => six(own.restitution_normal),
+        "et" => six(own.restitution_tangential),
+        "mus" => six(own.mu_static),
+        "muk" => six(own.mu_kinetic),
+        "cmus" => corner_static,
+        "cmuk" => corner_kinetic
+    );
+    let differ = scene.model.kind == ModelKind::Both && own.restitution_normal != contact.restitution_normal;
+    let beside = differ.then(|| {
+        format!("  {}\n", said!("check-impact-differs", "impact" => six(own.restitution_normal), "contact" => six(contact.restitution_normal)))
+    });
+    Some(format!("{numbers}\n{}", beside.unwrap_or_default()))
 }
 
 /// That K is not given, and what it is then.

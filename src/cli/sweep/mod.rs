@@ -57,6 +57,7 @@ pub(super) fn run(args: &SweepArgs, console: &mut Console) -> Result<(), Failure
     let plan = Plan::new(scene, &args.vary, &args.measure, Box::new(move |scene| records.complete(scene)))?;
     check_folder(&args.out)?;
     domain::warn(&plan.scene, console);
+    domain::warn_of_runs(&plan, console);
     let about = about(&plan);
     let mut folder = Folder::open(&args.out, &about, identity(&about))?;
     if let Some(shard) = args.shard {

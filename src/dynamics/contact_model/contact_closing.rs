@@ -5,6 +5,7 @@ use glam::DVec2;
 use crate::contact::{Mode, NormalLaw};
 use crate::dynamics::contact_model::contact_law;
 use crate::dynamics::contact_model::contact_states::ContactStates;
+use crate::dynamics::contact_model::vertices::VertexNodes;
 use crate::dynamics::penalty3d::contact_state::{ClosedContact, Contact};
 use crate::dynamics::record::event::EventKind;
 use crate::dynamics::world::tracks::ContactTrack;
@@ -50,6 +51,7 @@ impl ContactClosing<'_, '_> {
         if let Some(by) = by
             && self.states.world.contacts[by].state.closed().is_none()
             && !self.states.at().touches_elsewhere(by)
+            && !(VertexNodes { states: self.states }).is_held(by)
         {
             self.close_inside(by, 0.0);
         }

@@ -13,7 +13,11 @@ pub(in crate::dynamics) fn of(world: &mut World, contact: usize, now: &EventInst
     if world.pairs[number].sharers == 0 {
         let (sharers, nodes) = sharers(AtInstant { world, now }, number);
         for (contact, nodes) in world.pairs[number].contacts.clone().zip(nodes) {
-            world.contacts[contact].sharers = sharers * nodes;
+            let here = AtInstant { world, now }.local(contact).at;
+            let face = &world.model.contacts[world.contacts[contact].site].face;
+            let has_part = world.model.kind == Kind::Planar && parameters::is_over(face, here);
+            let track = &mut world.contacts[contact];
+            (track.sharers, track.has_part) = ((sharers * nodes) as f64, has_part);
         }
         world.pairs[number].sharers = sharers;
     }

@@ -51,11 +51,27 @@ impl LinkTransitions<'_> {
         let track = &mut self.world.links[number];
         track.phase = phase;
         track.log.push(self.now.t, phase, released);
-        let link = &self.world.model.links[track.link];
-        if link.device.ends_run(&phase) {
-            let reason = self.end_of_support(number, &link.name);
-            let slots: Vec<usize> = self.world.links[number].slots.into_iter().flatten().collect();
+        if let Some(number) = self.ends_the_run(number) {
+            let track = &self.world.links[number];
+            let reason = self.end_of_support(number, &self.world.model.links[track.link].name);
+            let slots: Vec<usize> = track.slots.into_iter().flatten().collect();
             self.schedule.end(self.now.t, Cause::SupportLost, self.world.names(&slots), reason);
+        }
+    }
+
+    /// The link that ends the run where this one has entered its phase: itself where its support is lost, or a watch on a corner of the
+    /// same girder that has dropped, once one of the girder's supports is lost. A girder that rolls on all of its supports goes on.
+    fn ends_the_run(&self, number: usize) -> Option<usize> {
+        let links = &self.world.links;
+        let device = |link: &LinkTrack| &self.world.model.links[link.link].device;
+        let is_lost = |link: &LinkTrack| device(link).is_lost(&link.phase);
+        let ends = |link: &LinkTrack| device(link).ends_run(&link.phase);
+        let of_girder = |link: &&LinkTrack| link.slots[0] == links[number].slots[0];
+        match (ends(&links[number]), is_lost(&links[number])) {
+            (true, true) => Some(number),
+            (true, false) => links.iter().filter(of_girder).any(is_lost).then_some(number),
+            (false, true) => links.iter().position(|link| of_girder(&link) && ends(link) && !is_lost(link)),
+            (false, false) => None,
         }
     }
 

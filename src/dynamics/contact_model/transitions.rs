@@ -76,7 +76,10 @@ impl<'a> Transitions<'_, 'a> {
             self.states.world.contacts[contact].granted = 2.0 * (least - here).max(counts);
             return;
         };
-        self.open(contact, closed, EventKind::LeftFace);
+        // Of the same two flush faces it is another of their common nodes, and carries beside the one that is there.
+        if !self.vertices().are_flush_together(contact, to) {
+            self.open(contact, closed, EventKind::LeftFace);
+        }
         for rival in self.states.world.contacts[to].rivals.clone() {
             if let Some(state) = self.states.world.contacts[rival].state.closed().copied() {
                 self.open(rival, &state, EventKind::LeftFace);

@@ -1,6 +1,7 @@
-//! Contact points in space whose nodes change during a touch (`docs/physics.md#edge-nodes`): an edge node follows its
-//! crossing, a corner that slides out over a side leaves a crossing behind, a crossing that passes a corner leaves the
-//! corner. Nodes keep the penetration and the stretch of those before them, so that no energy appears.
+//! Contact points whose nodes change during a touch (`docs/physics.md#edge-nodes`): in space an edge node follows its crossing, a corner
+//! that slides out over a side leaves a crossing behind, a crossing that passes a corner leaves the corner; in plan a corner that slides
+//! past a corner of the other body leaves that one. Nodes keep the penetration and the stretch of those before them, so that no energy
+//! appears.
 
 use glam::DVec2;
 
@@ -12,7 +13,7 @@ use crate::dynamics::penalty3d::contact_force::to_world;
 use crate::dynamics::penalty3d::contact_state::{ClosedContact, Contact};
 use crate::dynamics::record::event::EventKind;
 use crate::dynamics::world::contact_points;
-use crate::scene::Sharing;
+use crate::scene::{Kind, Sharing};
 
 /// Largest sine of the angle between two faces of bodies that have met that count as flush \[–\]: 10°. Chosen: the force at a vertex turns
 /// by at most this angle where one node replaces another.
@@ -28,7 +29,7 @@ struct Carried {
     kept: f64,
 }
 
-/// Nodes of the vertices of a touch in space.
+/// Nodes of the vertices of a touch.
 pub(super) struct VertexNodes<'s, 'a> {
     /// The contacts of the group.
     pub(super) states: &'s mut ContactStates<'a>,
@@ -59,9 +60,8 @@ impl VertexNodes<'_, '_> {
     /// Hands the part of a vertex in K and C that a node has left over an edge, in state `closed`, to the nodes that
     /// are there now; other nodes of the vertex that are there no more leave with it.
     pub(super) fn pass_on(&mut self, contact: usize, closed: &ClosedContact) {
-        let pair =
-            &self.states.world.model.pairs[self.states.world.pairs[self.states.world.contacts[contact].pair].pair];
-        if pair.edges.is_empty() {
+        let pair = self.states.world.pairs[self.states.world.contacts[contact].pair].pair;
+        if !self.states.world.model.pairs[pair].passes_on {
             return;
         }
         // Faces of bodies that have met may stand at any angle. Those that are not flush have no vertex in common: every node has a
@@ -85,25 +85,58 @@ impl VertexNodes<'_, '_> {
         let left = gone.iter().filter_map(|&node| Some((node, *self.states.world.contacts[node].state.closed()?)));
         let before: Vec<_> = kept.chain(left).chain([(contact, *closed)]).collect();
         let pair = &self.states.world.pairs[self.states.world.contacts[contact].pair];
-        let divisor = match self.states.world.model.pairs[pair.pair].contact.sharing {
-            Sharing::Tributary => pair.sharers * nodes.len(),
-            Sharing::PerNode => sharers,
+        let count = nodes.len() as f64;
+        let divisor = match (self.states.world.model.pairs[pair.pair].contact.sharing, self.states.world.model.kind) {
+            // A vertex has its part of K whichever of its nodes have left.
+            (Sharing::Tributary, Kind::Spatial) => pair.sharers as f64 * count,
+            // In plan nodes share K, and the parts of all nodes at the vertex stay.
+            (Sharing::Tributary, Kind::Planar) => {
+                let tracks = &self.states.world.contacts;
+                let open = nodes.iter().filter(|&&node| tracks[node].state.closed().is_none() && tracks[node].has_part);
+                let at_vertex = before.iter().map(|(node, _)| node).chain(open);
+                count / at_vertex.map(|&node| 1.0 / tracks[node].sharers).sum::<f64>()
+            }
+            (Sharing::PerNode, _) => sharers,
         };
         // Where a node is beside its face, it may go on as far again.
-        let carried = Carried { kept: 2.0 * beside, ..self.carried(&before, nodes.len() as f64 / divisor as f64) };
+        let carried = Carried { kept: 2.0 * beside, ..self.carried(&before, count / divisor) };
         // No contact at a penetration of at least the depth of the face's body.
         if nodes.iter().any(|&node| self.states.site(node).face.depth <= carried.depth) {
             return;
         }
+        self.states.world.contacts[contact].has_part = false;
         for gone in gone {
+            self.states.world.contacts[gone].has_part = false;
             let Some(state) = self.states.world.contacts[gone].state.closed().copied() else { continue };
             let released = self.states.strain(gone, &state);
             self.states.log(gone, Contact::Open { armed: false }, EventKind::LeftFace, released);
         }
         for node in nodes {
-            self.states.world.contacts[node].sharers = divisor;
+            // A corner is in contact with one face of a body at a time.
+            for rival in self.states.world.contacts[node].rivals.clone() {
+                let Some(state) = self.states.world.contacts[rival].state.closed().copied() else { continue };
+                let released = self.states.strain(rival, &state);
+                self.states.log(rival, Contact::Open { armed: false }, EventKind::LeftFace, released);
+            }
+            (self.states.world.contacts[node].sharers, self.states.world.contacts[node].has_part) = (divisor, true);
             self.carry(node, (contact, closed), &carried);
         }
+    }
+
+    /// Whether two contacts are of the same two faces, which are flush.
+    pub(super) fn are_flush_together(&self, one: usize, other: usize) -> bool {
+        let pair = |contact: usize| self.states.world.contacts[contact].pair;
+        pair(one) == pair(other) && self.tilt(one) <= FLUSH
+    }
+
+    /// Whether the vertex of an open corner inside a flush face has a node in contact, which leaves its part to this corner when it comes to
+    /// the edge of its own face.
+    pub(super) fn is_held(&self, contact: usize) -> bool {
+        let (pair, tilt) = (self.states.world.contacts[contact].pair, self.tilt(contact));
+        let passes_on = self.states.world.model.pairs[self.states.world.pairs[pair].pair].passes_on;
+        let apart = self.states.at().local(contact).penetration().max(0.0) * tilt;
+        let poses = |c: usize| self.states.at().sides(c);
+        passes_on && tilt <= FLUSH && contact_points::is_held(self.states.world, contact, apart, &poses)
     }
 
     /// The nodes that are at the vertex that a node has left, closed or about to be, and closed ones that are there no more;
@@ -115,14 +148,18 @@ impl VertexNodes<'_, '_> {
         [nodes, gone]
     }
 
-    /// Sine of the angle between the two faces of a contact's pair \[–\]; 0 without edges.
+    /// Sine of the angle between the two faces of a contact's pair \[–\]; 0 where one of the two has no nodes.
     fn tilt(&self, contact: usize) -> f64 {
-        let contacts = self.states.world.pairs[self.states.world.contacts[contact].pair].contacts.clone();
+        let mut contacts = self.states.world.pairs[self.states.world.contacts[contact].pair].contacts.clone();
+        let (at, body) = (self.states.at(), self.states.site(contact).face_body);
         let tilt = |c: usize| {
-            let [node, face] = self.states.at().sides(c);
-            Some(self.states.at().edge(c)?.tilt([&node, &face]))
+            let [node, face] = at.sides(c);
+            Some(at.edge(c)?.tilt([&node, &face]))
         };
-        contacts.rev().find_map(tilt).unwrap_or(0.0)
+        let by_edges = contacts.clone().rev().find_map(tilt);
+        // In plan the other side's nodes are against the other face.
+        let mut facing = || contacts.find(|&c| self.states.site(c).face_body != body);
+        by_edges.or_else(|| Some(at.normal(contact).cross(at.normal(facing()?)).length())).unwrap_or(0.0)
     }
 
     /// Penetration and stretch at which nodes of `parts` in K together have the strain energy of those in `before`, of
@@ -131,7 +168,7 @@ impl VertexNodes<'_, '_> {
         let (mut depth, mut length) = (0.0, 0.0);
         let power = before.first().map_or(2.0, |(_, closed)| closed.law.normal.energy_power());
         for (node, closed) in before {
-            let (here, part) = (self.states.here(*node), 1.0 / self.states.world.contacts[*node].sharers as f64);
+            let (here, part) = (self.states.here(*node), 1.0 / self.states.world.contacts[*node].sharers);
             let penetration = here.penetration();
             depth += part * if power == 2.0 { penetration * penetration } else { penetration.max(0.0).powf(power) };
             length += part * stretch(closed, &here).length_squared();

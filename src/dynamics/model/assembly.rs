@@ -15,7 +15,7 @@ use crate::dynamics::model::rotation;
 use crate::dynamics::model::single_axis;
 use crate::dynamics::model::{backwall, contact_sites, edge_sites, flexible, pier, supports};
 use crate::scene::facing::{Facing, SolidId};
-use crate::scene::{Direction, Girder, Kind, MovingSupports, Scene, SceneErrors, StandsOn, facing, placed};
+use crate::scene::{Between, Direction, Girder, Kind, MovingSupports, Scene, SceneErrors, StandsOn, facing, placed};
 
 /// What a run may keep as polynomials \[bytes\]: the steps of an hour of shaking of a few girders.
 const POLYNOMIALS: usize = 8 << 20;
@@ -59,7 +59,7 @@ impl Model {
             let have_met = met.binary_search(&[facing.first.solid(), facing.second.solid()]).is_ok();
             contact_sites::contacts(scene, &bodies, &facing, (number, have_met), &mut contacts)?;
             let vertical = contacts[from..].iter().all(|site: &ContactSite| site.face.normal.z.abs() <= 1e-9);
-            pairs.push(pair(scene.kind, vertical, (&bodies, &walls), facing, from..contacts.len()));
+            pairs.push(pair(scene, vertical, (&bodies, &walls), facing, from..contacts.len()));
         }
         for (number, pair) in pairs.iter_mut().enumerate() {
             let from = contacts.len();
@@ -181,7 +181,7 @@ fn free_directions(kind: Kind, held: &[Direction]) -> [bool; 6] {
 }
 
 fn pair(
-    kind: Kind,
+    scene: &Scene,
     vertical: bool,
     (bodies, walls): (&[Body], &[Option<Backwall>]),
     facing: facing::Facing,
@@ -199,7 +199,8 @@ fn pair(
             body.free[2..5] == [false; 3] && body.start[3..5] == [0.0; 2] && body.sections() == 1
         })
     };
-    let one_way = vertical && (kind == Kind::Planar || sides.into_iter().all(flat));
+    let planar = scene.kind == Kind::Planar;
+    let one_way = vertical && (planar || sides.into_iter().all(flat));
     let law = law_of_pair(&numbers.law(facing.mass, one_way));
     Pair {
         bodies: sides,
@@ -208,6 +209,7 @@ fn pair(
         contacts,
         edges: 0..0,
         one_way,
+        passes_on: !planar || scene.contact.between == Between::All,
         name: facing.name,
         first: facing.first,
         second: facing.second,

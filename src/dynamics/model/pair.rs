@@ -38,6 +38,9 @@ pub struct Pair {
     pub edges: std::ops::Range<usize>,
     /// Whether sliding has one direction only: the faces are vertical and no body can move vertically, roll or pitch.
     pub one_way: bool,
+    /// Whether the part in K and C of a node that leaves its face over an edge passes to the nodes that are at its place then: in space,
+    /// and in plan between all faces. Between ends alone it is released there, as in the paper.
+    pub passes_on: bool,
 }
 
 impl Pair {

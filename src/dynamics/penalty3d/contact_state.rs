@@ -90,8 +90,8 @@ impl ClosedContact {
         }
     }
 
-    /// Switching function of the next kink of the normal force, negative before it: end of the phase of the normal law, or
-    /// beginning or end of a force held at 0 \[N\].
+    /// Switching function of the next kink of the normal force, negative before it: end of the phase of the normal law, in the unit of
+    /// that function, or beginning or end of a force held at 0 \[N\].
     pub fn kink(&self, here: &Local) -> f64 {
         let forces = self.law.forces(&self.mode, here);
         if self.law.normal.has_phases() {

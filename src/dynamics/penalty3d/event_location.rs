@@ -234,7 +234,7 @@ fn dead_band(model: &Model, island: &Island, number: usize, reason: Reason, here
     }
 }
 
-/// Adds the equal events of contacts in the same state up to `t`, where that is beyond the end of the step.
+/// Adds events of the kinds that are due, of other contacts up to `t`, where that is beyond the end of the step.
 fn also_due(model: &Model, island: &Island, t: f64, due: &mut Vec<Due>) {
     if t <= island.until {
         due.sort_by_key(|d| (d.number, d.reason));

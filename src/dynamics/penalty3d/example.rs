@@ -60,7 +60,7 @@ pub(in crate::dynamics) fn closed(scene: &Scene, mode: impl Fn(&Local) -> Mode) 
         let here = local(site);
         let pair = &model.pairs[site.pair];
         let nodes = sharers(pair.contacts.clone().map(|n| (&model.contacts[n].face, local(&model.contacts[n]).at)));
-        let closed = ClosedContact::new(pair.law.shared(nodes), mode(&here), 0.0);
+        let closed = ClosedContact::new(pair.law.shared(nodes as f64), mode(&here), 0.0);
         let active = ActiveContact::new(number, [site.node_body, site.face_body], closed, site.home);
         // An edge node is one from the closing of its pair on.
         (site.edge.is_none() && is_over(&site.face, here.at)).then_some(active)

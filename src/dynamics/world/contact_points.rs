@@ -92,6 +92,16 @@ pub(in crate::dynamics) fn at_vertex_of(
     [nodes, gone]
 }
 
+/// Whether a node in contact is at the vertex of a corner that is inside the facing polygon, up to `apart` \[m\] from it; not so of an edge
+/// node.
+pub(in crate::dynamics) fn is_held(world: &World, contact: usize, apart: f64, poses: Poses<'_>) -> bool {
+    let pair = world.contacts[contact].pair;
+    let Some(at) = corner_vertex(world, contact, poses, slack(world, contact)) else { return false };
+    let near = |c: usize| one_vertex(world, pair) + apart + if is_edge(world, c) { slide(world, c) } else { 0.0 };
+    let mut contacts = world.pairs[pair].contacts.clone().filter(|&c| c != contact);
+    contacts.any(|c| world.contacts[c].state.closed().is_some() && (place(world, c, poses) - at).length() <= near(c))
+}
+
 /// Whether no corner over the facing polygon is at a crossing.
 fn is_free(world: &World, contact: usize, at: DVec2, poses: Poses<'_>, tolerance: f64) -> bool {
     let pair = world.contacts[contact].pair;

@@ -139,7 +139,9 @@ pub(in crate::dynamics) struct ContactTrack {
     /// Present state.
     pub state: Contact,
     /// Number by which the pair's K and C are divided for this node in the present touch \[–\].
-    pub sharers: usize,
+    pub sharers: f64,
+    /// In plan, whether it is one of the nodes among which K and C were divided, and has passed its part to no other.
+    pub has_part: bool,
     /// Where the node is and how its contact is directed since its last closing.
     pub place: NodePlace,
     /// Other contacts of the node with the same body, of which it touches one face at a time.

@@ -24,14 +24,26 @@ fn read(bytes: &[u8], beside: &Supplement) -> Result<Vec<Channel>, RecordError> 
     let name = lines.header(Text::new("record-station-line"))?;
     let unit = unit(&lines.header(Text::new("record-unit-line"))?, lines.number)?;
     let (wanted, dt) = size(&lines.header(Text::new("record-count-line"))?, lines.number)?;
-    let mut numbers = Vec::new();
+    let (mut numbers, mut last) = (Vec::new(), ["", ""].map(str::to_owned));
     while let Some(line) = lines.next() {
         for word in line.split_ascii_whitespace() {
             numbers.push(sample(word, lines.number)?);
+            let [_, before] = last;
+            last = [before, word.to_owned()];
         }
     }
     expect_count(wanted, numbers.len(), lines.number)?;
+    if !bytes.ends_with(b"\n") && is_cut(&last) {
+        return Err(RecordError::new(lines.number, quoted(&last[1]), Text::new("record-cut-number")));
+    }
     Ok(vec![Channel::converted(&name, component(&name), unit, dt, numbers)])
+}
+
+/// Whether of the last two numbers, all of one width with an exponent, the last one is shorter than the one before, signs apart: the file
+/// ends within it.
+fn is_cut([before, last]: &[String; 2]) -> bool {
+    let width = |word: &str| word.trim_start_matches(['-', '+']).len();
+    before.contains(['E', 'e']) && width(last) < width(before)
 }
 
 /// `ACCELERATION TIME SERIES IN UNITS OF G`.
@@ -102,6 +114,16 @@ mod tests {
         }
         assert!(error("NPTS= 3, DT= 0 SEC", ".1 .2 .3\n").contains("greater than 0"), "no interval");
         assert!(error("NPTS= 3, DT= .01 SEC", ".1 nan .3\n").contains("line 5: found `nan`"), "no number");
+    }
+
+    #[test]
+    fn a_file_that_ends_within_its_last_number_is_refused() {
+        let last = |end: &str| with("NPTS= 2, DT= .01 SEC", &format!("  -.3540000E-01  {end}")).map(|_| ());
+        assert_eq!(last(".1200000E-02"), Ok(()), "whole, without an end of the line");
+        for cut in [".1200000E-0", ".1200000", "-.12"] {
+            assert!(last(cut).expect_err("cut").to_string().contains(cut), "{cut}");
+            assert_eq!(last(&format!("{cut}\n")), Ok(()), "{cut}, a line of its own");
+        }
     }
 
     #[test]

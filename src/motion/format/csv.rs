@@ -64,7 +64,15 @@ fn read(bytes: &[u8], beside: &Supplement) -> Result<Vec<Channel>, RecordError> 
                 samples.push(sample.1);
             }
             Err(_) if is_blank(&record) => {}
-            Err(_) if n == 0 && is_heading(&record) => stated = unit_of_heading(&record, line)?,
+            Err(_) if n == 0 && is_heading(&record) => {
+                in_seconds(&record[0], line)?;
+                match (unit_of_heading(&record[1], line), beside.unit) {
+                    (Ok(unit), _) => stated = unit,
+                    // Who states the unit beside the file has read the heading.
+                    (Err(error), None) => return Err(error),
+                    (Err(_), Some(_)) => {}
+                }
+            }
             Err(error) => return Err(error),
         }
     }
@@ -78,26 +86,64 @@ fn read(bytes: &[u8], beside: &Supplement) -> Result<Vec<Channel>, RecordError> 
     Ok(vec![Channel::converted("", Orientation::Unstated, unit, interval(&times)?, samples)])
 }
 
+/// Refuses a heading of the times that says another unit than seconds.
+fn in_seconds(time: &str, line: u64) -> Result<(), RecordError> {
+    match bracketed(time).or(last_word(time)).filter(|unit| ["ms", "min", "h"].contains(unit)) {
+        Some(unit) => {
+            Err(RecordError::new(line, message!("record-times-in", "unit" => unit), Text::new("record-seconds")))
+        }
+        None => Ok(()),
+    }
+}
+
 /// The unit of acceleration that a heading states, in brackets or as its last word: `a [gal]`, `acc (cm/s2)`, `acc_g`, `a_m_s2`.
 ///
 /// # Errors
-/// Brackets around what is no unit of acceleration; times that are not in seconds.
-fn unit_of_heading(record: &StringRecord, line: u64) -> Result<Option<Unit>, RecordError> {
-    let (time, acceleration) = (&record[0], &record[1]);
-    if let Some(unit) = bracketed(time).or(last_word(time)).filter(|unit| ["ms", "min", "h"].contains(unit)) {
-        return Err(RecordError::new(line, message!("record-times-in", "unit" => unit), Text::new("record-seconds")));
-    }
+/// A word that is no unit of acceleration where a unit would stand; another quantity.
+fn unit_of_heading(acceleration: &str, line: u64) -> Result<Option<Unit>, RecordError> {
     if let Some(word) = bracketed(acceleration) {
         let remedy = Text::new("record-units");
         let unit = Unit::of_word(word)
             .ok_or_else(|| RecordError::new(line, message!("record-unit-of", "unit" => quoted(word)), remedy))?;
         return Ok(Some(unit));
     }
-    let lower = acceleration.to_ascii_lowercase();
-    let ending = [("cm_s2", Unit::Gal), ("m_s2", Unit::MetrePerSecond2)].into_iter();
-    let mut ending =
-        ending.filter(|(ending, _)| lower.strip_suffix(ending).is_some_and(|a| a.is_empty() || a.ends_with('_')));
-    Ok(ending.next().map(|(_, unit)| unit).or_else(|| Unit::of_word(last_word(acceleration)?)))
+    unit_in_words(acceleration).ok_or_else(|| {
+        RecordError::new(line, message!("record-unit-of", "unit" => quoted(acceleration)), Text::new("record-units"))
+    })
+}
+
+/// Words of a heading that name no unit: directions and numbers of components.
+const DIRECTIONS: [&str; 18] =
+    ["x", "y", "z", "h", "v", "n", "s", "e", "w", "ns", "sn", "ew", "we", "ud", "up", "north", "east", "vertical"];
+
+/// Beginnings of words that name another quantity than an acceleration.
+const OTHERS: [&str; 4] = ["disp", "vel", "speed", "time"];
+
+/// The unit that a heading without brackets states behind the name of the quantity; nothing inside where it states none, as `a`, `acc x`
+/// and `ground motion` do not; `None` where it has a word that is no unit, or names another quantity.
+fn unit_in_words(heading: &str) -> Option<Option<Unit>> {
+    // `m_s2` is written for m/s2 where a name may have no slash.
+    let heading = heading.trim().to_ascii_lowercase().replace("m_s2", "m/s2");
+    let parted = |c: char| c.is_whitespace() || c == '_';
+    let words: Vec<&str> = heading.split(parted).filter(|word| !word.is_empty()).collect();
+    let [name, more @ ..] = &words[..] else { return Some(None) };
+    if OTHERS.iter().any(|other| name.starts_with(other)) {
+        return None;
+    }
+    // `g`, or `a/g`: the acceleration in parts of it.
+    let alone = Unit::of_word(name).or_else(|| Unit::of_word(name.split_once('/')?.1));
+    match more {
+        [] if alone.is_none() && name.contains('/') => None,
+        [] => Some(alone),
+        [between @ .., last] => {
+            let is_plain = |word: &&str| DIRECTIONS.contains(word) || word.chars().all(|c| c.is_ascii_digit());
+            let names = |word: &&str| is_plain(word) || word.len() > 5;
+            match Unit::of_word(last) {
+                Some(unit) => between.iter().all(|word| names(&word)).then_some(Some(unit)),
+                None => names(&last).then_some(None),
+            }
+        }
+    }
 }
 
 /// What stands in round or square brackets.
@@ -283,16 +329,24 @@ mod tests {
         let refused = |heading: &str, beside: Option<Unit>| of(heading, beside).expect_err("refused").to_string();
         assert!(refused("t,a [gal]", Some(Unit::G)).contains("gal in the heading, g beside"), "one against the other");
         assert!(refused("t,a [counts]", None).contains("`counts`"), "no unit");
+        for heading in
+            ["t,a_mm/s2", "t,acc mm/s2", "t,acc_mg", "t,a ft/s2", "t,a_milli_g", "t,displacement_m", "t,vel_cm/s"]
+        {
+            assert!(refused(heading, None).contains("unit"), "{heading}");
+            assert_eq!(of(heading, Some(Unit::Gal)), Ok((Unit::Gal, 2.0)), "{heading}, stated beside the file");
+        }
+        for heading in ["t,g", "t,a/g", "t,acc x g"] {
+            assert_eq!(of(heading, None), Ok((Unit::G, 200.0 * 9.80665)), "{heading}");
+        }
+        for heading in ["t,acc_x", "t,acceleration ns", "t,ground acceleration", "t,ax"] {
+            assert_eq!(of(heading, None), Ok((Unit::MetrePerSecond2, 200.0)), "{heading}");
+        }
         assert!(refused("t [ms],a [gal]", None).contains("times in ms"), "no seconds");
     }
 
     #[test]
     fn a_complaint_names_line_value_and_remedy() {
-        assert_eq!(
-            error("0,1\n0.01,abc\n"),
-            "line 2: found `abc`; the acceleration must be a finite number, in m/s²",
-            "word"
-        );
+        assert_eq!(error("0,1\n0.01,abc\n"), "line 2: found `abc`; the acceleration must be a finite number", "word");
         assert!(error("0,1\n0.01,inf\n").starts_with("line 2: found `inf`"), "infinite");
         assert!(error("0,1\n0.01,2,3\n").contains("line 2: found `0.01,2,3`; give two columns"), "three columns");
         assert!(error("t,a\n0,1\nt,a\n").contains("line 3"), "a heading stands first only");

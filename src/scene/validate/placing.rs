@@ -17,6 +17,9 @@ const TOUCHING: f64 = 1e-9;
 /// Characters that would break a table's heading, a `--set` path, or the name of a pair.
 const RESERVED: &[char] = &['.', ',', ';', '"', '\'', '=', '|', '[', ']'];
 
+/// Names that a plot, `ground.x` and `energy.friction`, and the marks of a measurement, `table`, have for something else.
+const TAKEN: [&str; 3] = ["ground", "energy", "table"];
+
 pub(super) fn names(scene: &Scene, complaints: &mut Complaints) {
     let girders = scene.girders.iter().enumerate().map(|(n, g)| ("girder", n, &g.name));
     let abutments = scene.abutments.iter().enumerate().map(|(n, a)| ("abutment", n, &a.name));
@@ -33,6 +36,8 @@ pub(super) fn names(scene: &Scene, complaints: &mut Complaints) {
             Text::new("wrong-nameless")
         } else if name.trim() != name || name.contains(|c: char| RESERVED.contains(&c) || c.is_control()) {
             Text::new("wrong-name")
+        } else if kind != "ground" && TAKEN.contains(&name) {
+            Text::new("wrong-name-taken")
         } else if !seen.insert(name) {
             Text::new(if kind == "ground" { "wrong-ground-twice" } else { "wrong-name-twice" })
         } else {

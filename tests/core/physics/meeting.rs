@@ -4,6 +4,7 @@
 mod crossing;
 mod edges;
 mod offset;
+mod passing;
 mod ramp;
 mod round_a_corner;
 mod sliding_joint;

@@ -5,7 +5,7 @@ use crate::support::within;
 use girderbench::sim::{EventKind, History};
 
 /// Positions, in parts of their largest value. The program that made them agrees with itself to 1e-10.
-const PLACES: f64 = 1e-8;
+const PLACES: f64 = 1e-10;
 
 fn compare(name: &str) {
     let case = load(name);

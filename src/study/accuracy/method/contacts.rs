@@ -167,7 +167,7 @@ impl Contacts {
             0 => Self::count(model, at, frames),
             known => known,
         };
-        pair.law.shared(share)
+        pair.law.shared(share as f64)
     }
 
     /// Declared nodes of a pair that are inside the facing polygon.
