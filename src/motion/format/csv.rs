@@ -107,10 +107,13 @@ fn unit_of_heading(acceleration: &str, line: u64) -> Result<Option<Unit>, Record
             .ok_or_else(|| RecordError::new(line, message!("record-unit-of", "unit" => quoted(word)), remedy))?;
         return Ok(Some(unit));
     }
-    unit_in_words(acceleration).ok_or_else(|| {
+    unit_in_words(acceleration).map_err(|OtherWord| {
         RecordError::new(line, message!("record-unit-of", "unit" => quoted(acceleration)), Text::new("record-units"))
     })
 }
+
+/// A heading has a word where a unit of acceleration would stand, or names another quantity.
+struct OtherWord;
 
 /// Words of a heading that name no unit: directions and numbers of components.
 const DIRECTIONS: [&str; 18] =
@@ -119,31 +122,27 @@ const DIRECTIONS: [&str; 18] =
 /// Beginnings of words that name another quantity than an acceleration.
 const OTHERS: [&str; 4] = ["disp", "vel", "speed", "time"];
 
-/// The unit that a heading without brackets states behind the name of the quantity; nothing inside where it states none, as `a`, `acc x`
-/// and `ground motion` do not; `None` where it has a word that is no unit, or names another quantity.
-fn unit_in_words(heading: &str) -> Option<Option<Unit>> {
+/// The unit that a heading without brackets states behind the name of the quantity; none where it states none, as `a`, `acc x` and
+/// `ground motion` do not.
+fn unit_in_words(heading: &str) -> Result<Option<Unit>, OtherWord> {
     // `m_s2` is written for m/s2 where a name may have no slash.
     let heading = heading.trim().to_ascii_lowercase().replace("m_s2", "m/s2");
     let parted = |c: char| c.is_whitespace() || c == '_';
     let words: Vec<&str> = heading.split(parted).filter(|word| !word.is_empty()).collect();
-    let [name, more @ ..] = &words[..] else { return Some(None) };
+    let [name, more @ ..] = &words[..] else { return Ok(None) };
     if OTHERS.iter().any(|other| name.starts_with(other)) {
-        return None;
+        return Err(OtherWord);
     }
     // `g`, or `a/g`: the acceleration in parts of it.
     let alone = Unit::of_word(name).or_else(|| Unit::of_word(name.split_once('/')?.1));
-    match more {
-        [] if alone.is_none() && name.contains('/') => None,
-        [] => Some(alone),
-        [between @ .., last] => {
-            let is_plain = |word: &&str| DIRECTIONS.contains(word) || word.chars().all(|c| c.is_ascii_digit());
-            let names = |word: &&str| is_plain(word) || word.len() > 5;
-            match Unit::of_word(last) {
-                Some(unit) => between.iter().all(|word| names(&word)).then_some(Some(unit)),
-                None => names(&last).then_some(None),
-            }
-        }
-    }
+    let [between @ .., last] = more else {
+        return if alone.is_none() && name.contains('/') { Err(OtherWord) } else { Ok(alone) };
+    };
+    // A direction, a number, or a word too long for a unit or its prefix.
+    let names = |word: &&str| DIRECTIONS.contains(word) || word.chars().all(|c| c.is_ascii_digit()) || word.len() > 5;
+    let unit = Unit::of_word(last);
+    let known = if unit.is_some() { between.iter().all(&names) } else { names(last) };
+    if known { Ok(unit) } else { Err(OtherWord) }
 }
 
 /// What stands in round or square brackets.
