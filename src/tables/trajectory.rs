@@ -36,12 +36,12 @@ pub fn trajectory(history: &History, sample_hz: f64, out: &mut dyn Write) -> std
     to_csv(&columns, rows, out)
 }
 
-/// Columns of the table of a scene, at most: of an abutment only where its backwall moves, of a support only where its ground moves
-/// otherwise.
+/// Columns of the table of a scene, without those of supports whose ground moves otherwise.
 pub fn trajectory_columns(scene: &Scene) -> usize {
     let spatial = scene.kind == Kind::Spatial;
     let state = scene.model.kind.models().contains(&ModelKind::Impact);
-    let bodies = scene.girders.len() + scene.piers.len() + scene.abutments.len();
+    let walls = scene.abutments.iter().filter(|abutment| abutment.backfill.is_some());
+    let bodies = scene.girders.len() + scene.piers.len() + walls.count();
     1 + bodies * header(std::iter::once(""), spatial, state).len().saturating_sub(1)
 }
 

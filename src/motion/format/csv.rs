@@ -7,6 +7,7 @@
 
 use csv::{Reader, ReaderBuilder, StringRecord, Trim};
 
+use super::heading::{in_seconds, unit_of_heading};
 use super::record::{Channel, Format, Orientation, RecordError, Supplement};
 use super::text::quoted;
 use super::unit::Unit;
@@ -84,76 +85,6 @@ fn read(bytes: &[u8], beside: &Supplement) -> Result<Vec<Channel>, RecordError> 
         (stated, beside) => stated.or(beside).unwrap_or(Unit::MetrePerSecond2),
     };
     Ok(vec![Channel::converted("", Orientation::Unstated, unit, interval(&times)?, samples)])
-}
-
-/// Refuses a heading of the times that says another unit than seconds.
-fn in_seconds(time: &str, line: u64) -> Result<(), RecordError> {
-    match bracketed(time).or(last_word(time)).filter(|unit| ["ms", "min", "h"].contains(unit)) {
-        Some(unit) => {
-            Err(RecordError::new(line, message!("record-times-in", "unit" => unit), Text::new("record-seconds")))
-        }
-        None => Ok(()),
-    }
-}
-
-/// The unit of acceleration that a heading states, in brackets or as its last word: `a [gal]`, `acc (cm/s2)`, `acc_g`, `a_m_s2`.
-///
-/// # Errors
-/// A word that is no unit of acceleration where a unit would stand; another quantity.
-fn unit_of_heading(acceleration: &str, line: u64) -> Result<Option<Unit>, RecordError> {
-    if let Some(word) = bracketed(acceleration) {
-        let remedy = Text::new("record-units");
-        let unit = Unit::of_word(word)
-            .ok_or_else(|| RecordError::new(line, message!("record-unit-of", "unit" => quoted(word)), remedy))?;
-        return Ok(Some(unit));
-    }
-    unit_in_words(acceleration).map_err(|OtherWord| {
-        RecordError::new(line, message!("record-unit-of", "unit" => quoted(acceleration)), Text::new("record-units"))
-    })
-}
-
-/// A heading has a word where a unit of acceleration would stand, or names another quantity.
-struct OtherWord;
-
-/// Words of a heading that name no unit: directions and numbers of components.
-const DIRECTIONS: [&str; 18] =
-    ["x", "y", "z", "h", "v", "n", "s", "e", "w", "ns", "sn", "ew", "we", "ud", "up", "north", "east", "vertical"];
-
-/// Beginnings of words that name another quantity than an acceleration.
-const OTHERS: [&str; 4] = ["disp", "vel", "speed", "time"];
-
-/// The unit that a heading without brackets states behind the name of the quantity; none where it states none, as `a`, `acc x` and
-/// `ground motion` do not.
-fn unit_in_words(heading: &str) -> Result<Option<Unit>, OtherWord> {
-    // `m_s2` is written for m/s2 where a name may have no slash.
-    let heading = heading.trim().to_ascii_lowercase().replace("m_s2", "m/s2");
-    let parted = |c: char| c.is_whitespace() || c == '_';
-    let words: Vec<&str> = heading.split(parted).filter(|word| !word.is_empty()).collect();
-    let [name, more @ ..] = &words[..] else { return Ok(None) };
-    if OTHERS.iter().any(|other| name.starts_with(other)) {
-        return Err(OtherWord);
-    }
-    // `g`, or `a/g`: the acceleration in parts of it.
-    let alone = Unit::of_word(name).or_else(|| Unit::of_word(name.split_once('/')?.1));
-    let [between @ .., last] = more else {
-        return if alone.is_none() && name.contains('/') { Err(OtherWord) } else { Ok(alone) };
-    };
-    // A direction, a number, or a word too long for a unit or its prefix.
-    let names = |word: &&str| DIRECTIONS.contains(word) || word.chars().all(|c| c.is_ascii_digit()) || word.len() > 5;
-    let unit = Unit::of_word(last);
-    let known = if unit.is_some() { between.iter().all(&names) } else { names(last) };
-    if known { Ok(unit) } else { Err(OtherWord) }
-}
-
-/// What stands in round or square brackets.
-fn bracketed(field: &str) -> Option<&str> {
-    let (_, rest) = field.split_once(['[', '('])?;
-    rest.split_once([']', ')']).map(|(inside, _)| inside.trim())
-}
-
-/// The last of several words, parted by blanks or `_`.
-fn last_word(field: &str) -> Option<&str> {
-    field.trim().rsplit_once([' ', '_']).map(|(_, word)| word)
 }
 
 fn unreadable(error: &csv::Error) -> RecordError {

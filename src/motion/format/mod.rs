@@ -8,6 +8,7 @@ mod cosmos;
 mod csmip;
 mod csv;
 mod fortran;
+mod heading;
 mod knet;
 mod one_column;
 mod record;
