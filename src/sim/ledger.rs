@@ -145,7 +145,7 @@ fn jumps(history: &History, t: f64, ledger: &mut Ledger) {
     }
 }
 
-/// Instants at which the kinetic energy is looked at.
+/// Instants at which the kinetic energy is looked at. Chosen: it tells the size of the energy in play, no more.
 const KINETIC_LOOKS: u32 = 64;
 
 /// The largest kinetic energy up to each of some instants, which no period of a motion repeats: they are multiples of the golden section

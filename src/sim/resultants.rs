@@ -74,8 +74,8 @@ impl History {
         closed.max_by(|a, b| a.force.length().total_cmp(&b.force.length())).map(|now| now.contact)
     }
 
-    /// The largest |force| between any two bodies that touched, by the pair of their hardest touch \[N\]; one entry for every two bodies, in the
-    /// order of their pairs; none where all touches are impulses.
+    /// The largest |force| between any two bodies that touched, by the pair of their hardest touch \[N\]; one entry for every two bodies,
+    /// in the order of these pairs; none where all touches are impulses.
     pub fn largest_resultants(&self) -> Vec<(usize, Extreme)> {
         let most = |of: &Pounding| Some((of.pair, of.most().filter(|most| most.value > 0.0)?));
         self.poundings().iter().filter_map(most).collect()

@@ -42,3 +42,13 @@ fn a_name_that_is_not_there_and_a_run_that_ends_early_are_told() {
     assert!(stopped.err.contains("vertical support is lost"), "{}", stopped.err);
     assert!(folder.path().join("plot.csv").exists(), "and what there is is written");
 }
+
+#[test]
+fn more_points_than_a_picture_holds_are_refused_before_the_run() {
+    let folder = tempfile::tempdir().expect("a folder");
+    let out = folder.path().to_str().expect("a UTF-8 path");
+    let said = call(&[&SHORT[..], &["--y", "deck.x", "--sample", "1e9", "--out", out]].concat());
+    assert_eq!(said.status, Some(2), "{}", said.err);
+    assert!(said.err.contains("plot.csv"), "{}", said.err);
+    assert!(!folder.path().join("plot.csv").exists(), "nothing is written");
+}

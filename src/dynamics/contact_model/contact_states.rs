@@ -41,6 +41,15 @@ impl ContactStates<'_> {
         self.count(contact);
     }
 
+    /// Forgets how K and C are divided in a contact's pair once none of its contacts is closed: the next touch divides them anew.
+    pub(super) fn forget_sharers_of_open(&mut self, contact: usize) {
+        let pair = self.world.contacts[contact].pair;
+        let mut contacts = self.world.pairs[pair].contacts.clone();
+        if !contacts.any(|c| self.world.contacts[c].state.closed().is_some()) {
+            self.world.pairs[pair].sharers = 0;
+        }
+    }
+
     /// Enters a state, or a change within one, that is logged and counted and is no event.
     pub(super) fn enter_without_event(&mut self, contact: usize, state: Contact) {
         self.enter_state(contact, state);

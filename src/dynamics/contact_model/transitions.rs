@@ -100,14 +100,7 @@ impl<'a> Transitions<'_, 'a> {
         if kind == EventKind::LeftFace {
             self.vertices().pass_on(contact, closed);
         }
-        let pair = self.states.world.contacts[contact].pair;
-        let touching = self.states.world.pairs[pair]
-            .contacts
-            .clone()
-            .any(|c| self.states.world.contacts[c].state.closed().is_some());
-        if !touching {
-            self.states.world.pairs[pair].sharers = 0;
-        }
+        self.states.forget_sharers_of_open(contact);
     }
 
     /// From stick to slip, or back.

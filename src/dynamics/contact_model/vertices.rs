@@ -117,6 +117,7 @@ impl VertexNodes<'_, '_> {
                 let Some(state) = self.states.world.contacts[rival].state.closed().copied() else { continue };
                 let released = self.states.strain(rival, &state);
                 self.states.log(rival, Contact::Open { armed: false }, EventKind::LeftFace, released);
+                self.states.forget_sharers_of_open(rival);
             }
             (self.states.world.contacts[node].sharers, self.states.world.contacts[node].has_part) = (divisor, true);
             self.carry(node, (contact, closed), &carried);

@@ -1,6 +1,6 @@
 //! The energy ledger balances.
 
-use crate::support::{run, within};
+use crate::support::{run, scene, within};
 use girderbench::scene::{FrictionLaw, Kind, Motion, presets};
 
 #[test]
@@ -65,4 +65,17 @@ fn dashpots_alone_are_booked_over_a_long_flight() {
     scene.girders[0].bearings = Some(girderbench::scene::Bearings::Each(vec![each]));
     let ledger = run(&scene).ledger(10.0);
     within("all of its energy is lost in the dashpots", ledger.loss_bearing / 0.25 - 1.0, 1e-11);
+}
+
+#[test]
+fn a_girder_that_the_ground_leaves_at_rest_balances_against_what_moved() {
+    // Eight whole periods of a free girder: nothing is stored, lost or worked at the end, and all was kinetic before.
+    let text = "name = \"free\"\nduration_s = 10.0\n[[girder]]\nname = \"deck\"\nlength_m = 30.0\nwidth_m = 10.0\nthickness_m = 1.5\n\
+                mass_kg = 6e5\n[motion]\nkind = \"sine\"\namplitude_m_s2 = 2.0\nfrequency_hz = 0.8\n";
+    let history = run(&scene(text));
+    let largest = 0.5 * 6e5 * (2.0 * 2.0 / (std::f64::consts::TAU * 0.8)).powi(2);
+    let ledger = history.ledger(history.end());
+    assert!(ledger.kinetic < 1e-6 * largest, "at rest: {}", ledger.kinetic);
+    assert!(ledger.scale > 0.5 * largest && ledger.scale <= largest * (1.0 + 1e-9), "{} of {largest}", ledger.scale);
+    assert!(history.balance().holds(), "{:?}", history.balance());
 }

@@ -8,7 +8,7 @@ use girderbench::scene::{Between, ModelKind, presets};
 use girderbench::sim::{History, Overlap, SolidId, unjoined};
 use glam::DVec3;
 
-use crate::support::{scene, within};
+use crate::support::{run, scene, within};
 
 const GIRDER: &str = "length_m = 0.19\nwidth_m = 0.07\nthickness_m = 0.02\nmass_kg = 2.0\n";
 
@@ -212,4 +212,18 @@ fn a_contact_that_leaves_its_face_with_energy_in_its_spring_is_said() {
     within("the ledger's own", dropped.energy - history.ledger(history.end()).jump_edge, 1e-12);
     assert!(dropped.share > 1e-6 && dropped.count > 0, "{dropped:?}");
     assert_eq!(history.too_deep(), [], "corners at the wall's edge touch its front, not its sides from within");
+}
+
+#[test]
+fn a_wall_thinner_than_the_girder_is_not_gone_through_in_silence() {
+    let deck = "length_m = 30.0\nwidth_m = 10.0\nthickness_m = 1.5\nmass_kg = 6e5\n";
+    // v √(m/K) = 39 mm into a wall of 100 mm, without dashpots.
+    let history = run(&scene(&format!(
+        "name = \"thin\"\nduration_s = 0.3\n[contact]\nstiffness_n_per_m = 1e8\nrestitution_normal = 1.0\nrestitution_tangential = 1.0\n\
+         [[girder]]\nname = \"a\"\n{deck}initial = {{ velocity_m_s = [0.5, 0.0] }}\n\
+         [[abutment]]\nname = \"wall\"\nfaces = \"a\"\ngap_m = 0.005\ndepth_m = 0.1\n"
+    )));
+    let [deep] = &history.too_deep()[..] else { panic!("{:?}", history.too_deep()) };
+    within("a tenth of its depth", deep.allowed - 0.01, 1e-15);
+    within("depth", deep.depth.value / (0.5 * (6e5_f64 / 1e8).sqrt()) - 1.0, 1e-6);
 }

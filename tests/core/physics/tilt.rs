@@ -173,3 +173,25 @@ fn a_height_at_the_underside_is_the_default_bit_for_bit() {
     let [absent, given] = ["", ", height_m = -0.1"].map(|height| deck(1.0, &bearings(height), "").digest());
     assert_eq!(absent, given, "half the thickness below G");
 }
+
+#[test]
+fn a_girder_that_rolls_on_all_its_supports_is_computed_to_its_end() {
+    // Its corners drop by more than `drop_m`, and no support comes to the end of its travel.
+    let rolling = |travel: &str| {
+        run(&scene(&format!(
+            "name = \"rolling\"\nkind = \"spatial\"\nduration_s = 3.0\n[[girder]]\nname = \"deck\"\nlength_m = 30.0\nwidth_m = 4.0\n\
+             thickness_m = 6.0\nmass_kg = 6e5\nbearings = {{ frequency_hz = 1.5, damping_ratio = 0.02, vertical_frequency_hz = 3.0, {travel}\
+             at_m = [[12, 1], [12, -1], [-12, 1], [-12, -1]] }}\n[motion]\nkind = \"sine\"\namplitude_g = 0.6\nfrequency_hz = 1.0\n\
+             angle_deg = 90.0\n"
+        )))
+    };
+    let [free, watched] = ["", "travel_m = 50.0, "].map(rolling);
+    assert!(watched.stop().is_none(), "{:?}", watched.stop());
+    let [one, other] = [&free, &watched].map(|history| history.motion(0, 3.0));
+    within("as without a travel", (one.displacement - other.displacement).length(), 1e-9);
+    let lowest = (0..=300).map(|i| {
+        let m = watched.motion(0, 0.01 * f64::from(i));
+        m.displacement.z - 2.0 * m.attitude.mul_vec3(glam::DVec3::Y).z.abs()
+    });
+    assert!(lowest.fold(0.0, f64::min) < -0.1, "a corner drops by more than 0.1 m");
+}

@@ -398,6 +398,10 @@ fn names_are_given_once_and_fit_into_tables() {
         let to = format!("name = \"{bad}\"");
         assert_complaint("name = \"approach\"", &to, "girder[1].name", bad, "use letters, digits");
     }
+    for taken in ["ground", "energy", "table"] {
+        let to = format!("name = \"{taken}\"");
+        assert_complaint("name = \"approach\"", &to, "girder[1].name", taken, "give another name");
+    }
     for empty in ["", "  "] {
         let to = format!("name = \"{empty}\"");
         assert_complaint("name = \"approach\"", &to, "girder[1].name", empty, "give it a name");
