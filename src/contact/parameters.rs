@@ -136,7 +136,13 @@ pub struct Dashpots {
 
 /// Reduced mass of two bodies, `M₁M₂/(M₁+M₂)`; a fixed body has infinite mass \[kg\].
 pub fn reduced_mass(first: f64, second: f64) -> f64 {
-    if second.is_infinite() { first } else { first * second / (first + second) }
+    if second.is_infinite() {
+        first
+    } else if first.is_infinite() {
+        second
+    } else {
+        first * second / (first + second)
+    }
 }
 
 /// `2 √(K M)` \[N·s/m\], or with the stiffness of a Hertz spring \[N·s/m^{5/4}\].
@@ -169,6 +175,13 @@ mod tests {
             [(pair.normal, 220.5), (pair.tangential, 26.4), (wall.normal, 311.8), (wall.tangential, 37.3)]
         {
             assert!((got - printed).abs() < 0.05, "{got} is not {printed} to the digits given");
+        }
+    }
+
+    #[test]
+    fn the_body_that_moves_counts_whichever_of_the_two_is_fixed() {
+        for (first, second, reduced) in [(2.0, f64::INFINITY, 2.0), (f64::INFINITY, 2.0, 2.0), (3.0, 6.0, 2.0)] {
+            assert_eq!(reduced_mass(first, second), reduced, "{first} and {second} kg");
         }
     }
 

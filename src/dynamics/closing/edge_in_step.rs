@@ -12,21 +12,18 @@ use crate::dynamics::model::edge_node::{Edge, EdgeEnds};
 use crate::dynamics::world::World;
 use crate::dynamics::world::contact_points::{self, poses_at};
 
-/// Closing of an edge node, and time from which it is armed if it was not \[s\].
+/// Closing of an edge node, and time from which it is armed if it was not \[s\]; a closing after `last` may be left out.
 pub(super) fn search(
     world: &World,
     contact: usize,
     samples: &mut StepSamples,
-    armed: bool,
+    (armed, last): (bool, f64),
 ) -> (Option<f64>, Option<f64>) {
     let times = samples.times;
     let [t, until] = [times[0], times[times.len() - 1]];
     let site = &world.model.contacts[world.contacts[contact].site];
     let Some(edge) = site.edge.as_deref().filter(|_| until > t) else { return (None, None) };
-    let ends_at = |samples: &StepSamples, i: usize| {
-        let [node, face] = samples.sides(world, contact, i);
-        edge.ends(node, face)
-    };
+    let ends_at = |samples: &mut StepSamples, i: usize| samples.edge_ends(world, (contact, edge), i);
     if edge.is_of_met() && !edge.may_belong(samples.sides(world, contact, 0), samples.turned(world)) {
         return (None, None);
     }
@@ -38,7 +35,7 @@ pub(super) fn search(
     if edge.is_clear(&before, reach) {
         return (None, None);
     }
-    let first = with_sense(world, contact, samples, (before.sense(), armed), arms);
+    let first = with_sense(world, contact, samples, (before.sense(), armed, last), arms);
     // The sign of the gap of two lines changes where they pass through parallel.
     if (before.inset[1] - before.inset[0]).abs() > 2.0 * reach {
         return first;
@@ -48,7 +45,7 @@ pub(super) fn search(
     if (1..times.len()).all(|i| ends_at(samples, i).sense() != turned) {
         return first;
     }
-    let (closing, _) = with_sense(world, contact, samples, (turned, true), arms);
+    let (closing, _) = with_sense(world, contact, samples, (turned, true, last), arms);
     (first.0.into_iter().chain(closing).reduce(f64::min), first.1)
 }
 
@@ -57,16 +54,13 @@ fn with_sense(
     world: &World,
     contact: usize,
     samples: &mut StepSamples,
-    (sense, armed): (f64, bool),
+    (sense, armed, last): (f64, bool, f64),
     arms: [f64; 2],
 ) -> (Option<f64>, Option<f64>) {
     let times = samples.times;
     let [t, until] = [times[0], times[times.len() - 1]];
     let Some(edge) = world.model.contacts[world.contacts[contact].site].edge.as_deref() else { return (None, None) };
-    let ends_at = |samples: &StepSamples, i: usize| {
-        let [node, face] = samples.sides(world, contact, i);
-        edge.ends(node, face)
-    };
+    let ends_at = |samples: &mut StepSamples, i: usize| samples.edge_ends(world, (contact, edge), i);
     let before = ends_at(samples, 0);
     let slots = world.contacts[contact].slots;
     let resolution = samples.resolution(world, contact) * edge.amplification(&before).max(1.0);
@@ -112,14 +106,16 @@ fn with_sense(
     };
     let interval = CLOSING_INTERVAL * world.pairs[world.contacts[contact].pair].simultaneity;
     samples.fill(world);
-    let mut gaps: Vec<GapSample> =
-        times.iter().enumerate().map(|(i, &at)| sample((edge, sense), &ends_at(samples, i), at)).collect();
+    // The samples up to the first one from `last` on.
+    let wanted = 1 + times.iter().position(|&at| at >= last).unwrap_or(times.len() - 1).max(1);
+    let mut gaps: Vec<GapSample> = (0..wanted).map(|i| sample((edge, sense), &ends_at(samples, i), times[i])).collect();
     let (mut armed, mut rearmed) = (armed, None);
     loop {
         let mut subdivision = Subdivision::new((gap_at, curvature, rate_error_at), armed, resolution, interval);
         let closing = subdivision.first_closing(&gaps);
         rearmed = rearmed.or(subdivision.rearmed_at());
         match closing {
+            Some(at) if at > last => return (None, rearmed),
             Some(at) if !begins(world, contact, sense, at) => {
                 armed = false;
                 gaps = std::iter::once(gap_at(at)).chain(gaps.into_iter().filter(|sample| sample.t > at)).collect();

@@ -38,12 +38,20 @@ pub(in crate::dynamics) fn search(world: &mut World, pair: usize, [t, until]: [f
         let edge = world.model.contacts[world.contacts[contact].site].edge.as_deref();
         let is_edge = edge.is_some();
         let stays = edge.map_or(corners_stay, |edge| edges_stay || edge.stays_clear(moved));
-        if stays {
+        if stays || cannot_cross(world, contact) {
             continue;
         }
-        let search = if is_edge { edge_in_step::search } else { in_step };
-        let (closing, out) =
-            open(world, contact, t).map_or((None, None), |armed| search(world, contact, samples, armed));
+        let Some(armed) = open(world, contact, t) else {
+            (world.contacts[contact].closing, world.contacts[contact].rearmed_at) = (None, None);
+            continue;
+        };
+        // An event ends the step: what would close after those that close with the first is found from there.
+        let last = first + world.pairs[pair].simultaneity;
+        let (closing, out) = if is_edge {
+            edge_in_step::search(world, contact, samples, (armed, last))
+        } else {
+            in_step(world, contact, samples, armed)
+        };
         (world.contacts[contact].closing, world.contacts[contact].rearmed_at) = (closing, out);
         first = first.min(closing.unwrap_or(f64::INFINITY));
     }
@@ -103,6 +111,14 @@ fn cannot_close(world: &World, pair: usize, samples: &StepSamples) -> bool {
     let [t, until] = [samples.times[0], samples.times[STEP_SAMPLES - 1]];
     let excursions = |side: usize| slots[side].map_or(0.0, |slot| excursion(world, slot, longest_arm[side], t, until));
     least_gap > excursions(0) + excursions(1)
+}
+
+/// Whether the edge of an open edge node stays before the plane of the face until the last sample time, by the searches of both ends: where
+/// its crossing reaches the plane, one of them is behind it.
+fn cannot_cross(world: &World, contact: usize) -> bool {
+    let before = |contact: usize| world.contacts[contact].state == Contact::Open { armed: true };
+    let stays = |corner: usize| before(corner) && world.contacts[corner].closing.is_none();
+    before(contact) && world.contacts[contact].corners.is_some_and(|ends| ends.into_iter().all(stays))
 }
 
 /// Whether an open contact is armed; `None` for a closed one. A disarmed contact whose gap is positive is armed

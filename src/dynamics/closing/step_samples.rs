@@ -7,6 +7,7 @@ use crate::dynamics::closing::constants::{SPEED_ROUNDING, STEP_SAMPLES};
 use crate::dynamics::closing::gap_curvature::GapCurvature;
 use crate::dynamics::locate::constants::RESOLUTION;
 use crate::dynamics::locate::subdivision::GapSample;
+use crate::dynamics::model::edge_node::{Edge, EdgeEnds};
 use crate::dynamics::world::World;
 use crate::dynamics::world::site_geometry::SiteGeometry;
 use crate::dynamics::world::tracks::{PairTrack, Trajectory};
@@ -31,6 +32,9 @@ pub(super) struct StepSamples {
     sections: [usize; 2],
     turned: OnceCell<f64>,
     bounds: OnceCell<GapCurvature>,
+    /// Corners of one pair relative to their faces, which several edges share: number of the first contact of the pair, then by contact
+    /// and sample.
+    corners: (usize, Vec<[Option<Local>; STEP_SAMPLES]>),
 }
 
 impl StepSamples {
@@ -40,7 +44,8 @@ impl StepSamples {
         let part = |i: usize| (until - t) * i as f64 / (STEP_SAMPLES - 1) as f64;
         let times = std::array::from_fn(|i| if i == STEP_SAMPLES - 1 { until } else { t + part(i) });
         let first = Self::frames(world, slots, sections, t);
-        Self { times, first, others: Vec::new(), slots, sections, turned: OnceCell::new(), bounds: OnceCell::new() }
+        let (turned, bounds, others) = (OnceCell::new(), OnceCell::new(), Vec::new());
+        Self { times, first, others, slots, sections, turned, bounds, corners: (usize::MAX, Vec::new()) }
     }
 
     /// Whether these are the poses of a pair's bodies in the planned step from `t` to `until`.
@@ -103,6 +108,34 @@ impl StepSamples {
     pub(super) fn local(&self, world: &World, contact: usize, i: usize) -> Local {
         let (site, [node, face]) = (&world.model.contacts[world.contacts[contact].site], self.sides(world, contact, i));
         locate(&site.home, node, face)
+    }
+
+    /// Ends of the edge of an edge node relative to its face at sample `i`.
+    pub(super) fn edge_ends(&mut self, world: &World, (contact, edge): (usize, &Edge), i: usize) -> EdgeEnds {
+        let Some(corners) = world.contacts[contact].corners else {
+            let [node, face] = self.sides(world, contact, i);
+            return edge.ends(node, face);
+        };
+        edge.ends_at(corners.map(|corner| self.corner(world, corner, i)))
+    }
+
+    /// A corner relative to its face at sample `i`, computed once.
+    fn corner(&mut self, world: &World, contact: usize, i: usize) -> Local {
+        let from = world.pairs[world.contacts[contact].pair].contacts.start;
+        if self.corners.0 != from {
+            self.corners.0 = from;
+            self.corners.1.clear();
+        }
+        let own = contact - from;
+        if self.corners.1.len() <= own {
+            self.corners.1.resize(own + 1, [None; STEP_SAMPLES]);
+        }
+        if let Some(known) = self.corners.1[own][i] {
+            return known;
+        }
+        let here = self.local(world, contact, i);
+        self.corners.1[own][i] = Some(here);
+        here
     }
 
     /// Gap and rate of a contact at sample `i`.

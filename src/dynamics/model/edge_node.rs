@@ -212,6 +212,11 @@ impl Edge {
         self.shared
     }
 
+    /// Both ends of the edge against the face, as placed.
+    pub(in crate::dynamics) fn homes(&self) -> [&Home; 2] {
+        self.ends.each_ref()
+    }
+
     /// Length of the edge \[m\].
     pub fn length(&self) -> f64 {
         self.span.length()
@@ -224,7 +229,11 @@ impl Edge {
 
     /// Both ends relative to the face.
     pub(in crate::dynamics) fn ends(&self, node: &Frame, face: &Frame) -> EdgeEnds {
-        let ends = [0, 1].map(|i| locate(&self.ends[i], node, face));
+        self.ends_at([0, 1].map(|i| locate(&self.ends[i], node, face)))
+    }
+
+    /// The same from both ends as nodes against the face.
+    pub(in crate::dynamics) fn ends_at(&self, ends: [Local; 2]) -> EdgeEnds {
         EdgeEnds {
             ends,
             inset: ends.map(|end| self.side.perp_dot(end.at - self.from)),

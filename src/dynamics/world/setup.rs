@@ -5,8 +5,7 @@ use std::sync::Arc;
 
 use crate::dynamics::model::edge_node::NodePlace;
 
-use crate::contact::NormalLaw;
-use crate::dynamics::Model;
+use crate::contact::{Home, NormalLaw};
 use crate::dynamics::free_flight::body_motion::BodyMotion;
 use crate::dynamics::penalty3d::constants::SIMULTANEOUS_PHASE;
 use crate::dynamics::penalty3d::contact_state::Contact;
@@ -18,6 +17,7 @@ use crate::dynamics::world::axial_gap::AxialGap;
 use crate::dynamics::world::constants::{NOMINAL_FREQUENCY, NOMINAL_IMPACT_SPEED};
 use crate::dynamics::world::site_geometry::SiteGeometry;
 use crate::dynamics::world::tracks::{Apart, BodyTrack, ChangeCount, ContactTrack, LinkTrack, PairTrack, Trajectory};
+use crate::dynamics::{ContactSite, Model};
 use crate::scene::facing::{Side, SolidId};
 
 /// Body and name of a node, and the two bodies of its contact.
@@ -81,6 +81,7 @@ impl World {
             let owners = [model.contacts[site].node_body, model.contacts[site].face_body].map(slot);
             self.add_contact(model, site, owners);
         }
+        self.find_edge_ends(model, from);
         for slot in slots.into_iter().flatten() {
             self.bodies[slot].pairs.push(self.pairs.len());
         }
@@ -116,6 +117,7 @@ impl World {
             slots,
             sections: model.sections(site),
             geometry: SiteGeometry::of(model, site),
+            corners: None,
             rivals: Vec::new(),
             state: Contact::Open { armed: true },
             sharers: 1.0,
@@ -127,6 +129,19 @@ impl World {
             granted: 0.0,
             changes: ChangeCount::default(),
         });
+    }
+
+    /// Enters in each edge node among the contacts of one pair, from number `from` on, those of the ends of its edge.
+    fn find_edge_ends(&mut self, model: &Model, from: usize) {
+        for contact in from..self.contacts.len() {
+            let Some(edge) = &model.contacts[self.contacts[contact].site].edge else { continue };
+            let corner = |home: &Home| {
+                let is_there = |site: &ContactSite| site.edge.is_none() && site.home == *home;
+                (from..contact).find(|&other| is_there(&model.contacts[self.contacts[other].site]))
+            };
+            let [first, second] = edge.homes().map(corner);
+            self.contacts[contact].corners = first.zip(second).map(|(first, second)| [first, second]);
+        }
     }
 
     fn add_link(&mut self, model: &Model, number: usize, slots: [Option<usize>; 2]) {

@@ -144,6 +144,8 @@ pub(in crate::dynamics) struct ContactTrack {
     pub has_part: bool,
     /// Where the node is and how its contact is directed since its last closing.
     pub place: NodePlace,
+    /// Of an edge node the contacts of both ends of the edge with the same face, where these are nodes; nothing of a corner.
+    pub corners: Option<[usize; 2]>,
     /// Other contacts of the node with the same body, of which it touches one face at a time.
     pub rivals: Vec<usize>,
     /// Geometry of its site as placed.

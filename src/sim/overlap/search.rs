@@ -3,8 +3,9 @@
 //! Let d be the separation of two bodies, negative where they overlap, and c the deepest penetration of a closed contact
 //! between them. In the intervals in which contacts do not watch all that can meet ([`unwatched`]), the excess `−d − c` is
 //! sought where it is above the least depth ε that counts. While none of their contacts is closed, d changes no faster
-//! than the two bodies move, `v₁ + v₂`, each of its farthest corner: after a sample with separation d the next one is due
-//! `(max(d, 0) + ε) / (v₁ + v₂)` later (conservative advancement), so that no overlap deeper than ε lies between. Where
+//! than the two bodies move, `v₁ + v₂`, each of its farthest corner: after a sample with separation d the next one is due once they may
+//! have moved `max(d, 0) + ε` (conservative advancement, over as many steps of the integrator as that takes, each with bounds of its
+//! own), so that no overlap deeper than ε lies between. Where
 //! bodies stand against each other or pass within ε, that would take samples without end: the time is not less than that in
 //! which d changes by [`RESOLVED`], or a part of the present stretch where that is shorter, and nothing deeper than
 //! [`RESOLVED`] lies between. While a contact is closed, samples are taken at the ends and in the middle of the integrator's
@@ -139,10 +140,9 @@ impl Meeting<'_> {
             if before.t >= until || before.watched {
                 break;
             }
-            if bounds.until <= before.t {
-                bounds = self.bounds(before.t);
-            }
-            let after = self.sample(followed, self.next(&before, bounds, until));
+            let next;
+            (next, bounds) = self.next(&before, bounds, until);
+            let after = self.sample(followed, next);
             match (since, self.counts(&after)) {
                 (None, true) => since = Some(self.change(followed, [before.t, after.t])),
                 (Some(from), false) => {
@@ -210,16 +210,28 @@ impl Meeting<'_> {
         })
     }
 
-    /// Time of the next sample, at most `end` \[s\].
-    fn next(&self, now: &Sample, bounds: Approach, end: f64) -> f64 {
+    /// Time of the next sample, at most `end` \[s\], and the bounds that hold before it. `bounds` are those before this one.
+    fn next(&self, now: &Sample, mut bounds: Approach, end: f64) -> (f64, Approach) {
+        // Way by which the bodies can come nearer before an overlap counts.
+        let (mut t, mut left) = (now.t, now.separation.max(0.0) + self.least);
+        loop {
+            if bounds.until <= t {
+                bounds = self.bounds(t);
+            }
+            let until = bounds.until.min(end);
+            let way = bounds.speed * (until - t);
+            if now.carried || way >= left || until >= end {
+                break;
+            }
+            (t, left) = (until, left - way);
+        }
         let until = bounds.until.min(end);
         let window = until - bounds.from;
-        let advance = (now.separation.max(0.0) + self.least) / bounds.speed;
         // In this time the separation changes by `resolved` at the most.
         let resolving = (self.resolved / bounds.speed).min(window / STRETCH_SAMPLES);
-        let step = if now.carried { window / CLOSED_STEP_SAMPLES } else { advance.max(resolving) };
+        let step = if now.carried { window / CLOSED_STEP_SAMPLES } else { (left / bounds.speed).max(resolving) };
         // A window may be shorter than the spacing of times.
-        (now.t + step).min(until).max(now.t.next_up())
+        ((t + step).min(until).max(now.t.next_up()), bounds)
     }
 
     /// When the excess begins or ceases to count between two samples of which one counts \[s\].
@@ -238,7 +250,8 @@ impl Meeting<'_> {
 
     fn overlap(&self, intervals: Vec<Interval>, &Found { deepest, followed, .. }: &Found) -> Overlap {
         let (history, solids) = (self.history, self.solids);
-        let step = self.next(&self.sample(followed, deepest.t), self.bounds(deepest.t), history.end()) - deepest.t;
+        let (next, _) = self.next(&self.sample(followed, deepest.t), self.bounds(deepest.t), history.end());
+        let step = next - deepest.t;
         let around = [(deepest.t - step).max(intervals[0][0]), (deepest.t + step).min(history.end())];
         let (t, value) = golden(|t| self.sample(followed, t).excess, around[0], around[1]);
         let depth = if value > deepest.value { Extreme { value, t } } else { deepest };
