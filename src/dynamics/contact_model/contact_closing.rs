@@ -97,6 +97,23 @@ impl ContactClosing<'_, '_> {
         self.states.log(contact, Contact::Closed(closed), kind, -closed.law.entry_energy(&here));
     }
 
+    /// Closing of a contact whose node is inside already, in place of the contact `left` of the same two bodies, which was in state `before`.
+    /// The energy of the normal spring is at most that of the one before: where it would be more, this contact's part of K and C is
+    /// the smaller. It is kept up to `kept` beyond the edges of its face \[m\].
+    pub(super) fn close_in_place_of(&mut self, (left, before): (usize, &ClosedContact), contact: usize, kept: f64) {
+        let [energy, whole] = [
+            before.law.normal.stored_energy(self.states.here(left).penetration()),
+            contact_law::of(self.states.world, contact, self.states.now).entry_energy(&self.states.here(contact)),
+        ];
+        let track = &mut self.states.world.contacts[contact];
+        track.has_part = true;
+        if energy > 0.0 && whole > energy {
+            track.sharers *= whole / energy;
+        }
+        self.states.world.contacts[left].has_part = false;
+        self.close_inside(contact, kept);
+    }
+
     /// State of a contact whose node is inside already: stick with the anchor at the projection, slip where `μ_s = 0`.
     fn closed_inside(&mut self, contact: usize) -> ClosedContact {
         let here = self.states.here(contact);

@@ -136,9 +136,9 @@ impl AtInstant<'_> {
     /// Contact in which a node that crosses a plane of another body closes; `None` where other contacts carry the overlap of the bodies.
     ///
     /// The contact with the crossed face, where of the faces of the entered body this one is the nearest to the way of the least overlap,
-    /// or where the bodies did not overlap. Otherwise the contact of the same node with that nearest face, where the penetration there is
-    /// at most [`DEPTH_RATIO`] times the least depth; without one, the contact with the crossed face, unless another contact carries the
-    /// overlap.
+    /// or where the bodies did not overlap. Otherwise, unless another contact carries the overlap, which this node takes over when that one
+    /// leaves, the contact of the same node with that nearest face, where the penetration there is at most [`DEPTH_RATIO`] times the least
+    /// depth; without one, the contact with the crossed face.
     pub(in crate::dynamics) fn entered_by(&self, contact: usize) -> Option<usize> {
         if self.site(contact).around.is_none() {
             return Some(contact);
@@ -159,10 +159,8 @@ impl AtInstant<'_> {
         let depth = |other: &usize| self.local(*other).penetration();
         let least = self.least_depth(contact, least.depth);
         let is_alike = |other: &usize| depth(other) > 0.0 && depth(other) <= DEPTH_RATIO * least;
-        match from_beside.filter(is_alike) {
-            Some(other) => Some(other),
-            None => (!self.is_carried_beside(contact, least)).then_some(contact),
-        }
+        let by = from_beside.filter(is_alike).unwrap_or(contact);
+        (!self.is_carried_beside(by, least)).then_some(by)
     }
 
     /// Whether a node inside another body at t = 0, which came through no face, is in it by this contact: of bodies whose faces all

@@ -29,7 +29,9 @@ impl<'a> Transitions<'_, 'a> {
     pub(in crate::dynamics) fn change(&mut self, contact: usize, reason: Reason) {
         let Some(closed) = self.states.world.contacts[contact].state.closed().copied() else { return };
         match reason {
-            Reason::Opening => self.open(contact, &closed, EventKind::Opened),
+            Reason::Opening => {
+                self.open(contact, &closed, EventKind::Opened);
+            }
             Reason::Edge if self.vertices().follow(contact, closed) => {}
             Reason::Edge => self.leave(contact, closed),
             Reason::Overlap => self.hand_over(contact, &closed),
@@ -54,13 +56,12 @@ impl<'a> Transitions<'_, 'a> {
             self.states.enter_without_event(contact, Contact::Closed(closed));
             return;
         }
-        self.open(contact, &closed, EventKind::LeftFace);
+        let passed_on = self.open(contact, &closed, EventKind::LeftFace);
         let open = self.states.world.contacts[least.contact].state.closed().is_none();
-        // Where the pair faces each other, the vertex may have another node by now.
-        let open = open && !self.states.at().is_carried_beside(contact, least.depth);
-        if open && !self.states.at().touches_elsewhere(least.contact) {
+        let carried = passed_on || self.states.at().is_carried_beside(contact, least.depth);
+        if open && !carried && !self.states.at().touches_elsewhere(least.contact) {
             self.states.place(least.contact, 0.0);
-            self.closing().close_inside(least.contact, 2.0 * least.depth);
+            self.closing().close_in_place_of((contact, &closed), least.contact, 2.0 * least.depth);
         }
     }
 
@@ -76,10 +77,9 @@ impl<'a> Transitions<'_, 'a> {
             self.states.world.contacts[contact].granted = 2.0 * (least - here).max(counts);
             return;
         };
-        // Of the same two flush faces it is another of their common nodes, and carries beside the one that is there.
-        if !self.vertices().are_flush_together(contact, to) {
-            self.open(contact, closed, EventKind::LeftFace);
-        }
+        // Not to the nodes at its vertex, which are no deeper.
+        self.release(contact, closed, EventKind::LeftFace);
+        self.states.forget_sharers_of_open(contact);
         for rival in self.states.world.contacts[to].rivals.clone() {
             if let Some(state) = self.states.world.contacts[rival].state.closed().copied() {
                 self.open(rival, &state, EventKind::LeftFace);
@@ -87,20 +87,24 @@ impl<'a> Transitions<'_, 'a> {
         }
         if self.states.world.contacts[to].state.closed().is_none() {
             self.states.place(to, 0.0);
-            self.closing().close_inside(to, 2.0 * least);
+            self.closing().close_in_place_of((contact, closed), to, 2.0 * least);
         }
     }
 
-    /// Opening of a contact, over an edge with what its vertex hands on.
-    fn open(&mut self, contact: usize, closed: &ClosedContact, kind: EventKind) {
+    /// Opening of a contact by itself.
+    fn release(&mut self, contact: usize, closed: &ClosedContact, kind: EventKind) {
         self.states.world.contacts[contact].place = closed.place;
         let released = self.states.strain(contact, closed);
         self.states.world.contacts[contact].granted = 0.0;
         self.states.log(contact, Contact::Open { armed: kind == EventKind::Opened }, kind, released);
-        if kind == EventKind::LeftFace {
-            self.vertices().pass_on(contact, closed);
-        }
+    }
+
+    /// Opening of a contact, over an edge with what its vertex hands on; whether there was a node that took it.
+    fn open(&mut self, contact: usize, closed: &ClosedContact, kind: EventKind) -> bool {
+        self.release(contact, closed, kind);
+        let passed_on = kind == EventKind::LeftFace && self.vertices().pass_on(contact, closed);
         self.states.forget_sharers_of_open(contact);
+        passed_on
     }
 
     /// From stick to slip, or back.

@@ -58,18 +58,18 @@ impl VertexNodes<'_, '_> {
     }
 
     /// Hands the part of a vertex in K and C that a node has left over an edge, in state `closed`, to the nodes that
-    /// are there now; other nodes of the vertex that are there no more leave with it.
-    pub(super) fn pass_on(&mut self, contact: usize, closed: &ClosedContact) {
+    /// are there now; other nodes of the vertex that are there no more leave with it. Whether there is such a node.
+    pub(super) fn pass_on(&mut self, contact: usize, closed: &ClosedContact) -> bool {
         let pair = self.states.world.pairs[self.states.world.contacts[contact].pair].pair;
         if !self.states.world.model.pairs[pair].passes_on {
-            return;
+            return false;
         }
         // Faces of bodies that have met may stand at any angle. Those that are not flush have no vertex in common: every node has a
         // penetration of its own.
         let tilt = self.tilt(contact);
         let have_met = self.states.world.pairs[self.states.world.contacts[contact].pair].meeting.is_some();
         if have_met && tilt > FLUSH {
-            return;
+            return false;
         }
         // Faces that are not parallel see a vertex at places that differ by the depth times the sine of their angle.
         let apart = self.states.here(contact).penetration().max(0.0) * tilt;
@@ -78,7 +78,7 @@ impl VertexNodes<'_, '_> {
             .map(|reach| (self.at_vertex_of(contact, reach), reach[1]))
             .find(|([nodes, _], _)| !nodes.is_empty())
         else {
-            return;
+            return false;
         };
         let sharers = self.states.world.contacts[contact].sharers;
         let kept = nodes.iter().filter_map(|&node| Some((node, *self.states.world.contacts[node].state.closed()?)));
@@ -102,7 +102,7 @@ impl VertexNodes<'_, '_> {
         let carried = Carried { kept: 2.0 * beside, ..self.carried(&before, count / divisor) };
         // No contact at a penetration of at least the depth of the face's body.
         if nodes.iter().any(|&node| self.states.site(node).face.depth <= carried.depth) {
-            return;
+            return false;
         }
         self.states.world.contacts[contact].has_part = false;
         for gone in gone {
@@ -122,12 +122,7 @@ impl VertexNodes<'_, '_> {
             (self.states.world.contacts[node].sharers, self.states.world.contacts[node].has_part) = (divisor, true);
             self.carry(node, (contact, closed), &carried);
         }
-    }
-
-    /// Whether two contacts are of the same two faces, which are flush.
-    pub(super) fn are_flush_together(&self, one: usize, other: usize) -> bool {
-        let pair = |contact: usize| self.states.world.contacts[contact].pair;
-        pair(one) == pair(other) && self.tilt(one) <= FLUSH
+        true
     }
 
     /// Whether the vertex of an open corner inside a flush face has a node in contact, which leaves its part to this corner when it comes to
@@ -146,7 +141,16 @@ impl VertexNodes<'_, '_> {
         let poses = |c: usize| self.states.at().sides(c);
         let [mut nodes, gone] = contact_points::at_vertex_of(self.states.world, contact, [extra, beyond], &poses);
         nodes.retain(|&node| self.states.world.contacts[node].state.closed().is_some() || self.can_enter(node, beyond));
+        nodes.retain(|&node| !self.leaves_with(node));
         [nodes, gone]
+    }
+
+    /// Whether a corner at a vertex that another one has left comes out over the edge of its own face: in plan the faces part there, corner
+    /// past corner, and the vertex is gone. Where they go on to lie before each other it goes in.
+    fn leaves_with(&self, node: usize) -> bool {
+        let (here, face) = (self.states.here(node), &self.states.site(node).face);
+        let middle = face.coordinates(face.corners[0]).midpoint(face.coordinates(face.corners[1]));
+        self.states.world.model.kind == Kind::Planar && (here.at.x - middle.x) * here.rate.x > 0.0
     }
 
     /// Sine of the angle between the two faces of a contact's pair \[–\]; 0 where one of the two has no nodes.

@@ -37,9 +37,13 @@ const ONCE: &[u64] = &[
 ];
 
 /// Girders thrown at each other that used to be inside each other without a contact: two corners that passed each other (1000258, 1000403,
-/// 1000559), a corner that came from beside (1000160, 1000458), a corner in two bodies at once (1003363, 1004008, 1004760, 1005236).
-const THROWN_ONCE: &[u64] =
-    &[1_000_160, 1_000_258, 1_000_403, 1_000_458, 1_000_559, 1_003_363, 1_004_008, 1_004_760, 1_005_236];
+/// 1000559), a corner that came from beside (1000160, 1000458), a corner in two bodies at once (1003363, 1004008, 1004760, 1005236); or
+/// gained energy where a contact began beside the one that carried (1001614, 1005823, 1009129, 1009235, 1010493), or passed a vertex that was
+/// gone to and fro (1006094, 1010597, 1010802).
+const THROWN_ONCE: &[u64] = &[
+    1_000_160, 1_000_258, 1_000_403, 1_000_458, 1_000_559, 1_001_614, 1_003_363, 1_004_008, 1_004_760, 1_005_236,
+    1_005_823, 1_006_094, 1_009_129, 1_009_235, 1_010_493, 1_010_597, 1_010_802,
+];
 
 /// No limit of processor time; as many events as the command asks for by itself.
 const ENOUGH: Limits = Limits { events: 20_000, ..Limits::NONE };
