@@ -3,8 +3,9 @@
 //! Three runs: at the scene's tolerance, at a hundredth of it, and at a hundredth of that (never below the finest that a
 //! scene may ask for), which stands for the truth. Where the finer error is not below the coarser one and not at the
 //! rounding floor, the reference is run again with starts, ground motion and friction perturbed by [`PERTURBATION`] and by the finer
-//! tolerance. The case counts as trusted until a perturbation has grown a thousandfold; the finer error may be ten times the growth of
-//! the perturbations.
+//! tolerance. The case counts as trusted until a perturbation has grown a thousandfold, of a backwall or a pier in parts of its own
+//! motion: a wall that taps on its soil by micrometres is chaotic long before it shows beside girders that move by metres. The finer error
+//! may be ten times the growth of the perturbations.
 //!
 //! All runs advance together from one instant of comparison to the next and end where the case is no longer trusted: beyond, differences
 //! are those of a chaotic motion.
@@ -24,6 +25,9 @@ pub(super) const CLAIM: &str = "the error at a hundredth of the tolerance is bel
 const COMPARED: usize = 400;
 /// Rounding of a place at the end of a run, in parts of what moves and how far.
 const FLOOR: f64 = 1e-12;
+/// Largest weight of a body that moves less than the girders: below that part of their motion it does not count as moving \[–\]. Chosen: the
+/// rounding of a place, 1e-16, is far below a thousandfold [`PERTURBATION`] of it.
+const LARGEST_WEIGHT: f64 = 1e6;
 /// Growth of a perturbation up to which a case is trusted \[–\]. Chosen.
 const GROWN: f64 = 1e3;
 /// Relative perturbation that stands for round-off \[–\].
@@ -46,11 +50,14 @@ fn compare(coarse: &History, watch: &Watch<'_>, figures: &mut Figures) -> Result
     let [tolerance, fine, finest] = [1.0, 1e-2, 1e-4].map(|part| (scene.solver.tolerance * part).max(FINEST_TOLERANCE));
     let mut truth = Run::new(with_tolerance(scene, finest))?;
     let mut finer = if finest < fine { Some(Run::new(with_tolerance(scene, fine))?) } else { None };
-    let extent = extent(coarse);
+    let (extent, weights) = (extent(coarse), weights(coarse));
     let shares = [PERTURBATION, -PERTURBATION, fine, -fine];
     let starts = shares.map(|share| Run::new(perturbed(&truth.scene, share, extent)));
-    let mut perturbed_runs =
-        PerturbedRuns { starts: Vec::new(), limits: shares.map(|share| GROWN * share.abs() * extent).to_vec() };
+    let mut perturbed_runs = PerturbedRuns {
+        starts: Vec::new(),
+        weights,
+        limits: shares.map(|share| GROWN * share.abs() * extent).to_vec(),
+    };
     for start in starts {
         perturbed_runs.starts.push(start?);
     }
@@ -61,7 +68,7 @@ fn compare(coarse: &History, watch: &Watch<'_>, figures: &mut Figures) -> Result
     for i in 1..=COMPARED {
         truth.go_on(watch)?;
         let t = instant(i, coarse.end());
-        let here: Vec<Motion> = (0..scene.girders.len()).map(|girder| coarse.motion(girder, t)).collect();
+        let here: Vec<Motion> = (0..coarse.model().bodies.len()).map(|body| coarse.motion(body, t)).collect();
         let mut error = errors[i - 1];
         error[0] = error[0].max(truth.apart(&here, i));
         if let Some(finer) = &mut finer {
@@ -96,7 +103,7 @@ fn compare(coarse: &History, watch: &Watch<'_>, figures: &mut Figures) -> Result
 struct Run {
     scene: Scene,
     session: Session,
-    /// Motions of all girders at the instants so far.
+    /// Motions of all bodies at the instants so far.
     motions: Vec<Vec<Motion>>,
 }
 
@@ -136,21 +143,32 @@ impl Run {
 
     /// The largest difference of any corner from these motions at an instant \[m\].
     fn apart(&self, others: &[Motion], i: usize) -> f64 {
+        self.each_apart(others, i).fold(0.0, f64::max)
+    }
+
+    /// The largest difference of any corner of each body from these motions at an instant \[m\].
+    fn each_apart(&self, others: &[Motion], i: usize) -> impl Iterator<Item = f64> {
         let radii = self.session.model().bodies.iter().map(|body| body.radius);
         let apart = |((a, b), radius): ((&Motion, &Motion), f64)| {
             let turned = (a.attitude.inverse() * b.attitude).xyz().length() * 2.0 * radius;
             (a.displacement - b.displacement).length() + turned
         };
-        self.motions[i].iter().zip(others).zip(radii).map(apart).fold(0.0, f64::max)
+        self.motions[i].iter().zip(others).zip(radii).map(apart)
     }
 
-    /// The first instant, until `last`, at which it is further from the reference than that.
-    fn strays(&mut self, truth: &Self, limit: f64, last: usize, watch: &Watch<'_>) -> Result<Option<usize>, Complaint> {
+    /// The first instant, until `last`, at which a body is further from the reference than that, times its weight.
+    fn strays(
+        &mut self,
+        truth: &Self,
+        (limit, weights): (f64, &[f64]),
+        last: usize,
+        watch: &Watch<'_>,
+    ) -> Result<Option<usize>, Complaint> {
         for i in 1..=last {
             if i == self.motions.len() {
                 self.go_on(watch)?;
             }
-            if truth.apart(&self.motions[i], i) > limit {
+            if truth.each_apart(&self.motions[i], i).zip(weights).any(|(apart, weight)| apart * weight > limit) {
                 return Ok(Some(i));
             }
         }
@@ -163,6 +181,8 @@ struct PerturbedRuns {
     starts: Vec<Run>,
     /// How far from the reference they may come \[m\].
     limits: Vec<f64>,
+    /// Weight of each body's way from it.
+    weights: Vec<f64>,
 }
 
 impl PerturbedRuns {
@@ -171,7 +191,7 @@ impl PerturbedRuns {
         let mut until = None;
         for (start, limit) in self.starts.iter_mut().zip(&self.limits) {
             let last = until.map_or(last, |until| until + 1);
-            if let Some(lost) = start.strays(truth, *limit, last, watch)? {
+            if let Some(lost) = start.strays(truth, (*limit, &self.weights), last, watch)? {
                 until = Some(lost - 1);
             }
         }
@@ -182,7 +202,7 @@ impl PerturbedRuns {
     fn floor(&mut self, truth: &Run, last: usize, watch: &Watch<'_>) -> Result<f64, Complaint> {
         let mut floor: f64 = 0.0;
         for start in &mut self.starts {
-            start.strays(truth, f64::INFINITY, last, watch)?;
+            start.strays(truth, (f64::INFINITY, &self.weights), last, watch)?;
             let apart = (0..=last).map(|i| truth.apart(&start.motions[i], i));
             floor = apart.fold(floor, |floor, apart| floor.max(ERROR_PER_GROWTH * apart));
         }
@@ -241,7 +261,18 @@ fn failed(scene: &Scene, check: Check, what: &str) -> Complaint {
 
 /// What moves and how far: the largest girder and the largest displacement \[m\].
 fn extent(history: &History) -> f64 {
-    let bodies = 0..history.model().bodies.len();
-    let farthest = |t: f64| bodies.clone().map(|b| history.motion(b, t).displacement.length()).fold(0.0, f64::max);
-    (0..=100).map(|i| farthest(history.end() * f64::from(i) / 100.0)).fold(size(history), f64::max)
+    (0..history.model().bodies.len()).map(|body| farthest(history, body)).fold(size(history), f64::max)
+}
+
+/// Weight of each body: 1 of a girder, of another one what its motion is less than the extent.
+fn weights(history: &History) -> Vec<f64> {
+    let (extent, girders) = (extent(history), history.scene().girders.len());
+    let other = |body: usize| (extent / farthest(history, body)).clamp(1.0, LARGEST_WEIGHT);
+    (0..history.model().bodies.len()).map(|body| if body < girders { 1.0 } else { other(body) }).collect()
+}
+
+/// The largest displacement of a body \[m\].
+fn farthest(history: &History, body: usize) -> f64 {
+    let at = |i: u32| history.motion(body, history.end() * f64::from(i) / 100.0).displacement.length();
+    (0..=100).map(at).fold(0.0, f64::max)
 }
