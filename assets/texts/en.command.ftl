@@ -146,6 +146,7 @@ check-assumed-stiffness = K of pairs without a number of their own: E A / L of t
 check-components = { $count } components: { $all }
 check-record = record of { $count } samples × { $dt } s ({ $length } s), { $peak } g, scale { $scale }, { $direction }{ $steps }
 check-pair = pair { $pair }: gap { $gap } mm along the axis, law { $law }, sharing { $sharing }, tension { $tension }
+check-pair-gap = pair { $pair }: gap { $gap } mm along the axis
 check-nodes = nodes: { $nodes }
 check-normal-law = normal law { $law }, calibration { $calibration }: a free head-on hit at { $speed } m/s returns e = { $e }
 check-node = { $node } on { $face }

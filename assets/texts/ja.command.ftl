@@ -143,6 +143,7 @@ check-assumed-stiffness = 数値が与えられない組の K：桁の E A / L�
 check-components = { $count } 成分：{ $all }
 check-record = 記録 { $count } 点 × { $dt } s（{ $length } s）、{ $peak } g、倍率 { $scale }、{ $direction }{ $steps }
 check-pair = 組 { $pair }：遊間 { $gap } mm（橋軸方向）、摩擦則は{ $law }、剛性は{ $sharing }、引張は{ $tension }
+check-pair-gap = 組 { $pair }：遊間 { $gap } mm（橋軸方向）
 check-nodes = 節点：{ $nodes }
 check-normal-law = 法線則 { $law }、較正 { $calibration }：{ $speed } m/s の自由な正面衝突は e = { $e } を返す
 check-node = { $face } への { $node }

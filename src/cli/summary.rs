@@ -254,9 +254,9 @@ fn outside_words(outside: &[OutsideReport]) -> Option<String> {
 fn answer(report: &Report) -> Vec<Line> {
     let n = &report.numbers;
     let peak = match n.peak_time {
-        Some(_) if n.peak_impulse.is_some() && n.peak_force == 0.0 => Text::new("run-none-lasting").into(),
         Some(_) if n.peak_impulse.is_some() => said!("run-force-lasting", "force" => force(n.peak_force)),
         Some(t) => said!("run-force-at", "force" => force(n.peak_force), "t" => format!("{t:.6}")),
+        None if n.peak_impulse_time.is_some() => Text::new("run-none-lasting").into(),
         None => Text::new("run-no-contact").into(),
     };
     let mut lines = vec![
@@ -271,7 +271,7 @@ fn answer(report: &Report) -> Vec<Line> {
         let total = said!("run-total-at", "force" => force(n.peak_total), "t" => format!("{t:.6}"));
         lines.push(line(Text::new("run-total"), total));
     }
-    if let (Some(impulse), Some(t)) = (n.peak_impulse, n.peak_time) {
+    if let (Some(impulse), Some(t)) = (n.peak_impulse, n.peak_impulse_time) {
         lines.push(line(
             Text::new("run-impulse"),
             said!("run-impulse-at", "impulse" => short(impulse), "t" => format!("{t:.6}")),

@@ -49,14 +49,25 @@ impl History {
     }
 
     /// Bound on the ledger's residual per largest energy in play, `scale` \[J\], without unit: 100 tolerances, 1e-11, and 256 ε times the
-    /// largest place over the deepest penetration of contacts as `pressed` and times `m g r` of all bodies per `scale`.
+    /// largest place over the deepest penetration of contacts as `pressed` and times `m g r` of all bodies per `scale`; of the impact model,
+    /// whose contacts have no depth, times the largest force that lasts times its place per `scale`.
     pub fn residual_bound(&self, scale: f64, pressed: impl Iterator<Item = ContactNow>) -> f64 {
         let model = self.model();
         let carried =
             (0..model.bodies.len()).filter(|&body| !model.moves_as_given(body)).map(|body| &model.bodies[body]);
         let lifted: f64 = carried.map(|b| b.mass * model.gravity * b.radius).sum();
         let lifted = lifted / scale.max(f64::MIN_POSITIVE);
-        PER_TOLERANCE * model.tolerance + ROUNDING + PLACES * (self.shallowness(pressed) + lifted)
+        let placed = match self.impact() {
+            Some(_) => self.held(pressed) / scale.max(f64::MIN_POSITIVE),
+            None => self.shallowness(pressed),
+        };
+        PER_TOLERANCE * model.tolerance + ROUNDING + PLACES * (placed + lifted)
+    }
+
+    /// The largest of a force that lasts times the place where it acts \[J\].
+    fn held(&self, pressed: impl Iterator<Item = ContactNow>) -> f64 {
+        let size = self.model().bodies.iter().map(|body| body.radius).fold(0.0, f64::max);
+        pressed.map(|contact| contact.normal_force * (size + contact.point.length())).fold(0.0, f64::max)
     }
 
     /// The largest place over the deepest penetration; 0 without contact.

@@ -1,7 +1,7 @@
 //! Force between two bodies: the sum over all their contacts, whichever faces these belong to (`docs/physics.md#sharing-of-a-pairs-stiffness`).
 //! How it is divided among corners depends on how many touch at one place; their sum does not.
 
-use std::collections::BTreeMap;
+use std::collections::{BTreeMap, BTreeSet};
 
 use glam::DVec3;
 use rayon::prelude::*;
@@ -123,12 +123,13 @@ impl History {
         times.extend(hit.iter().map(|touch| touch.end).reduce(f64::max));
         times.sort_by(f64::total_cmp);
         times.dedup();
-        let of = |touch: &&Touch, t: f64| {
-            let closed = touch.start <= t && t <= touch.end;
-            let now = closed.then(|| self.contact_at(touch.contact, t))??;
-            Some(now.force * self.sign(touch.contact, solids)?)
+        let sum = |t: f64| {
+            // Two touches of one contact may meet at an instant.
+            let touching = hit.iter().filter(|touch| touch.start <= t && t <= touch.end);
+            let contacts: BTreeSet<usize> = touching.map(|touch| touch.contact).collect();
+            let force = |contact| Some(self.contact_at(contact, t)?.force * self.sign(contact, solids)?);
+            contacts.into_iter().filter_map(force).sum::<DVec3>().length()
         };
-        let sum = |t: f64| hit.iter().filter_map(|touch| of(touch, t)).sum::<DVec3>().length();
         // Girders that ring have several humps between the peaks of two contacts.
         let seen: Vec<f64> = times.iter().map(|&t| sum(t)).collect();
         let highest = (0..seen.len()).max_by(|&a, &b| seen[a].total_cmp(&seen[b])).unwrap_or(0);

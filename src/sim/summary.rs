@@ -21,7 +21,10 @@ pub struct Summary {
     /// Largest impulse of a hit; nothing under the contact model \[N·s\].
     #[serde(skip_serializing_if = "Option::is_none")]
     pub peak_impulse: Option<f64>,
-    /// When, of the impulse where there is one \[s\].
+    /// When \[s\].
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub peak_impulse_time: Option<f64>,
+    /// When the force of a contact is largest \[s\].
     pub peak_time: Option<f64>,
     /// Touches of single contacts.
     pub touches: usize,
@@ -47,7 +50,8 @@ impl History {
             peak_total: total.map_or(0.0, |most| most.value),
             peak_total_time: total.map(|most| most.t),
             peak_impulse: self.largest_impulse(),
-            peak_time: hardest.map(|touch| touch.peak_time),
+            peak_impulse_time: hardest.filter(|touch| touch.impulse > 0.0).map(|touch| touch.start),
+            peak_time: self.strongest().map(|touch| touch.peak_time),
             touches: touches.len(),
             hits: self.hits(),
             stick_time: self.contact_times()[0],

@@ -23,7 +23,14 @@ impl History {
         })
     }
 
-    /// The touch with the largest force.
+    /// The touch with the largest force; of the impact model one that lasts, if there is one.
+    pub(super) fn strongest(&self) -> Option<&Touch> {
+        // Of equals the first.
+        let touches = self.touches().iter().filter(|touch| self.impact().is_none() || touch.peak_force > 0.0);
+        touches.rev().max_by(|a, b| a.peak_force.total_cmp(&b.peak_force))
+    }
+
+    /// The hardest touch: that of the largest force, of the impact model that of the largest impulse.
     pub fn hardest(&self) -> Option<&Touch> {
         // Of equals the first; an impulse outweighs every force that takes its time.
         let size = |touch: &Touch| (touch.impulse, touch.peak_force);

@@ -221,7 +221,10 @@ fn pairs(history: &History) -> Vec<PairReport> {
             touches,
             peak_force,
             peak_total: totals.get(&number).map(|most| most.value),
-            restitution: [pair.contact.restitution_normal, pair.returned_restitution()],
+            restitution: match history.impact() {
+                Some(_) => [history.model().impact.restitution_normal; 2],
+                None => [pair.contact.restitution_normal, pair.returned_restitution()],
+            },
         }
     };
     history.listed_pairs().into_iter().map(of_pair).collect()

@@ -17,6 +17,7 @@ mod motion {
 mod impact {
     mod limit;
     mod random;
+    mod readings;
     mod reference;
     mod rules;
     mod runs;

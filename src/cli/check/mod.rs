@@ -74,7 +74,7 @@ fn unjoined(scene: &Scene, model: &Model, console: &mut Console) {
 
 fn text(scene: &Scene, model: &Model, moved: &[MovedSupport]) -> String {
     let girders = scene.girders.iter().zip(&model.bodies).map(|(g, body)| girder::text(scene, g, body));
-    let pairs = model.pairs.iter().enumerate().map(|(number, pair)| pair_text(pair, &nodes(model, number)));
+    let pairs = model.pairs.iter().enumerate().map(|(number, pair)| pair_text(scene, pair, &nodes(model, number)));
     let elsewhere = match scene.contact.between {
         Between::All => Text::new("check-touch-anywhere"),
         Between::Ends => Text::new("check-touch-nowhere"),
@@ -164,8 +164,14 @@ fn head(scene: &Scene) -> String {
     )
 }
 
-fn pair_text(pair: &Pair, nodes: &str) -> String {
+fn pair_text(scene: &Scene, pair: &Pair, nodes: &str) -> String {
     let c = &pair.contact;
+    let nodes = said!("check-nodes", "nodes" => nodes);
+    // Laws and stiffnesses are those of the contact model.
+    if scene.model.kind == ModelKind::Impact {
+        let gap = said!("check-pair-gap", "pair" => pair.name.as_str(), "gap" => six(pair.gap * 1e3));
+        return format!("{gap}\n  {nodes}\n");
+    }
     let rules = said!(
         "check-pair",
         "pair" => pair.name.as_str(),
@@ -185,7 +191,7 @@ fn pair_text(pair: &Pair, nodes: &str) -> String {
         six(c.mu_static),
         six(c.mu_kinetic)
     );
-    format!("{rules}\n{}  {numbers}\n  {}\n", normal_law(pair), said!("check-nodes", "nodes" => nodes))
+    format!("{rules}\n{}  {numbers}\n  {nodes}\n", normal_law(pair))
 }
 
 /// Normal law and the restitution that comes back, where that is not `e_n` by (65).

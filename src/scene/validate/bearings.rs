@@ -127,7 +127,9 @@ fn yielding(bearing: &Bearing, at: &mut At<'_>) {
         _ => {}
     }
     if bearing.per_axis.is_some() && bearing.yield_force.is_none() {
-        at.add("yields_per_axis", Text::new("found-switch"), Text::new("wrong-per-axis-alone"));
+        let slides = bearing.friction.is_some();
+        let remedy = if slides { "wrong-per-axis-slider" } else { "wrong-per-axis-alone" };
+        at.add("yields_per_axis", Text::new("found-switch"), Text::new(remedy));
     }
 }
 

@@ -2,6 +2,7 @@
 
 use super::events::spans;
 use crate::dynamics::impact2d::Record;
+use crate::sim::touches::first_largest;
 use crate::sim::{ContactState, History, Touch};
 
 /// Looks for the largest push of a lasting contact.
@@ -49,13 +50,13 @@ pub(in crate::sim) fn of(history: &History, record: &Record) -> Vec<Touch> {
             } else {
                 touch.slip += length;
             }
-            for look in 0..=LOOKS {
-                // Just inside: at its very end the next state begins.
-                let t = from + length * (f64::from(look) / f64::from(LOOKS)) * (1.0 - 1e-9);
-                let force = history.contact_at(contact, t).map_or(0.0, |now| now.force.length());
-                if force > touch.peak_force {
-                    (touch.peak_time, touch.peak_force) = (t, force);
-                }
+            // Just inside: at its very end the next state begins.
+            let time = |look: u32| from + length * (f64::from(look) / f64::from(LOOKS)) * (1.0 - 1e-9);
+            let times: Vec<f64> = (0..=LOOKS).map(time).collect();
+            let force = |t: f64| history.contact_at(contact, t).map_or(0.0, |now| now.force.length());
+            let (t, force) = first_largest(&times, force);
+            if force > touch.peak_force {
+                (touch.peak_time, touch.peak_force) = (t, force);
             }
         }
         all.extend(open);
