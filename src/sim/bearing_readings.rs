@@ -3,7 +3,7 @@
 use rayon::prelude::*;
 
 use super::report::Extreme;
-use super::{History, Loop, touches};
+use super::{History, Loop, peaks, touches};
 
 /// The bearing of a girder that goes farthest, and the one that resists most, both in plan.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -53,11 +53,11 @@ impl History {
             };
             let of_bearing = |number: usize| {
                 let values: Vec<f64> = seen.iter().skip(number).step_by(count).map(|sizes| sizes[of]).collect();
-                let (t, value) = touches::largest_seen(&times, &values, |t| at(number, t));
+                let (t, value) = peaks::largest_seen(&times, &values, |t| at(number, t));
                 (number, Extreme { value, t })
             };
             // Of equals the first.
-            (0..count).map(of_bearing).reduce(|a, b| if touches::exceeds(b.1.value, a.1.value) { b } else { a })
+            (0..count).map(of_bearing).reduce(|a, b| if peaks::exceeds(b.1.value, a.1.value) { b } else { a })
         };
         Some(BearingsReading { girder, deformation: largest(0)?, force: largest(1)? })
     }

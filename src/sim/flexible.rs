@@ -2,8 +2,8 @@
 
 use glam::DVec3;
 
+use super::peaks::first_largest;
 use super::readings::{Extreme, largest, largest_of_each};
-use super::touches::first_largest;
 use super::{History, Touch};
 use crate::dynamics::elastic::Fields;
 use crate::dynamics::model::coordinates::section_forces::{Equilibrium, SectionForces};

@@ -22,6 +22,7 @@ pub mod loops;
 pub mod moving_ground;
 pub mod on_bearings;
 mod overlap;
+mod peaks;
 mod piers;
 mod quadrature;
 pub mod quantity;

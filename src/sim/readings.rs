@@ -6,7 +6,7 @@
 use glam::DVec3;
 
 pub use super::report::Extreme;
-use super::{BearingsReading, History, Pounding, seats, touches};
+use super::{BearingsReading, History, Pounding, peaks, seats, touches};
 use crate::contact::node_face::locate;
 use crate::dynamics::model::edge_node::NodePlace;
 use crate::geometry::{End, Prism};
@@ -123,13 +123,13 @@ pub(super) fn largest(times: &[f64], value: impl Fn(f64) -> f64) -> Extreme {
 }
 
 /// The same of each of several values that are computed together. A value that stays, as the force of a device that yields, is dated
-/// to where it is first reached: what lies within [`touches::PLATEAU`] of a largest value is as large.
+/// to where it is first reached: what lies within [`peaks::PLATEAU`] of a largest value is as large.
 pub(super) fn largest_of_each<const N: usize>(times: &[f64], values: impl Fn(f64) -> [f64; N]) -> [Extreme; N] {
     let mut best: [Option<(usize, Extreme)>; N] = [None; N];
     for (i, &t) in times.iter().enumerate() {
         for (best, value) in best.iter_mut().zip(values(t)) {
             // No comparison with NaN is true.
-            if best.map_or(!value.is_nan(), |(_, seen)| touches::exceeds(value, seen.value)) {
+            if best.map_or(!value.is_nan(), |(_, seen)| peaks::exceeds(value, seen.value)) {
                 *best = Some((i, Extreme { value, t }));
             }
         }
@@ -137,8 +137,8 @@ pub(super) fn largest_of_each<const N: usize>(times: &[f64], values: impl Fn(f64
     std::array::from_fn(|own| {
         let Some((i, best)) = best[own] else { return Extreme { value: f64::NAN, t: 0.0 } };
         let around = [times[i.saturating_sub(1)], times[(i + 1).min(times.len() - 1)]];
-        let (t, refined) = touches::golden(|t| values(t)[own], around[0], around[1]);
-        if touches::exceeds(refined, best.value) { Extreme { value: refined, t } } else { best }
+        let (t, refined) = peaks::golden(|t| values(t)[own], around[0], around[1]);
+        if peaks::exceeds(refined, best.value) { Extreme { value: refined, t } } else { best }
     })
 }
 

@@ -8,7 +8,7 @@ use glam::{DMat3, DVec3};
 
 use super::report::Extreme;
 use super::seat_on::SeatOn;
-use super::{History, Motion, touches};
+use super::{History, Motion, peaks, touches};
 use crate::dynamics::locate::root::root;
 use crate::geometry::{End, Prism};
 
@@ -331,7 +331,7 @@ fn scan(times: &[f64], values: &[f64], at: &dyn Fn(f64) -> f64) -> Scanned {
         if !matters || around[0] == around[1] {
             continue;
         }
-        let (t, height) = touches::golden(|t| -at(t), times[around[0]], times[around[1]]);
+        let (t, height) = peaks::golden(|t| -at(t), times[around[0]], times[around[1]]);
         if -height < least.value {
             least = Extreme { value: -height, t };
         }

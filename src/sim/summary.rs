@@ -3,7 +3,7 @@
 use rayon::prelude::*;
 
 use super::report::Extreme;
-use super::{History, Motion, readings, touches};
+use super::{History, Motion, peaks, readings, touches};
 
 /// The headline numbers of a run.
 #[derive(Clone, Debug, PartialEq, serde::Serialize)]
@@ -108,7 +108,7 @@ impl History {
 
     /// Largest value over girders and time, looked for at a rate that the fastest bearing cannot outrun.
     fn largest(&self, value: fn(&Motion) -> f64) -> f64 {
-        let of = |body| touches::largest(&touches::looks(self, body), |t| value(&self.motion(body, t)));
+        let of = |body| peaks::largest(&touches::looks(self, body), |t| value(&self.motion(body, t)));
         (0..self.model().girders().len()).into_par_iter().map(of).reduce(|| 0.0, f64::max)
     }
 
@@ -122,7 +122,7 @@ impl History {
                 .map(|motion| (displacement(&motion), rotation(&motion)))
                 .unzip();
             let most = |seen: &[f64], value: fn(&Motion) -> f64| {
-                touches::largest_seen(&times, seen, |t| value(&self.motion(body, t))).1
+                peaks::largest_seen(&times, seen, |t| value(&self.motion(body, t))).1
             };
             [most(&moved, displacement), most(&turned, rotation)]
         };

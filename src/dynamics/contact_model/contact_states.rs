@@ -100,7 +100,7 @@ impl ContactStates<'_> {
     pub(super) fn crossing(&self, contact: usize, beyond: f64) -> Option<NodePlace> {
         let edge = self.at().edge(contact)?;
         let [node, face] = self.at().sides(contact);
-        Some(edge.place(&edge.crossing([&node, &face], edge.tolerance() + beyond)?))
+        Some(edge.place(&edge.crossing([&node, &face], edge.tolerance + beyond)?))
     }
 
     /// The site of a contact in the model.

@@ -91,7 +91,7 @@ impl AtInstant<'_> {
     /// Whether two edges that are `depth` \[m\] across each other at a place are where the bodies part along their normal: they overlap
     /// along it by [`DEPTH_RATIO`].
     pub(in crate::dynamics) fn parts_along(&self, contact: usize, place: &NodePlace, depth: f64) -> bool {
-        let rounding = self.edge(contact).map_or(0.0, Edge::tolerance);
+        let rounding = self.edge(contact).map_or(0.0, |edge| edge.tolerance);
         let overlap = self.along(contact, self.sides(contact)[1].turn(place.normal));
         overlap.is_none_or(|overlap| overlap <= DEPTH_RATIO * depth + rounding)
     }

@@ -71,9 +71,9 @@ pub struct Edge {
     /// Length of the side \[m\].
     length: f64,
     /// Distance up to which a crossing beyond an end counts as on the edge or on the side \[m\].
-    tolerance: f64,
+    pub(in crate::dynamics) tolerance: f64,
     /// Distance of the node from the crossing at which it is moved \[m\].
-    slide: f64,
+    pub(in crate::dynamics) slide: f64,
     /// Distance as placed, along the face, by which the edge is on one side of the side's line or beyond one of its ends;
     /// negative where they cross \[m\].
     clear: f64,
@@ -361,16 +361,6 @@ impl Edge {
     pub(in crate::dynamics) fn left(&self, place: &NodePlace, at: DVec2) -> f64 {
         let beyond = at.x.max(self.length - at.x) - self.length;
         (at.y.abs() - self.slide).max(beyond - self.tolerance - place.overhang)
-    }
-
-    /// Distance up to which a crossing beyond an end counts as on the edge or on the side \[m\].
-    pub(in crate::dynamics) fn tolerance(&self) -> f64 {
-        self.tolerance
-    }
-
-    /// Distance from the crossing at which a node is moved \[m\].
-    pub(in crate::dynamics) fn slide(&self) -> f64 {
-        self.slide
     }
 
     /// Whether a node of the edge, by its place along and across the side, has slid from the crossing.

@@ -25,7 +25,7 @@ pub(in crate::dynamics) fn crossing(world: &World, contact: usize, poses: Poses<
 pub(in crate::dynamics) fn crossing_of_met(world: &World, contact: usize, poses: Poses<'_>) -> Option<Crossing> {
     let edge = world.model.contacts[world.contacts[contact].site].edge.as_deref().filter(|edge| edge.is_of_met())?;
     let [node, face] = poses(contact);
-    edge.crossing([&node, &face], edge.tolerance()).filter(|crossing| edge.is_between_faces(crossing, [&node, &face]))
+    edge.crossing([&node, &face], edge.tolerance).filter(|crossing| edge.is_between_faces(crossing, [&node, &face]))
 }
 
 /// Number of vertices of the polygon at which a pair touches, and for each of its contacts the number of nodes at its
@@ -133,7 +133,7 @@ fn on_second_face(world: &World, contact: usize, point: DVec3) -> DVec2 {
 
 /// Largest distance of an edge node from its crossing \[m\].
 fn slide(world: &World, contact: usize) -> f64 {
-    world.model.contacts[world.contacts[contact].site].edge.as_ref().map_or(0.0, |edge| edge.slide())
+    world.model.contacts[world.contacts[contact].site].edge.as_ref().map_or(0.0, |edge| edge.slide)
 }
 
 /// A vertex with its nodes.

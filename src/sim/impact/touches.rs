@@ -2,7 +2,7 @@
 
 use super::events::spans;
 use crate::dynamics::impact2d::Record;
-use crate::sim::touches::first_largest;
+use crate::sim::peaks::first_largest;
 use crate::sim::{ContactState, History, Touch};
 
 /// Looks for the largest push of a lasting contact.

@@ -17,9 +17,9 @@ use super::solid::{Joined, Solids};
 use super::unwatched::{self, Interval, Turned, Unwatched, united};
 use crate::dynamics::penalty3d::contact_state::Contact;
 use crate::sim::History;
+use crate::sim::peaks::golden;
 use crate::sim::readings::before_face;
 use crate::sim::report::{Extreme, Overlap};
-use crate::sim::touches::golden;
 
 /// Overlap, in parts of the smallest side of either body, from which it counts: thousands of times what the closing
 /// search and the impact model leave over, and far below what a picture shows.

@@ -27,7 +27,7 @@ fn across(h: f64, slope: f64) -> (Edge, Home, [Frame; 2]) {
 fn the_normal_is_perpendicular_to_both_edges_and_the_distance_along_it() {
     for slope in [0.0, 0.3, -0.9] {
         let (edge, _, [node, face]) = across(0.02, slope);
-        let crossing = edge.crossing([&node, &face], edge.tolerance()).expect("they cross");
+        let crossing = edge.crossing([&node, &face], edge.tolerance).expect("they cross");
         let normal = DVec3::new(0.0, -slope, 1.0).normalize_or_zero();
         assert!((crossing.normal - normal).length() < 1e-15, "{} at slope {slope}", crossing.normal);
         let distance = edge.distance(&node, &face).expect("they cross");
@@ -57,7 +57,7 @@ fn the_gap_is_0_where_the_lines_meet_and_its_rate_is_its_derivative() {
 #[test]
 fn the_node_at_a_crossing_is_on_the_side_with_the_distance_as_its_gap() {
     let (edge, middle, [node, face]) = across(-0.01, 0.7);
-    let crossing = edge.crossing([&node, &face], edge.tolerance()).expect("they cross");
+    let crossing = edge.crossing([&node, &face], edge.tolerance).expect("they cross");
     let place = edge.place(&crossing);
     let here = locate(&edge.home(&middle, &place), &node, &face);
     let distance = edge.distance(&node, &face).expect("they cross");
@@ -70,15 +70,15 @@ fn the_node_at_a_crossing_is_on_the_side_with_the_distance_as_its_gap() {
 fn edges_that_miss_each_other_or_are_nearly_parallel_do_not_cross() {
     let (edge, _, [node, face]) = across(0.0, 0.0);
     let beside = Frame { shift: DVec3::X * 0.8, ..node };
-    assert_eq!(edge.crossing([&beside, &face], edge.tolerance()), None, "beyond the side's end");
+    assert_eq!(edge.crossing([&beside, &face], edge.tolerance), None, "beyond the side's end");
     let turned = |degrees: f64| Frame {
         turned: turned_by(DQuat::from_rotation_z(f64::to_radians(degrees))),
         level: false,
         ..node
     };
-    assert!(edge.crossing([&turned(55.0), &face], edge.tolerance()).is_some(), "35° from parallel");
-    assert_eq!(edge.crossing([&turned(65.0), &face], edge.tolerance()), None, "25° from parallel");
+    assert!(edge.crossing([&turned(55.0), &face], edge.tolerance).is_some(), "35° from parallel");
+    assert_eq!(edge.crossing([&turned(65.0), &face], edge.tolerance), None, "25° from parallel");
     let over = Frame { turned: turned_by(DQuat::from_rotation_y(std::f64::consts::PI)), level: false, ..node };
     let over = Frame { shift: DVec3::new(0.0, 0.0, -4.0), ..over };
-    assert_eq!(edge.crossing([&over, &face], edge.tolerance()), None, "the edge's face looks up, too");
+    assert_eq!(edge.crossing([&over, &face], edge.tolerance), None, "the edge's face looks up, too");
 }
