@@ -31,6 +31,7 @@ wrong-no-vertical-stiffness = a girder in a spatial scene stands on its bearings
 wrong-no-yield-displacement = give the displacement at which the bearing yields, in m
 wrong-no-yield-force = give the force Q in N, or leave out both
 found-switch = a switch
+complaints-more = and { $more } more
 wrong-per-axis-slider = leave it out: the friction of a slider is the same in every direction
 wrong-per-axis-alone = give yield_force_n and yield_displacement_m, or leave it out
 wrong-friction-missing = give `friction` as well, or leave it out

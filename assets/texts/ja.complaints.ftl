@@ -31,6 +31,7 @@ wrong-no-vertical-stiffness = 立体シーンの桁は支承で支える。3つ�
 wrong-no-yield-displacement = 支承が降伏する変位を m で与える
 wrong-no-yield-force = 力 Q を N で与えるか、両方とも外す
 found-switch = 切替え
+complaints-more = ほか { $more } 件
 wrong-per-axis-slider = これを外す：すべり支承の摩擦はどの方向にも同じ
 wrong-per-axis-alone = yield_force_n と yield_displacement_m を与えるか、これを外す
 wrong-friction-missing = `friction` も与えるか、これを外す

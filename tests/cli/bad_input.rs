@@ -156,6 +156,21 @@ fn bytes_that_are_no_text_are_named_by_place() {
 }
 
 #[test]
+fn of_many_complaints_the_first_are_told_and_how_many_there_are() {
+    let folder = folder();
+    let girder = |i: usize| {
+        format!(
+            "[[girder]]\nname = \"g{i}\"\nlength_m = -1.0\nwidth_m = 1.0\nthickness_m = 1.0\nmass_kg = 1.0\nposition_m = [{i}.0, 0.0, 0.0]\n"
+        )
+    };
+    let text: String = (0..30).map(girder).collect();
+    let path = write(&folder, format!("name = \"many\"\nduration_s = 1.0\n{text}").as_bytes());
+    let said = call(&["check", path.to_str().expect("a path")]);
+    let lines: Vec<&str> = said.err.lines().collect();
+    assert!(lines.len() == 21 && lines[20].trim() == "and 10 more", "{}", said.err);
+}
+
+#[test]
 fn a_scene_that_is_not_there_leads_to_the_presets() {
     expect_complaint(&["run", "nowhere.toml"], &["nowhere.toml", "skew45-abutment"], "no such file");
     expect_complaint(&["run", env!("CARGO_MANIFEST_DIR")], &[env!("CARGO_MANIFEST_DIR"), "directory"], "a folder");

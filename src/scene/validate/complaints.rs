@@ -43,12 +43,25 @@ impl SceneError {
     }
 }
 
+/// Complaints that are told one by one: what a terminal shows at once. Chosen.
+const MOST_TOLD: usize = 20;
+
 /// All complaints about a scene; never empty.
 #[derive(Clone, Debug, PartialEq, thiserror::Error)]
-#[error("{}", .0.iter().map(ToString::to_string).collect::<Vec<_>>().join("\n"))]
+#[error("{}", self.told())]
 pub struct SceneErrors(pub Vec<SceneError>);
 
 impl SceneErrors {
+    /// A line each, of many the first ones and how many there are beside them.
+    fn told(&self) -> String {
+        let mut lines: Vec<String> = self.0.iter().take(MOST_TOLD).map(ToString::to_string).collect();
+        let more = self.0.len() - lines.len();
+        if more > 0 {
+            lines.push(said!("complaints-more", "more" => more));
+        }
+        lines.join("\n")
+    }
+
     /// The same complaints, about a file by this name.
     #[must_use]
     pub fn in_file(mut self, file: &str) -> Self {
