@@ -88,14 +88,16 @@ pub(in crate::dynamics) fn zero_and_band(
     omega: f64,
 ) -> (f64, f64) {
     let size = |of: &dyn Fn(&Separation) -> f64| motions.iter().map(of).fold(0.0, f64::max);
+    // Places round with what has moved, too.
+    let moved = size(&|m| m.moved.length());
     match link.device.switch_unit(number, phase) {
         SwitchUnit::Length => {
             let length = size(&|m| link.device.gap(phase, m)[0].abs());
-            let band = POSITION_ROUNDING * (link.size() + length);
+            let band = POSITION_ROUNDING * (link.size() + moved + length);
             (ZERO_BAND * length + band, band)
         }
         SwitchUnit::Speed => {
-            let rounding = POSITION_ROUNDING * link.size() * omega;
+            let rounding = POSITION_ROUNDING * (link.size() + moved) * omega;
             (ZERO_BAND * size(&|m| m.rate.length()) + rounding, 0.0)
         }
     }

@@ -122,6 +122,16 @@ fn seeds_that_failed_once_pass() {
     all_pass(&examined(ONCE, ENOUGH));
 }
 
+/// Its elongation rounds with the 400 m by which it has yielded, not with its 10 m: yield ended and began at one instant without end.
+#[test]
+fn a_cable_that_has_yielded_far_beyond_its_size_goes_on() {
+    let (_, scene) = family::scene(2_000_419);
+    let mut session = Session::new(&scene).unwrap_or_else(|e| panic!("{e}"));
+    session.advance(scene.duration, &mut |_| true);
+    let history = session.finish();
+    assert!(history.stop().is_none(), "{:?}", history.stop());
+}
+
 /// Whether they stick or slip was decided by roundings of equal speeds, at coarse tolerances in another way than at fine ones.
 #[test]
 fn girders_that_touch_as_placed_and_are_shaken_alike_come_together_one_way_at_any_tolerance() {
