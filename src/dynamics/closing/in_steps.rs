@@ -41,10 +41,7 @@ pub(in crate::dynamics) fn search(world: &mut World, pair: usize, [t, until]: [f
         if stays || cannot_cross(world, contact) {
             continue;
         }
-        let Some(armed) = open(world, contact, t) else {
-            (world.contacts[contact].closing, world.contacts[contact].rearmed_at) = (None, None);
-            continue;
-        };
+        let Some(armed) = open(world, contact, t) else { continue };
         // An event ends the step: what would close after those that close with the first is found from there.
         let last = first + world.pairs[pair].simultaneity;
         let (closing, out) = if is_edge {

@@ -81,7 +81,7 @@ impl World {
             let owners = [model.contacts[site].node_body, model.contacts[site].face_body].map(slot);
             self.add_contact(model, site, owners);
         }
-        self.find_edge_ends(model, from);
+        self.find_corners(model, from);
         for slot in slots.into_iter().flatten() {
             self.bodies[slot].pairs.push(self.pairs.len());
         }
@@ -132,7 +132,7 @@ impl World {
     }
 
     /// Enters in each edge node among the contacts of one pair, from number `from` on, those of the ends of its edge.
-    fn find_edge_ends(&mut self, model: &Model, from: usize) {
+    fn find_corners(&mut self, model: &Model, from: usize) {
         for contact in from..self.contacts.len() {
             let Some(edge) = &model.contacts[self.contacts[contact].site].edge else { continue };
             let corner = |home: &Home| {

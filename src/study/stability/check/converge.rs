@@ -19,7 +19,8 @@ use crate::sim::{Cause, History, Motion, Session, Stop};
 pub(super) const CLAIM: &str = "the error at a hundredth of the tolerance is below the error at it, or below the \
                                 floor (rounding, or ten times what starts, grounds and friction that differ by \
                                 the finer tolerance come apart), until the time to which the case can be trusted: those that \
-                                differ by 1e-12 have then come a thousand times as far apart";
+                                differ by 1e-12 have then come a thousand times as far apart, backwalls and piers in parts of \
+                                their own motion";
 
 /// Instants at which answers are compared.
 const COMPARED: usize = 400;
@@ -156,7 +157,7 @@ impl Run {
         self.motions[i].iter().zip(others).zip(radii).map(apart)
     }
 
-    /// The first instant, until `last`, at which a body is further from the reference than that, times its weight.
+    /// The first instant, until `last`, at which a body's distance from the reference, times its weight, exceeds `limit` \[m\].
     fn strays(
         &mut self,
         truth: &Self,
@@ -181,7 +182,7 @@ struct PerturbedRuns {
     starts: Vec<Run>,
     /// How far from the reference they may come \[m\].
     limits: Vec<f64>,
-    /// Weight of each body's way from it.
+    /// Weight of each body's distance from it \[–\].
     weights: Vec<f64>,
 }
 
