@@ -52,6 +52,7 @@ mod physics {
     mod supports;
     mod symmetry;
     mod tilt;
+    mod tolerances;
     mod turns;
     mod two_coordinates;
     mod two_sections;

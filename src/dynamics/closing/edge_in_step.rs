@@ -12,12 +12,14 @@ use crate::dynamics::model::edge_node::{Edge, EdgeEnds};
 use crate::dynamics::world::World;
 use crate::dynamics::world::contact_points::{self, poses_at};
 
-/// Closing of an edge node, and time from which it is armed if it was not \[s\]; a closing after `last` may be left out.
+/// Closing of an edge node, and time from which it is armed if it was not \[s\]. There is none before `from`, and one after `last` may be
+/// left out.
 pub(super) fn search(
     world: &World,
     contact: usize,
     samples: &mut StepSamples,
-    (armed, last): (bool, f64),
+    armed: bool,
+    [from, last]: [f64; 2],
 ) -> (Option<f64>, Option<f64>) {
     let times = samples.times;
     let [t, until] = [times[0], times[times.len() - 1]];
@@ -35,7 +37,7 @@ pub(super) fn search(
     if edge.is_clear(&before, reach) {
         return (None, None);
     }
-    let first = with_sense(world, contact, samples, (before.sense(), armed, last), arms);
+    let first = with_sense(world, contact, samples, (before.sense(), armed), [from, last], arms);
     // The sign of the gap of two lines changes where they pass through parallel.
     if (before.inset[1] - before.inset[0]).abs() > 2.0 * reach {
         return first;
@@ -45,7 +47,7 @@ pub(super) fn search(
     if (1..times.len()).all(|i| ends_at(samples, i).sense() != turned) {
         return first;
     }
-    let (closing, _) = with_sense(world, contact, samples, (turned, true, last), arms);
+    let (closing, _) = with_sense(world, contact, samples, (turned, true), [from, last], arms);
     (first.0.into_iter().chain(closing).reduce(f64::min), first.1)
 }
 
@@ -54,7 +56,8 @@ fn with_sense(
     world: &World,
     contact: usize,
     samples: &mut StepSamples,
-    (sense, armed, last): (f64, bool, f64),
+    (sense, armed): (f64, bool),
+    [from, last]: [f64; 2],
     arms: [f64; 2],
 ) -> (Option<f64>, Option<f64>) {
     let times = samples.times;
@@ -64,11 +67,23 @@ fn with_sense(
     let before = ends_at(samples, 0);
     let slots = world.contacts[contact].slots;
     let resolution = samples.resolution(world, contact) * edge.amplification(&before).max(1.0);
-    let [gap, rate] = edge.gap(&before, sense);
-    let error = rate_error(world, contact, samples.sides(world, contact, 0)) * edge.amplification(&before).max(1.0);
-    let closes_now = armed && gap.abs() <= resolution && rate < -error;
-    if closes_now && begins(world, contact, sense, t) {
-        return (Some(t), None);
+    let ends = |at: f64| {
+        let [node, face] = poses_at(world, contact, at);
+        edge.ends(&node, &face)
+    };
+    let rate_error_at = |at: f64| {
+        let [node, face] = poses_at(world, contact, at);
+        rate_error(world, contact, [&node, &face])
+    };
+    let start = from.max(t);
+    let here = if start > t { ends(start) } else { before };
+    let first = sample((edge, sense), &here, start);
+    let GapSample { gap, rate, .. } = first;
+    let error =
+        if start > t { rate_error_at(start) } else { rate_error(world, contact, samples.sides(world, contact, 0)) };
+    let closes_now = armed && gap.abs() <= resolution && rate < -error * edge.amplification(&here).max(1.0);
+    if closes_now && begins(world, contact, sense, start) {
+        return (Some(start), None);
     }
     // A gap that is negative, or falls through 0 now beside the edges, was passed over.
     let armed = armed && gap >= -resolution && !closes_now;
@@ -81,17 +96,15 @@ fn with_sense(
     };
     let span = until - t;
     let curvature_bound = bound(&bounds, &before, span);
-    if armed && bounds.holds(span) && gap > resolution + span * ((-rate).max(0.0) + 0.5 * curvature_bound * span) {
+    let left = last.min(until) - start;
+    let way = |rate: f64| resolution + left * (rate.max(0.0) + 0.5 * curvature_bound * left);
+    if armed && bounds.holds(span) && gap > way(-rate) {
         return (None, None);
     }
     // Nor does a gap that stays negative, which closes nothing and is not positive again.
-    if !armed && bounds.holds(span) && -gap > resolution + span * (rate.max(0.0) + 0.5 * curvature_bound * span) {
+    if !armed && bounds.holds(span) && -gap > way(rate) {
         return (None, None);
     }
-    let ends = |at: f64| {
-        let [node, face] = poses_at(world, contact, at);
-        edge.ends(&node, &face)
-    };
     let curvature = |from: &GapSample, to: f64| {
         if bounds.holds(span) {
             return curvature_bound;
@@ -100,15 +113,14 @@ fn with_sense(
         if part.holds(to - from.t) { bound(&part, &ends(from.t), to - from.t) } else { f64::INFINITY }
     };
     let gap_at = |at: f64| sample((edge, sense), &ends(at), at);
-    let rate_error_at = |at: f64| {
-        let [node, face] = poses_at(world, contact, at);
-        rate_error(world, contact, [&node, &face])
-    };
     let interval = CLOSING_INTERVAL * world.pairs[world.contacts[contact].pair].simultaneity;
     samples.fill(world);
-    // The samples up to the first one from `last` on.
-    let wanted = 1 + times.iter().position(|&at| at >= last).unwrap_or(times.len() - 1).max(1);
-    let mut gaps: Vec<GapSample> = (0..wanted).map(|i| sample((edge, sense), &ends_at(samples, i), times[i])).collect();
+    let within = (1..times.len()).filter(|&i| start < times[i] && times[i] <= last);
+    let mut gaps = vec![first];
+    gaps.extend(within.map(|i| sample((edge, sense), &ends_at(samples, i), times[i])));
+    if last < until && gaps.last().is_some_and(|gap| gap.t < last) {
+        gaps.push(gap_at(last));
+    }
     let (mut armed, mut rearmed) = (armed, None);
     loop {
         let mut subdivision = Subdivision::new((gap_at, curvature, rate_error_at), armed, resolution, interval);

@@ -38,14 +38,15 @@ pub(in crate::dynamics) fn search(world: &mut World, pair: usize, [t, until]: [f
         let edge = world.model.contacts[world.contacts[contact].site].edge.as_deref();
         let is_edge = edge.is_some();
         let stays = edge.map_or(corners_stay, |edge| edges_stay || edge.stays_clear(moved));
-        if stays || cannot_cross(world, contact) {
+        // An event ends the step: what would close after those that close with the first is found from there.
+        let last = first + world.pairs[pair].simultaneity;
+        let from = crossing_not_before(world, contact, t);
+        if stays || from > last || from == f64::INFINITY {
             continue;
         }
         let Some(armed) = open(world, contact, t) else { continue };
-        // An event ends the step: what would close after those that close with the first is found from there.
-        let last = first + world.pairs[pair].simultaneity;
         let (closing, out) = if is_edge {
-            edge_in_step::search(world, contact, samples, (armed, last))
+            edge_in_step::search(world, contact, samples, armed, [from, last])
         } else {
             in_step(world, contact, samples, armed)
         };
@@ -88,7 +89,7 @@ fn is_edge(world: &World, contact: usize) -> bool {
 
 /// Whether the distance of every open corner before its plane, or behind it where the contact is disarmed, exceeds the
 /// bound on the excursion of both bodies, by one sample.
-fn cannot_close(world: &World, pair: usize, samples: &StepSamples) -> bool {
+fn cannot_close(world: &World, pair: usize, samples: &mut StepSamples) -> bool {
     let slots = world.pairs[pair].slots;
     let (mut least_gap, mut longest_arm) = (f64::INFINITY, [0.0f64; 2]);
     for contact in world.pairs[pair].contacts.clone() {
@@ -97,7 +98,7 @@ fn cannot_close(world: &World, pair: usize, samples: &StepSamples) -> bool {
         if is_edge(world, contact) {
             continue;
         }
-        let here = samples.local(world, contact, 0);
+        let here = samples.corner(world, contact, 0);
         // A disarmed node that stays behind the plane is not armed again.
         least_gap = least_gap.min(if armed { here.gap } else { -here.gap });
         for (slot, arm) in track.slots.into_iter().zip(world.model.contacts[track.site].levers(&here)) {
@@ -110,12 +111,15 @@ fn cannot_close(world: &World, pair: usize, samples: &StepSamples) -> bool {
     least_gap > excursions(0) + excursions(1)
 }
 
-/// Whether the edge of an open edge node stays before the plane of the face until the last sample time, by the searches of both ends: where
-/// its crossing reaches the plane, one of them is behind it.
-fn cannot_cross(world: &World, contact: usize) -> bool {
+/// Time before which the crossing of an open edge node does not reach the plane of the face, by the searches of both ends of the edge:
+/// where it does, one of them is behind that plane \[s\]. `t` where they do not tell; infinite where neither gets there.
+fn crossing_not_before(world: &World, contact: usize, t: f64) -> f64 {
     let before = |contact: usize| world.contacts[contact].state == Contact::Open { armed: true };
-    let stays = |corner: usize| before(corner) && world.contacts[corner].closing.is_none();
-    before(contact) && world.contacts[contact].corners.is_some_and(|ends| ends.into_iter().all(stays))
+    let track = &world.contacts[contact];
+    let Some(ends) = track.corners.filter(|ends| before(contact) && ends.iter().all(|&corner| before(corner))) else {
+        return t;
+    };
+    ends.into_iter().filter_map(|corner| world.contacts[corner].closing).fold(f64::INFINITY, f64::min)
 }
 
 /// Whether an open contact is armed; `None` for a closed one. A disarmed contact whose gap is positive is armed
@@ -147,7 +151,7 @@ fn in_step(world: &World, contact: usize, samples: &mut StepSamples, armed: bool
     if until <= t {
         return (None, None);
     }
-    let before = samples.local(world, contact, 0);
+    let before = samples.corner(world, contact, 0);
     let track = &world.contacts[contact];
     let arms = world.model.contacts[track.site].levers(&before);
     let excursions =

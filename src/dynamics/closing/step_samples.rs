@@ -12,6 +12,9 @@ use crate::dynamics::world::World;
 use crate::dynamics::world::site_geometry::SiteGeometry;
 use crate::dynamics::world::tracks::{PairTrack, Trajectory};
 
+/// Corners of two faces, which come before the edges of their pair.
+const CORNERS: usize = 8;
+
 /// Depth of an excursion of the gap below zero that is round-off at `t` \[m\].
 pub(super) fn resolution(world: &World, contact: usize, t: f64) -> f64 {
     let track = &world.contacts[contact];
@@ -120,7 +123,7 @@ impl StepSamples {
     }
 
     /// A corner relative to its face at sample `i`, computed once.
-    fn corner(&mut self, world: &World, contact: usize, i: usize) -> Local {
+    pub(super) fn corner(&mut self, world: &World, contact: usize, i: usize) -> Local {
         let from = world.pairs[world.contacts[contact].pair].contacts.start;
         if self.corners.0 != from {
             self.corners.0 = from;
@@ -128,6 +131,7 @@ impl StepSamples {
         }
         let own = contact - from;
         if self.corners.1.len() <= own {
+            self.corners.1.reserve_exact(CORNERS.saturating_sub(self.corners.1.len()));
             self.corners.1.resize(own + 1, [None; STEP_SAMPLES]);
         }
         if let Some(known) = self.corners.1[own][i] {

@@ -131,6 +131,13 @@ pub trait Device: Connection<State = Phase, Motion = Separation> + std::fmt::Deb
         false
     }
 
+    /// Change of the relative velocity of its points up to which the force's series converges \[m/s\]; infinite where the force has no
+    /// scale of its own.
+    fn smooth_within(&self, phase: &Phase, motion: &Separation) -> f64 {
+        let _ = (phase, motion);
+        f64::INFINITY
+    }
+
     /// Whether a run ends where this phase begins.
     fn ends_run(&self, phase: &Phase) -> bool {
         let _ = phase;

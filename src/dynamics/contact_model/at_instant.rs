@@ -8,7 +8,6 @@ use crate::contact::parameters::is_over;
 use crate::contact::{Frame, FrictionLaw, Home, Law, Local, Mode, NormalLaw, locate};
 use crate::dynamics::closing::constants::CLOSING_INTERVAL;
 use crate::dynamics::contact_model::constants::{REGULARISATION_CLOCK, REGULARISATION_FRICTION, REGULARISATION_LEAST};
-use crate::dynamics::contact_model::event_forecast::frames_after;
 use crate::dynamics::contact_model::islands::assemble;
 use crate::dynamics::integrator::step_control::ControllerState;
 use crate::dynamics::model::body::Point;
@@ -221,7 +220,7 @@ impl AtInstant<'_> {
             self.now.t,
             ControllerState::default(),
         );
-        let (.., next) = self.since(contact, &frames_after(&island, &self.world.model, dt));
+        let (.., next) = self.since(contact, &island.frames_after(&self.world.model, dt));
         ((next.rate - here.rate) / dt, (next.gap_rate - here.gap_rate) / dt)
     }
 

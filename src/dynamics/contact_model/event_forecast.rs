@@ -6,7 +6,6 @@
 //! no event.
 
 use crate::contact::{Frame, Local, locate};
-use crate::dynamics::Model;
 use crate::dynamics::penalty3d::constants::{CONFIRMED_RISE, FORECAST_PHASE, SLOPE_PHASE};
 use crate::dynamics::penalty3d::contact_state::Contact;
 use crate::dynamics::penalty3d::due::Reason;
@@ -31,7 +30,7 @@ pub(in crate::dynamics) fn earliest_change(world: &World, island: &Island, horiz
     if horizon <= dt {
         return f64::INFINITY;
     }
-    let [now, then] = [0.0, dt].map(|ahead| frames_after(island, &world.model, ahead));
+    let [now, then] = [0.0, dt].map(|ahead| island.frames_after(&world.model, ahead));
     let mut likely: Vec<(f64, f64, Change)> = Vec::new();
     for change in changes(world, island) {
         let Some(here) = local(world, island, change, &now) else { continue };
@@ -52,7 +51,7 @@ pub(in crate::dynamics) fn earliest_change(world: &World, island: &Island, horiz
     // Confirmed by its value at the forecast time; the time is that of the secant's zero where the value is still
     // negative.
     let confirmed = |&(after, start, change): &(f64, f64, Change)| {
-        let there = local(world, island, change, &frames_after(island, &world.model, after))?;
+        let there = local(world, island, change, &island.frames_after(&world.model, after))?;
         let there = switching_value(world, island, change, &there);
         (there > CONFIRMED_RISE * start).then(|| if there < 0.0 { after * start / (start - there) } else { after })
     };
@@ -94,20 +93,6 @@ fn switching_value(world: &World, island: &Island, change: Change, here: &Local)
         Change::State(number, reason) => function(&world.model, island, number, reason, here, island.until),
         Change::Closing(_) => -here.gap,
     }
-}
-
-/// Poses of the sections of an island's bodies relative to their reference poses, `dt` after the start of the next
-/// step, with constant acceleration.
-pub(in crate::dynamics) fn frames_after(island: &Island, model: &Model, dt: f64) -> Vec<Frame> {
-    let slope = island.stepper.slope();
-    let mut moved: Vec<f64> = island.y.iter().zip(slope).map(|(y, rate)| y + dt * rate).collect();
-    let mut frames = Vec::with_capacity(island.system.layout.section_count());
-    for (i, &body) in island.system.bodies.iter().enumerate() {
-        let (part, body) = (island.system.layout.range(i), &model.bodies[body]);
-        body.add_accelerations(&mut moved[part.clone()], &slope[part.clone()], dt);
-        body.push_frames(&moved[part], &mut frames);
-    }
-    frames
 }
 
 #[cfg(test)]

@@ -3,7 +3,8 @@
 //! For α < 1 that force has an infinite slope at v = 0; `F = c v (v² + v_r²)^((α−1)/2)` is smooth, with the slope
 //! `c v_r^(α−1)` at 0, and changes the energy of a cycle by a part of the order of `(v_r/v_max)^(1+α)`. From one sign to the other the
 //! force changes within `v_r` of v = 0, in a small part of a step whose error estimate may not see it: of α < 1 that zero is an event, so that
-//! a step ends there and the next begins where the force is steep.
+//! a step ends there and the next begins where the force is steep, and steps are short against the time to that zero
+//! ([`Device::smooth_within`]).
 
 use glam::DVec3;
 
@@ -103,6 +104,11 @@ impl Device for ViscousDamper {
         let left = motion.vector().length() - within.way;
         let turned = (motion.rate.length() + within.rate) * within.way / left;
         left > 0.0 && self.switch(number, phase, motion) + within.rate + turned < 0.0
+    }
+
+    /// `v (v² + v_r²)^((α−1)/2)` is singular at `v = ±i v_r`.
+    fn smooth_within(&self, _: &Phase, motion: &Separation) -> f64 {
+        if self.exponent < 1.0 { Line::of(motion).rate.hypot(self.regularisation) } else { f64::INFINITY }
     }
 
     fn next(&self, _: Switch, phase: &Phase, _: &Separation) -> (Phase, f64) {

@@ -162,7 +162,7 @@ pub fn next_factor(error: f64) -> f64 {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::dynamics::integrator::constants::RESOLVED_DECAY;
+    use crate::dynamics::integrator::constants::{RESOLVED_DECAY, RESOLVED_RELAXATION};
 
     struct Circle;
 
@@ -202,6 +202,42 @@ mod tests {
         assert!(worst > 1.0, "of the error, at least: {worst}");
         assert!(seen(5.05) > 1.0 && seen(5.06) < 1.0, "from {} to {}", seen(5.05), seen(5.06));
         assert!(seen(5.6543) < 1e-3, "of the error: {}", seen(5.6543));
+    }
+
+    /// Follows `cos t` at a rate λ: the problem of Prothero and Robinson.
+    struct Follower(f64);
+
+    impl System for Follower {
+        fn slope(&mut self, t: f64, y: &[f64], out: &mut [f64]) {
+            out[0] = -self.0 * (y[0] - t.cos()) - t.sin();
+        }
+
+        fn size2(&self, d: &[f64]) -> f64 {
+            d[0] * d[0]
+        }
+    }
+
+    #[test]
+    fn between_the_ends_of_a_step_a_follower_errs_by_its_estimate_up_to_three_time_constants_and_by_far_more_at_five() {
+        let unseen = |constants: f64, h: f64| {
+            let (mut system, mut rk, mut y) = (Follower(constants / h), Dop853::default(), vec![1.0]);
+            rk.resize(1);
+            rk.start(&mut system, 0.0, &y);
+            let estimate = rk.attempt(&mut system, 0.0, &y, h);
+            let dense = rk.accept(&mut system, 0.0, &mut y, h);
+            let error = |i: i32| {
+                let (t, mut here) = (h * f64::from(i) / 40.0, [0.0]);
+                dense.read(0..1, t, &mut here);
+                (here[0] - t.cos()).abs()
+            };
+            (1..40).map(error).fold(0.0, f64::max) / estimate
+        };
+        for h in [0.25, 0.5] {
+            for constants in [1.0, 2.0, RESOLVED_RELAXATION] {
+                assert!(unseen(constants, h) < 2.6, "{constants} at {h}: {} of the estimate", unseen(constants, h));
+            }
+            assert!(unseen(5.0, h) > 50.0, "5 at {h}: {} of the estimate", unseen(5.0, h));
+        }
     }
 
     #[test]

@@ -32,6 +32,11 @@ pub(super) const ROUND: u32 = 4;
 pub(super) const ROUND_REDUCTION: f64 = 16.0;
 /// Factor on the least distance of a secant from the ends of its bracket after a secant that was closer. Tuned.
 pub(super) const MARGIN_GROWTH: f64 = 4.0;
+/// Newton steps of a root with a slope, from that of the cubic through the ends of its interval: a step's motion differs from a cubic by
+/// 1e-3 of the interval or less, and three squarings come to a double's digits. The fourth is room.
+pub(super) const NEWTON_STEPS: u32 = 4;
+/// Steps towards the root of that cubic, whose digits the Newton steps bring: a bound on their number.
+pub(super) const CUBIC_STEPS: u32 = 12;
 /// Halvings towards a zero at the start of an interval in search of a value below 0: to 2⁻³⁰ ≈ 1e-9 of the interval. Tuned.
 pub(super) const DIP_HALVINGS: u32 = 30;
 /// Height above the vertex of the parabola through three samples within which the function may reach 0, in parts of their

@@ -1,7 +1,9 @@
 //! The root of a function of one variable in a bracket, to the last bit: secants in the variant of Anderson and Björck (1973), with
 //! bisection where they converge slowly.
 
-use crate::dynamics::locate::constants::{MARGIN_GROWTH, MAX_ROOT_EVALUATIONS, ROUND, ROUND_REDUCTION};
+use crate::dynamics::locate::constants::{
+    CUBIC_STEPS, MARGIN_GROWTH, MAX_ROOT_EVALUATIONS, NEWTON_STEPS, ROUND, ROUND_REDUCTION,
+};
 
 /// Root of `f`, negative or 0 at `a` and positive at `b`, to the last bit: the upper end of a bracket that round-off of the
 /// argument does not divide. `a` where `f` is positive there already.
@@ -61,6 +63,71 @@ pub(in crate::dynamics) fn root_between(
     b
 }
 
+/// Root in `[a, b]` of a function with its derivative, of which both are known at the ends, `(f, f')`: the interval is first narrowed
+/// about the root of the cubic through them by Newton's steps, which leave it a few bits wide where `f` is smooth.
+pub(in crate::dynamics) fn root_with_slope(
+    mut f: impl FnMut(f64) -> [f64; 2],
+    [mut a, mut b]: [f64; 2],
+    [mut fa, mut fb]: [[f64; 2]; 2],
+) -> f64 {
+    if fa[0] >= 0.0 {
+        return a;
+    }
+    if fb[0] <= 0.0 {
+        return b;
+    }
+    let mut x = a + (b - a) * cubic_root([fa[0], fb[0]], [fa[1], fb[1]].map(|slope| slope * (b - a)));
+    let bits = f64::EPSILON * a.abs().max(b.abs());
+    for _ in 0..NEWTON_STEPS {
+        if !(x > a && x < b) {
+            break;
+        }
+        let [value, slope] = f(x);
+        if value < 0.0 {
+            (a, fa) = (x, [value, slope]);
+        } else {
+            (b, fb) = (x, [value, slope]);
+        }
+        let step = -value / slope;
+        if step.abs() <= bits {
+            // One bit beyond the root there is its other side.
+            let other = x - bits.copysign(value);
+            if other > a && other < b {
+                let there = f(other);
+                if there[0] < 0.0 { (a, fa) = (other, there) } else { (b, fb) = (other, there) }
+            }
+            break;
+        }
+        x += step;
+    }
+    root_between(|t| f(t)[0], [a, b], [fa[0], fb[0]])
+}
+
+/// A root in \[0, 1\] of the cubic with these values, of which the first is negative and the last positive, and slopes at 0 and 1, to a
+/// millionth.
+fn cubic_root([f0, f1]: [f64; 2], [s0, s1]: [f64; 2]) -> f64 {
+    // f₀ + x (s₀ + x (c + x d)).
+    let (c, d) = (3.0 * (f1 - f0) - 2.0 * s0 - s1, 2.0 * (f0 - f1) + s0 + s1);
+    let at = |x: f64| f0 + x * (s0 + x * (c + x * d));
+    let (mut low, mut high) = (0.0, 1.0);
+    let mut x = f0 / (f0 - f1);
+    for _ in 0..CUBIC_STEPS {
+        let value = at(x);
+        if value < 0.0 {
+            low = x;
+        } else {
+            high = x;
+        }
+        let next = x - value / (s0 + x * (2.0 * c + x * 3.0 * d));
+        let next = if next > low && next < high { next } else { f64::midpoint(low, high) };
+        if (next - x).abs() <= 1e-6 {
+            return next;
+        }
+        x = next;
+    }
+    x
+}
+
 /// Weight of the value at the end that is kept, where the value at the other end changes from `before` to `now`.
 fn weight(now: f64, before: f64) -> f64 {
     let left = 1.0 - now / before;
@@ -70,6 +137,23 @@ fn weight(now: f64, before: f64) -> f64 {
 #[cfg(test)]
 mod tests {
     use super::*;
+
+    #[test]
+    fn a_slope_halves_the_evaluations_of_a_smooth_root() {
+        let mut count = 0;
+        let mut gap = |t: f64| {
+            count += 1;
+            [(t - 0.3).sin() + 0.2, (t - 0.3).cos()]
+        };
+        let ends = [gap(0.0), gap(0.5)];
+        let exact = 0.3 - 0.2f64.asin();
+        let at = root_with_slope(&mut gap, [0.0, 0.5], ends);
+        assert!((at - exact).abs() <= f64::EPSILON, "{at}, not {exact}");
+        assert!(count <= 2 + 6, "{count} evaluations");
+        // No slope leads out of the interval, nor past the root of one that lies.
+        let wrong = root_with_slope(|t| [t * t - 2.0, -1.0], [0.0, 2.0], [[-2.0, 1e9], [2.0, -1e9]]);
+        assert!((wrong - std::f64::consts::SQRT_2).abs() <= 2.0 * f64::EPSILON, "{wrong}");
+    }
 
     #[test]
     fn roots_come_to_the_last_bits_in_a_dozen_evaluations() {

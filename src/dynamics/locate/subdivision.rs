@@ -5,7 +5,7 @@
 
 use crate::dynamics::locate::constants::{COARSENING, REARM_RESOLUTIONS, SAMPLES_PER_RESOLUTION};
 use crate::dynamics::locate::positive_again::is_positive_again;
-use crate::dynamics::locate::root::{root, root_between};
+use crate::dynamics::locate::root::{root_between, root_with_slope};
 
 /// A gap and its rate at a time.
 #[derive(Clone, Copy, Debug)]
@@ -91,7 +91,8 @@ impl<A: FnMut(f64) -> GapSample, C: FnMut(&GapSample, f64) -> f64, N: FnMut(f64)
     /// ground alone, round-off would decide where it closes. Its depth is then at most the resolution.
     fn crossing(&mut self, before: &GapSample, after: &GapSample) -> f64 {
         let sample = &mut self.sample;
-        let at = root(|t| -sample(t).gap, before.t, after.t);
+        let falling = |sample: &GapSample| [-sample.gap, -sample.rate];
+        let at = root_with_slope(|t| falling(&sample(t)), [before.t, after.t], [before, after].map(falling));
         if before.gap > self.resolution {
             return at;
         }

@@ -26,6 +26,10 @@ pub(in crate::dynamics) struct ErrorScale {
     pub omega: f64,
     /// Size of the moving bodies \[m\].
     pub place: f64,
+    /// Fastest relaxation of what the law of a device remembers \[1/s\].
+    pub relaxation: f64,
+    /// Least change of a relative velocity up to which the series of a device's force converges \[m/s\].
+    pub smooth_within: f64,
 }
 
 /// Right-hand side of an island.
@@ -245,7 +249,7 @@ mod tests {
     #[test]
     fn an_error_of_the_allowed_speed_has_norm_one() {
         let (model, active) = closed(&wall(), stick);
-        let scale = ErrorScale { speed: 1e-6, omega: 500.0, place: 1.0 };
+        let scale = ErrorScale { speed: 1e-6, omega: 500.0, place: 1.0, ..ErrorScale::default() };
         let norm = |y: [f64; WIDTH]| size2(&model, &active, &y, scale);
         assert!((norm([0.0, 0.0, 0.0, 1e-6, 0.0, 0.0]) - 1.0).abs() < 1e-14, "of velocity");
         assert!((norm([0.0, 1e-6 / 500.0, 0.0, 0.0, 0.0, 0.0]) - 1.0).abs() < 1e-14, "of position, by ω");

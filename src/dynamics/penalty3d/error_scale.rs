@@ -2,11 +2,12 @@
 
 use crate::contact::{Mode, NormalLaw};
 use crate::dynamics::Model;
-use crate::dynamics::integrator::constants::RESOLVED_DECAY;
+use crate::dynamics::integrator::constants::{RESOLVED_CHANGE, RESOLVED_DECAY, RESOLVED_RELAXATION};
+use crate::dynamics::penalty3d::active_link::ActiveLink;
 use crate::dynamics::penalty3d::constants::{
     EXPLICIT_ROUNDING, FINEST_TOLERANCE_FREE, GROUND_PHASE_CONTACT, GROUND_PHASE_FREE, IMPLICIT_ROUNDING,
     LEAST_ACCELERATION, LONG_RUN_CONTACT, LONG_RUN_FREE, REST_SPEED, REVERSAL_SPEED, ROUNDING_FLOOR,
-    ROUNDING_FLOOR_TURNING, SIZE_ROUNDING_SHARE,
+    ROUNDING_FLOOR_TURNING, SIZE_ROUNDING_SHARE, SLOPE_PHASE,
 };
 use crate::dynamics::penalty3d::equations_of_motion::ErrorScale;
 use crate::dynamics::penalty3d::island::Island;
@@ -65,6 +66,7 @@ impl Island {
             }
         }
         let mut memories = Vec::new();
+        let (mut relaxation, mut smooth_within) = (0.0f64, f64::INFINITY);
         for link in self.system.acting(model) {
             let (motion, _) = link.motion(model, &self.system.bases, &self.workspace.frames);
             let device = &link.of(model).device;
@@ -77,8 +79,11 @@ impl Island {
             speed2 = speed2.max(2.0 * device.stored_energy(&phase, &motion).max(0.0) * mobility + rate * rate);
             if link.evolving.is_some() {
                 // Displacement that changes the force as much as a unit of the memory does.
-                memories.push(device.evolution(&phase, &motion).force.length() / device.stiffness_bound(&phase));
+                let evolution = device.evolution(&phase, &motion);
+                memories.push(evolution.force.length() / stiffness);
+                relaxation = relaxation.max(-evolution.decay);
             }
+            smooth_within = smooth_within.min(device.smooth_within(&phase, &motion));
         }
         // From rest: speed acceleration in one radian from ground motion, weight and constant push.
         let rest = (model.ground.peak() + weight + pushed + LEAST_ACCELERATION) / omega;
@@ -97,7 +102,7 @@ impl Island {
             *stretch = (speed / (omega * *stretch)).min(model.tolerance.sqrt());
         }
         self.angles.extend(memories.iter().map(|length| speed / (omega * length)));
-        ErrorScale { speed, omega, place }
+        ErrorScale { speed, omega, place, relaxation, smooth_within }
     }
 
     /// Largest angular speed of a body \[rad/s\]. A body that rotates without contact and bearings has no other frequency, and
@@ -127,13 +132,36 @@ impl Island {
         }
     }
 
-    /// Longest next step \[s\]: an explicit one within [`RESOLVED_DECAY`] of the decay time, so that its error
-    /// estimate shows the decay.
-    pub(in crate::dynamics) fn longest(&mut self, model: &Model) -> f64 {
+    /// Longest next step, of this error scale \[s\]: no longer than its error estimate can judge.
+    pub(in crate::dynamics) fn longest(&mut self, model: &Model, scale: &ErrorScale) -> f64 {
+        let explicit = if self.stepper.state().stiff {
+            f64::INFINITY
+        } else {
+            self.decay_time(model).min(RESOLVED_RELAXATION / scale.relaxation)
+        };
+        if scale.smooth_within < f64::INFINITY { explicit.min(self.smooth_time(model)) } else { explicit }
+    }
+
+    /// Time within which relative velocities change by [`RESOLVED_CHANGE`] of what the series of devices' forces converge up to, with
+    /// constant acceleration \[s\].
+    fn smooth_time(&self, model: &Model) -> f64 {
+        let dt = SLOPE_PHASE / self.system.omega;
+        let frames = self.frames_after(model, dt);
+        let time = |link: &ActiveLink| {
+            let [now, then] =
+                [&self.workspace.frames, &frames].map(|frames| link.motion(model, &self.system.bases, frames).0);
+            let within = link.of(model).device.smooth_within(&link.phase_in(&self.y), &now);
+            RESOLVED_CHANGE * within * dt / (then.rate - now.rate).length()
+        };
+        self.system.acting(model).map(time).fold(f64::INFINITY, f64::min)
+    }
+
+    /// Time of [`RESOLVED_DECAY`] time constants of the dashpots \[s\]; infinite where the last step was far below it.
+    fn decay_time(&mut self, model: &Model) -> f64 {
         let pace = self.stepper.state();
         // A sum of the largest single rate bounds the decay rate; the sharper bound is computed only near the limit.
         let sum = self.system.quickest * self.system.connection_count() as f64;
-        if pace.stiff || pace.step > 0.0 && pace.step * sum < RESOLVED_DECAY {
+        if pace.step > 0.0 && pace.step * sum < RESOLVED_DECAY {
             return f64::INFINITY;
         }
         let decay = self.system.decay_bound(model);

@@ -176,7 +176,7 @@ impl Island {
         let together = (2.0 / (self.system.active.len() + self.system.links.len()).clamp(2, 4) as f64).sqrt();
         let quickest = if self.stepper.state().step > 0.0 { 0.0 } else { self.system.quickest };
         let first = FIRST_PHASE * together / scale.omega.max(quickest) * (model.tolerance / 1e-10).powf(0.125);
-        let longest = self.longest(model);
+        let longest = self.longest(model, &scale);
         let kink = self.limiting_kink(model, t);
         let cap = self.drive_cap(model, cap);
         let limits = StepLimits { cap, kink, first, longest, soon, smallest: SMALLEST_PHASE / scale.omega };

@@ -48,6 +48,20 @@ impl Island {
         }
     }
 
+    /// Poses of the sections of its bodies relative to their reference poses, `dt` after the start of the next step, with constant
+    /// acceleration.
+    pub(in crate::dynamics) fn frames_after(&self, model: &Model, dt: f64) -> Vec<Frame> {
+        let slope = self.stepper.slope();
+        let mut moved: Vec<f64> = self.y.iter().zip(slope).map(|(y, rate)| y + dt * rate).collect();
+        let mut frames = Vec::with_capacity(self.system.layout.section_count());
+        for index in 0..self.system.bodies.len() {
+            let (part, body) = (self.system.layout.range(index), self.body(model, index));
+            body.add_accelerations(&mut moved[part.clone()], &slope[part.clone()], dt);
+            body.push_frames(&moved[part], &mut frames);
+        }
+        frames
+    }
+
     /// Poses of the sections of the bodies that connections act on at `times` within the planned step, relative to their reference poses,
     /// time by time; in place of the other sections those as placed.
     pub(in crate::dynamics) fn frames_since(&self, model: &Model, times: &[f64]) -> Vec<Frame> {
