@@ -293,6 +293,9 @@ impl<'a> Plan<'a> {
         let largest = contacts.iter().map(|now| now.force.truncate().length()).fold(0.0, f64::max);
         for now in contacts.iter().filter(|_| largest > 0.0) {
             let (x, y) = self.place(now.point.truncate());
+            if !((0.0..=WIDTH).contains(&x) && (0.0..=height).contains(&y)) {
+                continue;
+            }
             let way = now.force.truncate() * (ARROW / largest);
             let style = format!(r#"stroke="{FORCE}" stroke-width="2.2""#);
             let (tip, unit) = ((x + way.x, y - way.y), way.normalize_or_zero());

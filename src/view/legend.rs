@@ -58,26 +58,24 @@ fn row(sign: Sign, text: impl Into<String>) -> Row {
 
 /// The force whose bar is a round number of newtons, and the bar's length \[N, pixels\].
 pub(super) fn force_bar(input: &ViewInput<'_>, moment: &Moment) -> Option<(f64, f32)> {
-    let scale = moment.force_scale?;
-    let focus = focus(input, moment);
-    let per_pixel = input.camera.metres_per_pixel(focus, f64::from(input.size[1])) * scale;
+    let per_pixel = input.camera.metres_per_pixel(focus(input), f64::from(input.size[1])) * moment.force_scale?;
     let force = round_down(LONGEST_BAR * f64::from(input.pixels_per_point) * per_pixel);
     Some((force, (force / per_pixel) as f32))
 }
 
 /// The impulse whose bar is a round number, and the bar's length \[N·s, pixels\].
 fn impulse_bar(input: &ViewInput<'_>, moment: &Moment) -> Option<(f64, f32)> {
-    let focus = moment.impulses.last().map_or(input.camera.target, |impulse| impulse.point);
-    let per_pixel = input.camera.metres_per_pixel(focus, f64::from(input.size[1])) * moment.impulse_scale?;
+    let per_pixel = input.camera.metres_per_pixel(focus(input), f64::from(input.size[1])) * moment.impulse_scale?;
     let impulse = round_down(LONGEST_BAR * f64::from(input.pixels_per_point) * per_pixel);
     Some((impulse, (impulse / per_pixel) as f32))
 }
 
-/// Where the scale is true in a perspective view: the middle of the contacts, or what the camera looks at.
-fn focus(input: &ViewInput<'_>, moment: &Moment) -> glam::DVec3 {
-    let points = moment.contacts.iter().map(|c| c.point);
-    let count = moment.contacts.len();
-    if count == 0 { input.camera.target } else { points.sum::<glam::DVec3>() / count as f64 }
+/// Where the scale is true in a perspective view, the same at all times of a run, so that a film has one bar: the node of the hardest touch
+/// as placed, or what the camera looks at.
+fn focus(input: &ViewInput<'_>) -> glam::DVec3 {
+    let hardest =
+        input.history.and_then(|history| Some(history.model().contacts.get(history.hardest()?.contact)?.point));
+    hardest.unwrap_or(input.camera.target)
 }
 
 fn rows(input: &ViewInput<'_>, moment: &Moment, grid: Option<f64>) -> Vec<Row> {

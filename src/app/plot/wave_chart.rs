@@ -47,7 +47,8 @@ pub(super) fn draw(ui: &mut Ui, source: &Source<'_>, over: &Over<'_>, palette: &
         if ui.put(button, Button::new(words).small().truncate()).clicked() {
             let span = waves::hit_span(history, source.girder).unwrap_or([0.0, 3.0 * beam.transit_time()]);
             out.push(TimeCommand::Window(Some(span)).into());
-            out.push(TimeCommand::Seek(span[0].midpoint(span[1])).into());
+            let peak = waves::hit_peak(history, source.girder).unwrap_or(span[0].midpoint(span[1]));
+            out.push(TimeCommand::Seek(peak).into());
         }
         return;
     }
