@@ -76,11 +76,14 @@ fn with_sense(
         rate_error(world, contact, [&node, &face])
     };
     let start = from.max(t);
-    let here = if start > t { ends(start) } else { before };
+    let (here, error) = if start > t {
+        let [node, face] = poses_at(world, contact, start);
+        (edge.ends(&node, &face), rate_error(world, contact, [&node, &face]))
+    } else {
+        (before, rate_error(world, contact, samples.sides(world, contact, 0)))
+    };
     let first = sample((edge, sense), &here, start);
     let GapSample { gap, rate, .. } = first;
-    let error =
-        if start > t { rate_error_at(start) } else { rate_error(world, contact, samples.sides(world, contact, 0)) };
     let closes_now = armed && gap.abs() <= resolution && rate < -error * edge.amplification(&here).max(1.0);
     if closes_now && begins(world, contact, sense, start) {
         return (Some(start), None);

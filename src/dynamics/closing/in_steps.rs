@@ -38,10 +38,13 @@ pub(in crate::dynamics) fn search(world: &mut World, pair: usize, [t, until]: [f
         let edge = world.model.contacts[world.contacts[contact].site].edge.as_deref();
         let is_edge = edge.is_some();
         let stays = edge.map_or(corners_stay, |edge| edges_stay || edge.stays_clear(moved));
+        if stays {
+            continue;
+        }
         // An event ends the step: what would close after those that close with the first is found from there.
         let last = first + world.pairs[pair].simultaneity;
         let from = crossing_not_before(world, contact, t);
-        if stays || from > last || from == f64::INFINITY {
+        if from > last || from == f64::INFINITY {
             continue;
         }
         let Some(armed) = open(world, contact, t) else { continue };

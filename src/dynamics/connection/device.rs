@@ -131,8 +131,8 @@ pub trait Device: Connection<State = Phase, Motion = Separation> + std::fmt::Deb
         false
     }
 
-    /// Change of the relative velocity of its points up to which the force's series converges \[m/s\]; infinite where the force has no
-    /// scale of its own.
+    /// Distance of the relative velocity of its points from the nearest one, real or complex, at which the force is singular \[m/s\]: the
+    /// force's series converges up to it. Infinite where there is none.
     fn smooth_within(&self, phase: &Phase, motion: &Separation) -> f64 {
         let _ = (phase, motion);
         f64::INFINITY

@@ -51,7 +51,7 @@ pub(in crate::dynamics) const RESOLVED_DECAY: f64 = 5.0;
 pub(in crate::dynamics) const RESOLVED_RELAXATION: f64 = 3.0;
 /// Part of the change up to which a force's series converges that a step may span: the terms from the order of the estimate on fall by
 /// this factor each. Measured on two girders with a damper of α = 0.3, 22 tolerances from 1e-10 to 1e-9: at most 1.3e-9 m off with 0.7,
-/// 2.2e-9 m with 0.5, which takes an eighth more instructions, 1.8e-7 m without.
+/// 2.2e-9 m with 0.5, which takes a seventh more instructions, 1.8e-7 m without.
 pub(in crate::dynamics) const RESOLVED_CHANGE: f64 = 0.7;
 
 // Step control.

@@ -28,7 +28,7 @@ pub(in crate::dynamics) struct ErrorScale {
     pub place: f64,
     /// Fastest relaxation of what the law of a device remembers \[1/s\].
     pub relaxation: f64,
-    /// Least change of a relative velocity up to which the series of a device's force converges \[m/s\].
+    /// Least [`smooth_within`](crate::dynamics::connection::Device::smooth_within) of the devices \[m/s\].
     pub smooth_within: f64,
 }
 
