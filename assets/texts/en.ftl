@@ -828,7 +828,7 @@ view-as-placed = as placed
 view-time = t = { $t } s
 view-time-periods = t = { $t } s  ·  { $periods } periods
 view-gap = gap { $length }
-view-gap-least = gap { $length } at the middle, least { $least } square
+view-gap-least = gap { $length }, least { $least } square
 view-fallen = { $girder } has fallen: no bearing carries it
 view-bearings-lost = { $girder }: { $count } of { $all } bearings without support
 view-bearings-lifted = { $girder }: { $count } of { $all } bearings lifted

@@ -811,7 +811,7 @@ view-as-placed = 初期配置
 view-time = t = { $t } s
 view-time-periods = t = { $t } s  ·  { $periods } 周期
 view-gap = 遊間 { $length }
-view-gap-least = 遊間 中央 { $length }、最小 { $least }（直角）
+view-gap-least = 遊間 { $length }、最小 { $least }（直角）
 view-fallen = { $girder } は落下：どの支承も支えていない
 view-bearings-lost = { $girder }：支承 { $all } 個中 { $count } 個が支持を失う
 view-bearings-lifted = { $girder }：支承 { $all } 個中 { $count } 個が浮く

@@ -53,6 +53,10 @@ pub(super) const BESIDE: &[Vec2] = &[
     Vec2::new(0.0, 1.0),
 ];
 
+/// Distances from the point that are tried one after the other, in distances at which a text may start. The last ones lead out from under
+/// a gauge or a card beside the point: 70 points, where a text may start at 5.
+const DISTANCES: [f32; 5] = [1.0, 2.6, 4.4, 8.0, 14.0];
+
 /// Places labels one after another on what is still free.
 #[derive(Debug)]
 pub(super) struct Placer {
@@ -92,7 +96,7 @@ impl Placer {
         if !inside {
             return Vec::new();
         }
-        let spots = [1.0, 2.6, 4.4].into_iter().flat_map(|far| {
+        let spots = DISTANCES.into_iter().flat_map(|far| {
             label.directions.iter().filter(move |d| far == 1.0 || **d != Vec2::ZERO).map(move |d| (far, *d))
         });
         let mut best: Option<(f32, f32, Area)> = None;
@@ -167,6 +171,18 @@ mod tests {
         let taken = placer.taken.areas();
         let clear = |i: usize| taken[..i].iter().all(|other| other.overlap(&taken[i]) == 0.0);
         assert!((0..taken.len()).all(clear), "no two areas overlap: {taken:?}");
+    }
+
+    #[test]
+    fn a_label_comes_out_from_under_a_card_about_its_point() {
+        let mut placer = Placer::new([400, 400], 1.0, Rgba::CLEAR);
+        let card = Area::about(Vec2::splat(200.0), Vec2::splat(60.0));
+        placer.take(card);
+        let marks = placer.place(&label("gap \u{2212}0.47 mm"));
+        assert!(marks.iter().any(|mark| matches!(mark, Mark::Stroke { .. })), "a leader goes there: {marks:?}");
+        let taken = placer.taken.areas();
+        assert_eq!(taken.len(), 2, "the card and the label");
+        assert_eq!(taken[1].overlap(&card), 0.0, "no letter is covered: {taken:?}");
     }
 
     #[test]
