@@ -51,6 +51,7 @@
 //! |---|---|
 //! | [`language`] | texts by their keys, in the language of the user |
 //! | [`geometry`] | prisms, faces, and the one door to parry |
+//! | [`plot`] | charts that draw themselves as SVG, and numbers as colours |
 //! | [`contact`] | laws at one point, knowing no bodies |
 //! | [`motion`] | ground motion as functions of time, record parsers |
 //! | [`identify`] | natural frequency and damping from measured histories |
@@ -70,7 +71,7 @@
 //! | [`cli`] | the command line |
 //! | `page` | the program as a page in a browser (target `wasm32-unknown-unknown`) |
 //!
-//! The first ten are the core: they know no clock, no file, no window and no GPU, and build without any feature.
+//! The first eleven are the core: they know no clock, no file, no window and no GPU, and build without any feature.
 
 #[cfg(not(target_arch = "wasm32"))]
 pub mod cli;
@@ -85,6 +86,7 @@ pub mod measure;
 pub mod motion;
 #[cfg(target_arch = "wasm32")]
 pub mod page;
+pub mod plot;
 pub mod report;
 pub mod scene;
 pub mod sim;

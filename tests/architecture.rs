@@ -16,6 +16,7 @@ use source::{blank_comments_and_strings, files_under, has_word, is_word, root, s
 const ROOMS: &[(&str, &[&str])] = &[
     ("language", &[]),
     ("geometry", &[]),
+    ("plot", &[]),
     ("contact", &["geometry"]),
     ("motion", &["geometry", "language"]),
     ("identify", &["motion", "language"]),
@@ -24,10 +25,13 @@ const ROOMS: &[(&str, &[&str])] = &[
     ("dynamics", &["geometry", "contact", "motion", "scene", "language"]),
     ("sim", &["geometry", "contact", "motion", "scene", "dynamics", "language"]),
     ("codes", &["geometry", "scene", "dynamics", "sim", "language"]),
-    ("study", &["geometry", "contact", "motion", "identify", "measure", "scene", "dynamics", "sim", "language"]),
+    (
+        "study",
+        &["geometry", "contact", "motion", "identify", "measure", "scene", "dynamics", "sim", "plot", "language"],
+    ),
     ("tables", &["geometry", "scene", "dynamics", "sim", "codes", "language"]),
-    ("report", &["geometry", "motion", "scene", "dynamics", "sim", "codes", "study", "tables", "language"]),
-    ("view", &["geometry", "scene", "dynamics", "sim", "language"]),
+    ("report", &["geometry", "motion", "scene", "dynamics", "sim", "codes", "study", "tables", "plot", "language"]),
+    ("view", &["geometry", "scene", "dynamics", "sim", "plot", "language"]),
     ("render", &["view", "language"]),
     ("snapshot", &["scene", "sim", "view", "render"]),
     ("files", &["scene", "motion", "language"]),
@@ -35,14 +39,14 @@ const ROOMS: &[(&str, &[&str])] = &[
         "app",
         &[
             "geometry", "scene", "dynamics", "sim", "codes", "study", "tables", "report", "view", "render", "snapshot",
-            "files", "language",
+            "files", "plot", "language",
         ],
     ),
     (
         "cli",
         &[
             "geometry", "motion", "identify", "measure", "scene", "dynamics", "sim", "codes", "tables", "report",
-            "view", "render", "snapshot", "files", "app", "study", "language",
+            "view", "render", "snapshot", "files", "app", "study", "plot", "language",
         ],
     ),
     ("page", &["scene", "sim", "tables", "files", "app"]),

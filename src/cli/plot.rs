@@ -12,9 +12,9 @@ use super::output::write_files;
 use super::plot_files::plot_files;
 use crate::files::check_folder;
 use crate::language::{Text, said};
+use crate::plot::COLORS;
+use crate::plot::chart::{Chart, Curve, Panel};
 use crate::sim::{History, Quantity, Unit};
-use crate::study::plot::COLORS;
-use crate::study::plot::chart::{Chart, Curve, Panel};
 use crate::tables::{DEFAULT_SAMPLE_HZ, quantities};
 
 /// Plot quantities of a run against time or each other, e.g. a hysteresis loop; without `--y`, list their names

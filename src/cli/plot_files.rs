@@ -8,7 +8,7 @@ use super::failure::Failure;
 /// A picture that cannot be drawn from the SVG.
 #[cfg(feature = "study")]
 pub(super) fn plot_files(name: &str, svg: String) -> Result<Vec<(String, Vec<u8>)>, Failure> {
-    let png = crate::study::plot::png(&svg).map_err(|error| Failure::NoPicture(format!("{name}.png: {error}")))?;
+    let png = crate::plot::png(&svg).map_err(|error| Failure::NoPicture(format!("{name}.png: {error}")))?;
     Ok(vec![(format!("{name}.svg"), svg.into_bytes()), (format!("{name}.png"), png)])
 }
 

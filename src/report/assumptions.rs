@@ -7,13 +7,13 @@ use super::plan::trimmed;
 use super::sections::input_words;
 use crate::codes::Source;
 use crate::language::{Text, said, six};
+use crate::plot::draw::escape;
 use crate::scene::domain::{BesideGirder, beside_girders};
 use crate::scene::facing::PairContact;
 use crate::scene::keys::word_told;
 use crate::scene::seating::{self, BeyondCap};
 use crate::scene::{Bearings, ContactSettings, FrictionLaw, ImpactSettings, ModelKind, NormalName, Scene};
 use crate::sim::History;
-use crate::study::plot::draw::escape;
 use crate::tables::{DemandReport, Report};
 
 /// Facing pairs whose numbers are listed; a scene may have hundreds.

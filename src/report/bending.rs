@@ -4,8 +4,8 @@ use std::fmt::Write as _;
 
 use super::sections::{at, head, row};
 use crate::language::{Text, said, six};
+use crate::plot::draw::escape;
 use crate::sim::DegreeCheck;
-use crate::study::plot::draw::escape;
 use crate::tables::{FlexibleReport, FlexibleRun, Report};
 
 /// Girders that bend, and what became of them.

@@ -9,12 +9,12 @@ use crate::language::{Text, said};
 use crate::motion::Ground;
 use crate::motion::integrate::{Peak, StrongMotion, integrate};
 use crate::motion::spectrum::{DESIGN_DAMPING, periods, spectrum};
+use crate::plot::COLORS;
+use crate::plot::chart::{Chart, Curve, Panel};
+use crate::plot::draw::escape;
 use crate::scene::STANDARD_GRAVITY;
 use crate::sim::History;
 use crate::sim::moving_ground::{MovedSupport, moved_supports};
-use crate::study::plot::COLORS;
-use crate::study::plot::chart::{Chart, Curve, Panel};
-use crate::study::plot::draw::escape;
 
 /// Samples of a history that is drawn, and of a ground motion that is no record.
 const SAMPLES: u32 = 4000;

@@ -3,11 +3,11 @@
 use glam::DVec2;
 
 use crate::language::{Text, said};
+use crate::plot::COLORS;
+use crate::plot::chart::{Chart, Curve, Panel};
 use crate::scene::Girder;
 use crate::sim::quantity::{OfBearing, OfLink};
 use crate::sim::{History, Quantity};
-use crate::study::plot::COLORS;
-use crate::study::plot::chart::{Chart, Curve, Panel};
 use crate::tables::{BearingsReport, Report};
 
 /// Points of a loop that are equally far apart in time; between two of them more are taken where it bends.

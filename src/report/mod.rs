@@ -17,10 +17,10 @@ mod units;
 use std::fmt::Write as _;
 
 use crate::language::{Language, Text, said};
+use crate::plot::draw::escape;
 use crate::scene::{Scene, format, presets};
 use crate::sim::History;
 use crate::study::page;
-use crate::study::plot::draw::escape;
 use crate::tables::{Report, TableOptions};
 use plan::{Plan, hardest};
 
@@ -31,6 +31,7 @@ pub fn html(history: &History, options: &TableOptions) -> String {
     let name = escape(&scene.name);
     let mut page = page::begin(&said!("report-title", "name" => name.as_str()), Language::current().code());
     let _ = writeln!(page, "<h1>{name}</h1>\n<p>{}</p>", escape(presets::told(scene)));
+    page.push_str(&sections::verdicts(&report));
     page.push_str(&trust::departures(&report));
     page.push_str(&sections::headline(&report));
     heading(&mut page, Text::new("report-scene"));

@@ -3,11 +3,11 @@
 use std::fmt::Write as _;
 
 use crate::language::{Text, said};
+use crate::plot::chart::{number, ticks};
+use crate::plot::draw::{line, text};
 use crate::sim::History;
 use crate::sim::seat_on::SeatOn;
 use crate::sim::seats::{self, OrbitPoint, Seat, SeatCorner};
-use crate::study::plot::chart::{number, ticks};
-use crate::study::plot::draw::{line, text};
 use crate::tables::corner_angle;
 
 const PANEL: f64 = 400.0;

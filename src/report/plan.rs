@@ -7,12 +7,12 @@ use glam::DVec2;
 use super::units::force;
 use crate::geometry::{End, Prism};
 use crate::language::{Text, said};
+use crate::plot::draw::{escape, line, text};
 use crate::scene::facing::Side;
 use crate::scene::placed::{abutment_depth, abutment_face};
 use crate::scene::{Abutment, Scene};
 use crate::sim::seats::Ledge;
 use crate::sim::{ContactNow, ContactState, History, Touch};
-use crate::study::plot::draw::{escape, line, text};
 
 const WIDTH: f64 = 900.0;
 const MARGIN: f64 = 46.0;

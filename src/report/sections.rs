@@ -1,4 +1,4 @@
-//! Tables of a report: headline, scene, assumptions, readings, seats with codes, errors.
+//! Tables of a report: verdicts, headline, scene, assumptions, readings, seats with codes, errors.
 
 use std::fmt::Write as _;
 
@@ -6,10 +6,10 @@ use super::plan::trimmed;
 use super::units::{force, mass};
 use crate::codes::{Input, RotationCondition, Source};
 use crate::language::{Text, said, six};
+use crate::plot::draw::escape;
 use crate::scene::keys::word_told;
 use crate::scene::{Girder, Kind, Limits, ModelKind, Setting};
 use crate::sim::{History, readings};
-use crate::study::plot::draw::escape;
 use crate::tables::{DemandReport, Report, SeatReport, corner_angle};
 
 /// Rows of a table whose first cell is a heading.
@@ -55,9 +55,8 @@ fn source(source: Source) -> Text {
     }
 }
 
-/// What came out, in a few lines.
-pub(super) fn headline(report: &Report) -> String {
-    let n = &report.numbers;
+/// Whether the girders stay on their seats, and whether the run came to its end, a line each.
+pub(super) fn verdicts(report: &Report) -> String {
     let off: Vec<String> = report
         .seats
         .iter()
@@ -96,6 +95,12 @@ pub(super) fn headline(report: &Report) -> String {
         let words = said!("report-seats-short", "seats" => short.join("; "));
         let _ = writeln!(html, "<p class=\"no\">{}</p>", escape(&words));
     }
+    html
+}
+
+/// The largest numbers of the run.
+pub(super) fn headline(report: &Report) -> String {
+    let n = &report.numbers;
     let dimensions = match report.kind {
         Kind::Planar => Text::new("report-planar"),
         Kind::Spatial => Text::new("report-spatial"),
@@ -120,7 +125,7 @@ pub(super) fn headline(report: &Report) -> String {
         rows.push(fact(Text::new("report-max-force"), force(n.peak_force)));
     }
     rows.push(fact(Text::new("report-hits"), format!("{}", n.hits)));
-    html + &facts(rows)
+    facts(rows)
 }
 
 /// Numbers of girders, bearings, abutments and contact.

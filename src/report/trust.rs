@@ -5,7 +5,7 @@ use super::plan::trimmed;
 use super::sections::{fact, facts};
 use super::units::force;
 use crate::language::{Text, said};
-use crate::study::plot::draw::escape;
+use crate::plot::draw::escape;
 use crate::tables::{BackfillReport, PierReport, Report};
 
 /// Part of the largest energy below which springs that contacts left do not head the page in alarm \[–\]. Chosen: a displacement differs

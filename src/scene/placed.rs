@@ -1,6 +1,6 @@
 //! Where the bodies of a scene stand as placed: corners and faces in the world.
 
-use glam::{DMat3, DVec3};
+use glam::{DMat3, DVec2, DVec3};
 
 use super::angle::sin_cos_deg;
 use super::{Abutment, Girder, Scene};
@@ -12,6 +12,13 @@ use crate::geometry::End;
 pub fn axes(girder: &Girder) -> DMat3 {
     let (s, c) = sin_cos_deg(girder.heading_deg);
     DMat3::from_cols(DVec3::new(c, s, 0.0), DVec3::new(-s, c, 0.0), DVec3::Z)
+}
+
+/// Corners of a girder in plan in the world as placed, in the order of their numbers \[m\].
+pub fn plan(girder: &Girder) -> [DVec2; 4] {
+    let axes = axes(girder);
+    let place = DVec3::from(girder.position);
+    girder.prism().plan_corners().map(|corner| (place + axes * corner.extend(0.0)).truncate())
 }
 
 /// Corners of a girder's end face in the world as placed, anticlockwise seen from outside \[m\].

@@ -7,11 +7,11 @@
 use rayon::prelude::*;
 
 use super::identified::crossed;
-use super::plot::COLORS;
-use super::plot::chart::{Chart, Curve, Panel};
 use crate::identify::least_squares::{self, Model, dot};
 use crate::identify::noise::{Noise, student_95};
 use crate::language::{said, six};
+use crate::plot::COLORS;
+use crate::plot::chart::{Chart, Curve, Panel};
 use crate::scene::validate::validate;
 use crate::scene::{Scene, overrides};
 use crate::sim::History;

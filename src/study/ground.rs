@@ -4,13 +4,13 @@ use std::fmt::Write as _;
 
 pub use crate::motion::Ground as Shaker;
 
-use super::plot::COLORS;
-use super::plot::chart::{Chart, Curve, Panel};
 use crate::language::Text;
 use crate::motion::format::Channel;
 use crate::motion::integrate::{Peak, StrongMotion, integrate};
 use crate::motion::spectrum::{DESIGN_DAMPING, Response, periods, response, spectrum};
 use crate::motion::{Ground as Motion, Samples};
+use crate::plot::COLORS;
+use crate::plot::chart::{Chart, Curve, Panel};
 
 /// Shortest and longest period of the spectrum \[s\].
 const PERIODS: [f64; 2] = [0.02, 10.0];

@@ -2,9 +2,9 @@
 
 use std::fmt::Write as _;
 
-use super::plot::COLORS;
-use super::plot::chart::{Chart, Curve, Panel};
 use crate::identify::{Identified, Measured, Quantity};
+use crate::plot::COLORS;
+use crate::plot::chart::{Chart, Curve, Panel};
 
 /// Measured points are drawn as crosses up to so many, else joined.
 const MOST_CROSSES: usize = 200;

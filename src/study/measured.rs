@@ -2,9 +2,9 @@
 
 use std::fmt::Write as _;
 
-use super::plot::COLORS;
-use super::plot::chart::{Chart, Curve, Panel};
 use crate::measure::Pose;
+use crate::plot::COLORS;
+use crate::plot::chart::{Chart, Curve, Panel};
 
 /// A body of a film.
 #[derive(Clone, Debug)]

@@ -2,7 +2,7 @@
 //! one scene at many values of its keys, every normal law on one scene, the paper's experiment.
 //!
 //! A study measures the program, so it may read clocks; it opens no file and prints nothing. Its tables and pages come
-//! back as text, its plots as [`plot::Plot`]s that draw themselves as SVG and, with feature `study`, as PNG.
+//! back as text, its plots as [`Plot`](crate::plot::Plot)s that draw themselves as SVG and, with feature `study`, as PNG.
 
 pub mod accuracy;
 pub mod calibration;
@@ -14,7 +14,6 @@ pub mod identified;
 pub mod laws;
 pub mod measured;
 pub mod page;
-pub mod plot;
 pub mod size;
 pub mod stability;
 pub mod sweep;

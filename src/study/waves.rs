@@ -2,8 +2,8 @@
 
 use std::fmt::Write as _;
 
-use super::plot::Colors;
-use super::plot::heat_map::{HeatMap, Map, Steps};
+use crate::plot::Colors;
+use crate::plot::heat_map::{HeatMap, Map, Steps};
 use crate::sim::{History, OfSection, SectionField};
 
 /// Times and stations of a picture, such that labels fall on round ones.
@@ -72,7 +72,7 @@ impl Waves {
                 mark: None,
             },
             bar: format!("[{unit}]"),
-            colors: if self.what.is_signed() { Colors::Signed } else { Colors::Even },
+            colors: Colors::of_signed(self.what.is_signed()),
             maps: vec![Map {
                 name: String::new(),
                 values: self.field.values.iter().map(|value| Some(value / size)).collect(),

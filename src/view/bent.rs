@@ -5,8 +5,10 @@ use glam::DVec3;
 use super::ViewInput;
 use super::bending::{Bent, Shape, ends_that_face};
 use super::list::{Line, Rgba, Solid};
-use super::palette::{NEGATIVE, NEUTRAL, POSITIVE, Palette, SELECTED};
+use super::palette::{Palette, SELECTED};
 use crate::dynamics::elastic::Fields;
+use crate::plot::Colors;
+use crate::plot::color_map::level;
 use crate::scene::Girder;
 use crate::sim::{History, Motion};
 
@@ -101,19 +103,14 @@ fn colors(history: &History, girder: usize, (t, length): (f64, f64), bent: Bent,
     };
     let middle = |i: usize| length * ((i as f64 + 0.5) / SLICES as f64 - 0.5);
     let value = |i: usize| history.of_section(girder, &equilibrium.at(middle(i)), force);
-    (0..SLICES).map(|i| of_value(value(i) / most)).collect()
+    (0..SLICES).map(|i| of_value(force.is_signed(), value(i) / most)).collect()
 }
 
-/// Colour of a value from −1 to 1.
-pub(super) fn of_value(value: f64) -> Rgba {
-    let (to, part) = (if value < 0.0 { NEGATIVE } else { POSITIVE }, value.abs().min(1.0));
-    let mixed = |i: usize| {
-        let [from, to] = [NEUTRAL, to].map(|color| f64::from(color.0[i]));
-        #[expect(clippy::cast_sign_loss, reason = "between two bytes")]
-        let byte = (from + part * (to - from)).round() as u8;
-        byte
-    };
-    Rgba::rgb(mixed(0), mixed(1), mixed(2))
+/// Colour of a value in parts of the largest: from −1 of values of both signs, from 0 of others, to 1, as in a chart over time and station.
+pub(super) fn of_value(signed: bool, value: f64) -> Rgba {
+    let low = if signed { -1.0 } else { 0.0 };
+    let [r, g, b] = Colors::of_signed(signed).rgb(level(value, [low, 1.0]));
+    Rgba::rgb(r, g, b)
 }
 
 #[cfg(test)]
@@ -122,6 +119,9 @@ mod tests {
 
     #[test]
     fn colours_part_at_zero_and_end_at_the_largest() {
-        assert_eq!([of_value(-2.0), of_value(0.0), of_value(1.0)], [NEGATIVE, NEUTRAL, POSITIVE]);
+        let [least, none, most] = [-2.0, 0.0, 1.0].map(|value| of_value(true, value).0.map(i32::from));
+        assert_eq!([least, most], [-1.0, 2.0].map(|value| of_value(true, value).0.map(i32::from)), "held at the ends");
+        assert!(least[0] > least[1] && most[1] > most[0], "purple below, green above: {least:?} {most:?}");
+        assert!(none[..3].iter().all(|channel| *channel > 0xf0), "light in the middle: {none:?}");
     }
 }

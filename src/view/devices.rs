@@ -14,7 +14,9 @@ use crate::scene::DeviceKind;
 use crate::sim::{History, LinkNow};
 
 /// Width of a device whose force acts, and of one that is idle \[points\].
-const WIDTHS: [f32; 2] = [3.4, 1.4];
+const WIDTHS: [f32; 2] = [3.6, 1.7];
+/// Half the side of the square at either point of a cable, its anchors \[points\].
+const ANCHOR: f64 = 3.5;
 /// Half the height of a plate, a block or a cylinder \[points\].
 const HALF: f64 = 7.0;
 /// Turns of a bumper's spring.
@@ -22,10 +24,10 @@ const TURNS: u32 = 5;
 /// Pieces that a hanging cable is drawn in.
 const PIECES: u32 = 16;
 
-/// Width \[pixels\] and colour of a device's line: idle ones in faint ink, so that width and colour state the same.
+/// Width \[pixels\] and colour of a device's line: idle ones in ink, so that width and colour state the same.
 pub(super) fn stroke(acts: bool, pixels_per_point: f32, palette: &Palette) -> (f32, Rgba) {
     let [acting, idle] = WIDTHS.map(|width| width * pixels_per_point);
-    if acts { (acting, NORMAL) } else { (idle, palette.faint_ink) }
+    if acts { (acting, NORMAL) } else { (idle, palette.ink) }
 }
 
 /// Lines of all devices of a moment.
@@ -63,7 +65,7 @@ fn drawn(input: &ViewInput<'_>, device: &LinkNow, kind: Option<DeviceKind>) -> V
     // No sign is longer than the line that it stands on.
     let half = (HALF * input.point_length(middle)).min(0.3 * first.distance(second).max(1e-9));
     match kind {
-        Some(DeviceKind::Restrainer) => cable(device),
+        Some(DeviceKind::Restrainer) => [cable(device), device.ends.map(|end| anchor(input, end)).into()].concat(),
         Some(DeviceKind::Bumper) => spring([first, second], half),
         Some(DeviceKind::Damper) => piston([first, second], half),
         Some(DeviceKind::Stopper) => block(input, device),
@@ -74,6 +76,14 @@ fn drawn(input: &ViewInput<'_>, device: &LinkNow, kind: Option<DeviceKind>) -> V
 /// Level and square to a direction.
 fn across(direction: DVec3) -> DVec3 {
     DVec3::Z.cross(direction).try_normalize().unwrap_or(DVec3::X)
+}
+
+/// The square about a point of a cable, level, of one size on the screen.
+fn anchor(input: &ViewInput<'_>, at: DVec3) -> Vec<DVec3> {
+    let half = ANCHOR * input.point_length(at);
+    [[-1.0, -1.0], [1.0, -1.0], [1.0, 1.0], [-1.0, 1.0], [-1.0, -1.0]]
+        .map(|[x, y]| at + DVec3::new(x, y, 0.0) * half)
+        .into()
 }
 
 /// A cable: straight while taut; slack by e it hangs, as a parabola whose length is e longer than the chord ℓ, `√(3 ℓ e/8)` deep; broken,

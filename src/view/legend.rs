@@ -1,4 +1,5 @@
-//! The legend: what an arrow's length, a glyph, a cone and the grid mean. Only what the picture can show is explained.
+//! The legend: what an arrow's length, a glyph, a cone and the grid mean. Only what the picture can show is explained, and no more of it
+//! than leaves room for the picture.
 
 use glam::Vec2;
 
@@ -27,12 +28,27 @@ const COLOR_BAR: f32 = 120.0;
 const COLOR_PARTS: u8 = 40;
 /// Longest force bar \[points\].
 const LONGEST_BAR: f64 = 150.0;
+/// Largest part of a picture that the legend covers before it leaves out what can be spared (chosen: the view of a window of 1024 × 640
+/// keeps three quarters of its width free).
+const MOST_COVERED: f32 = 0.16;
 
-/// A row of the legend: a sign, and what it means.
+/// A row of the legend: a sign, what it means, and who needs it.
 #[derive(Clone, Debug)]
 struct Row {
     sign: Sign,
     text: String,
+    need: Need,
+}
+
+/// What a row is needed for; the last are left out first where the picture is small.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord)]
+enum Need {
+    /// Reading off a value, or that something is wrong.
+    Value,
+    /// Telling apart what is drawn.
+    State,
+    /// Reading what is known from the scene, or seen by itself.
+    Aside,
 }
 
 #[derive(Clone, Copy, Debug)]
@@ -48,12 +64,12 @@ enum Sign {
     Grid,
     Girder,
     Ghost,
-    /// Colours of a section force, from −1 or 0 to 1.
-    Colors(f64),
+    /// Colours of a section force, of both signs or of one.
+    Colors(bool),
 }
 
-fn row(sign: Sign, text: impl Into<String>) -> Row {
-    Row { sign, text: text.into() }
+fn row(sign: Sign, need: Need, text: impl Into<String>) -> Row {
+    Row { sign, text: text.into(), need }
 }
 
 /// The force whose bar is a round number of newtons, and the bar's length \[N, pixels\].
@@ -87,53 +103,54 @@ fn rows(input: &ViewInput<'_>, moment: &Moment, grid: Option<f64>) -> Vec<Row> {
         (o.tangential, TANGENTIAL, Text::new("legend-tangential")),
         (o.damping, DAMPING, Text::new("legend-damping")),
     ];
-    let shown = |(on, color, text): (bool, Rgba, Text)| on.then(|| row(Sign::Arrow(color), text));
+    let shown = |(on, color, text): (bool, Rgba, Text)| on.then(|| row(Sign::Arrow(color), Need::Value, text));
     let can_touch = !moment.facings.is_empty();
     if let (true, Some((force, length))) =
         (can_touch && (o.cones || arrows.iter().any(|a| a.0)), force_bar(input, moment))
     {
-        rows.push(row(Sign::Bar(length), round_force(force)));
+        rows.push(row(Sign::Bar(length), Need::Value, round_force(force)));
         rows.extend(arrows.into_iter().filter_map(shown));
-        rows.push(row(Sign::None, Text::new("legend-on-owner")));
+        rows.push(row(Sign::None, Need::Aside, Text::new("legend-on-owner")));
         if o.cones {
-            rows.push(row(Sign::Cone, Text::new("legend-cone")));
+            rows.push(row(Sign::Cone, Need::Aside, Text::new("legend-cone")));
         }
     }
     if let Some((impulse, length)) = o.resultant.then(|| impulse_bar(input, moment)).flatten() {
-        rows.push(row(Sign::Bar(length), round_impulse(impulse)));
-        rows.push(row(Sign::Arrow(IMPULSE), Text::new("legend-impulse")));
+        rows.push(row(Sign::Bar(length), Need::Value, round_impulse(impulse)));
+        rows.push(row(Sign::Arrow(IMPULSE), Need::Value, Text::new("legend-impulse")));
     }
     if let Some((force, most)) = input.bent.and_then(|bent| bent.colored) {
         let (unit, size) = force.unit();
         let low = if force.is_signed() { -1.0 } else { 0.0 };
         let end = |part: f64| three(part * most / size);
         let range = values!["from" => end(low), "to" => end(1.0), "unit" => unit];
-        rows.push(row(Sign::Colors(low), Text::new("legend-range").with(&range)));
-        rows.push(row(Sign::None, section_force(force)));
+        rows.push(row(Sign::Colors(force.is_signed()), Need::Value, Text::new("legend-range").with(&range)));
+        rows.push(row(Sign::None, Need::Value, section_force(force)));
     }
     if !moment.ghosts.is_empty() {
-        rows.push(row(Sign::Girder, Text::new("legend-contact-model")));
-        rows.push(row(Sign::Ghost, Text::new("legend-impact-model")));
+        rows.push(row(Sign::Girder, Need::State, Text::new("legend-contact-model")));
+        rows.push(row(Sign::Ghost, Need::State, Text::new("legend-impact-model")));
     }
     if o.contacts && can_touch {
-        rows.push(row(Sign::State(ContactState::Stick), contact_state(ContactState::Stick)));
-        rows.push(row(Sign::State(ContactState::Slip), contact_state(ContactState::Slip)));
-        rows.push(row(Sign::State(ContactState::Open), Text::new("legend-opened")));
+        rows.push(row(Sign::State(ContactState::Stick), Need::State, contact_state(ContactState::Stick)));
+        rows.push(row(Sign::State(ContactState::Slip), Need::State, contact_state(ContactState::Slip)));
+        rows.push(row(Sign::State(ContactState::Open), Need::Aside, Text::new("legend-opened")));
     }
     if moment.devices.iter().any(|device| !device.line.is_empty()) {
-        rows.push(row(Sign::Device(true), Text::new("legend-device-acts")));
-        rows.push(row(Sign::Device(false), Text::new("legend-device-idle")));
+        rows.push(row(Sign::Device(true), Need::State, Text::new("legend-device-acts")));
+        rows.push(row(Sign::Device(false), Need::State, Text::new("legend-device-idle")));
     }
     if moment.walls.iter().flatten().any(|wall| wall.soil.is_some()) {
-        rows.push(row(Sign::None, Text::new("legend-soil")));
+        rows.push(row(Sign::None, Need::Aside, Text::new("legend-soil")));
     }
     if !moment.overlaps.is_empty() {
-        rows.push(row(Sign::Overlap, Text::new("legend-overlap")));
+        rows.push(row(Sign::Overlap, Need::Value, Text::new("legend-overlap")));
     }
     if can_touch && !moment.laws.is_empty() {
-        rows.push(row(Sign::None, friction_laws(&moment.laws)));
+        rows.push(row(Sign::None, Need::Aside, friction_laws(&moment.laws)));
     }
-    rows.extend(grid.map(|g| row(Sign::Grid, Text::new("legend-grid").with(&values!["spacing" => round_length(g)]))));
+    let spacing = |g: f64| Text::new("legend-grid").with(&values!["spacing" => round_length(g)]);
+    rows.extend(grid.map(|g| row(Sign::Grid, Need::Aside, spacing(g))));
     rows
 }
 
@@ -154,14 +171,19 @@ pub(super) fn legend(
     palette: &Palette,
     grid: Option<f64>,
 ) -> Option<(Vec<Mark>, Area)> {
-    let rows = rows(input, moment, grid);
     let ppp = input.pixels_per_point;
     let size = (TEXT - 1.0) * ppp;
-    let width = rows.iter().map(|r| sign_width(r, ppp) + text_size(&r.text, size).x).reduce(f32::max)?;
     let pad = 10.0 * ppp;
-    let height = rows.len() as f32 * ROW * ppp;
-    let max = Vec2::from(input.size.map(|s| s as f32)) - 12.0 * ppp;
-    let min = max - Vec2::new(width, height) - 2.0 * pad;
+    let picture = Vec2::from(input.size.map(|s| s as f32));
+    let rows = spared(rows(input, moment, grid), |rows| {
+        let room = extent(rows, ppp) + 2.0 * pad;
+        room.x * room.y <= MOST_COVERED * picture.x * picture.y
+    });
+    if rows.is_empty() {
+        return None;
+    }
+    let max = picture - 12.0 * ppp;
+    let min = max - extent(&rows, ppp) - 2.0 * pad;
     let rim = palette.faint_ink.with_alpha(0x50);
     let mut marks = vec![Mark::Panel { min, max, color: palette.plate, rim }];
     for (i, row) in rows.iter().enumerate() {
@@ -172,6 +194,23 @@ pub(super) fn legend(
         marks.push(Mark::Text { at: text_at, align, size, text: row.text.clone(), color: palette.ink, plate: None });
     }
     Some((marks, Area { min, max }))
+}
+
+/// Width and height of rows \[pixels\].
+fn extent(rows: &[Row], ppp: f32) -> Vec2 {
+    let width = |row: &Row| sign_width(row, ppp) + text_size(&row.text, (TEXT - 1.0) * ppp).x;
+    Vec2::new(rows.iter().map(width).fold(0.0, f32::max), rows.len() as f32 * ROW * ppp)
+}
+
+/// The rows that a picture has room for: those that can be spared most go until the rest fits, values never.
+fn spared(mut rows: Vec<Row>, fits: impl Fn(&[Row]) -> bool) -> Vec<Row> {
+    for need in [Need::Aside, Need::State] {
+        if fits(&rows) {
+            break;
+        }
+        rows.retain(|row| row.need < need);
+    }
+    rows
 }
 
 /// Room for a row's sign \[pixels\].
@@ -218,12 +257,13 @@ fn sign_marks(sign: Sign, at: Vec2, ppp: f32, palette: &Palette, out: &mut Vec<M
             out.push(stroke(outline, 2.2 * ppp, OVERLAP));
             out.extend([2.0, 9.0, 16.0].map(|x| stroke([p(x, 6.0), p(x + 12.0, -6.0)], 1.1 * ppp, OVERLAP)));
         }
-        Sign::Colors(low) => {
+        Sign::Colors(signed) => {
+            let low = if signed { -1.0 } else { 0.0 };
             for k in 0..COLOR_PARTS {
                 let [from, to] = [k, k + 1].map(|k| COLOR_BAR * f32::from(k) / f32::from(COLOR_PARTS));
                 let value = low + (1.0 - low) * (f64::from(k) + 0.5) / f64::from(COLOR_PARTS);
                 let points = vec![p(from, -5.0), p(to, -5.0), p(to, 5.0), p(from, 5.0)];
-                out.push(Mark::Fill { points, color: bent::of_value(value) });
+                out.push(Mark::Fill { points, color: bent::of_value(signed, value) });
             }
             let rim = [p(0.0, -5.0), p(COLOR_BAR, -5.0), p(COLOR_BAR, 5.0), p(0.0, 5.0), p(0.0, -5.0)];
             out.push(stroke(rim, ppp, palette.edge));
@@ -291,4 +331,20 @@ fn axis_marks(
     let at = tip + along * (9.0 * ppp);
     let align = Vec2::splat(0.5);
     out.push(Mark::Text { at, align, size: TEXT * ppp, text: name.to_owned(), color, plate: None });
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn a_small_picture_spares_asides_first_then_states_and_values_never() {
+        let needs = [Need::Value, Need::Aside, Need::State, Need::Aside, Need::Value];
+        let all = || needs.map(|need| row(Sign::None, need, "words")).to_vec();
+        let kept =
+            |most: usize| spared(all(), |rows| rows.len() <= most).iter().map(|row| row.need).collect::<Vec<_>>();
+        assert_eq!(kept(5), needs, "all where there is room");
+        assert_eq!(kept(4), [Need::Value, Need::State, Need::Value], "no asides");
+        assert_eq!(kept(1), [Need::Value; 2], "values alone, be the picture as small as it is");
+    }
 }

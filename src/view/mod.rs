@@ -24,6 +24,7 @@ mod friction_cone;
 pub mod gap;
 pub mod gauge;
 mod ground_caption;
+mod ground_line;
 mod hiding;
 mod input;
 mod labels;
@@ -94,14 +95,16 @@ pub fn draw_moment(input: &ViewInput<'_>, moment: &Moment) -> DrawList {
     let gaps: Vec<_> = drawn.map(|(g, pair)| gap::dimension(input, (g, pair), &palette)).collect();
     let marks = marks(input, moment, &palette, &forces, &gaps);
     let gap_lines = gaps.into_iter().flat_map(|g| g.lines);
+    let ground = bodies::ground(input.scene, bounds, &palette, input.overlays.grid);
+    let ground_line = ground_line::lines(input, f64::from(ground.centre.z), palette.edge);
     DrawList {
         size: input.size,
         pixels_per_point: input.pixels_per_point,
         frame: frame(input, bounds, &palette),
-        ground: Some(bodies::ground(input.scene, bounds, &palette, input.overlays.grid)),
+        ground: Some(ground),
         solids: bodies.solids,
         ghosts: bodies.ghosts,
-        lines: bodies.lines,
+        lines: bodies.lines.into_iter().chain(ground_line).collect(),
         xray_lines: bodies
             .outline
             .into_iter()

@@ -69,10 +69,6 @@ pub(super) const KEPT: [Rgba; MOST_KEPT] = [
 ];
 /// An overlap that no contact carries.
 pub(super) const OVERLAP: Rgba = Rgba::rgb(0xc4, 0x1e, 0x3a);
-/// A girder's section force at its largest below 0, at 0, and at its largest above: the blue and the vermilion of the accents.
-pub(super) const NEGATIVE: Rgba = Rgba::rgb(0x00, 0x72, 0xb2);
-pub(super) const NEUTRAL: Rgba = Rgba::rgb(0xee, 0xec, 0xe6);
-pub(super) const POSITIVE: Rgba = Rgba::rgb(0xd5, 0x5e, 0x00);
 /// What is selected.
 pub(super) const SELECTED: Rgba = Rgba::rgb(0xf0, 0xa2, 0x02);
 

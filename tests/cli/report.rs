@@ -28,7 +28,7 @@ fn a_report_has_every_section_and_nothing_outside() {
         "Scene",
         "Assumptions",
         "Ground motion",
-        "Hardest hit",
+        "Hardest hit of a corner",
         "Motion of the girders",
         "Readings and limits",
         "Seats and codes",

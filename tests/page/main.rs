@@ -83,7 +83,7 @@ fn the_page_opens_plays_takes_the_mouse_and_says_its_numbers() {
     assert_eq!(page.script("return document.getElementById('message').textContent"), "", "nothing over it");
 
     // It reads a number that the run has.
-    let peak = page.widget("Button", "peak ");
+    let peak = page.widget("Button", "pair peak ");
     let here = History::of(&presets::load(presets::OPENING).expect("ships")).expect("it runs").summary();
     let words = peak["name"].as_str().expect("it has a name");
     let parted = (number(&readings["summary"]["peak_force"]) - here.peak_force).abs() / here.peak_force;

@@ -3,7 +3,9 @@
 use super::harness::{open, press, reach, settle, slide};
 use egui::Key;
 use egui_kittest::kittest::Queryable as _;
-use girderbench::app::{CompareCommand, TimeCommand};
+use girderbench::app::{CompareCommand, EditCommand, TimeCommand};
+use girderbench::scene::device::Device;
+use girderbench::scene::edit::Edit;
 use girderbench::scene::presets;
 
 #[test]
@@ -61,4 +63,24 @@ fn runs_pinned_of_another_scene_are_put_aside() {
     assert!(!list.contains("ghost") && harness.query_by_label("unpin 1").is_none(), "no ghost of another scene");
     press(&mut harness, "Undo");
     assert!(harness.query_by_label("unpin 1").is_some(), "it comes back with its own");
+}
+
+#[test]
+fn a_device_that_was_changed_has_its_force_in_the_table_of_runs() {
+    let mut harness = open("twin-span-restrained");
+    harness.key_press(Key::P);
+    settle(&mut harness);
+    let before = harness.state().replay.runner.answer().expect("run").clone();
+    let name = before.device_names().next().expect("a cable");
+    let id = before.history.model().devices[0].id;
+    let mut cable = before.history.scene().device(id).expect("there");
+    let Device::Restrainer(restrainer) = &mut cable else { panic!("a cable") };
+    restrainer.slack *= 2.0;
+    let edit = Edit::ReplaceDevice(id, Box::new(cable));
+    harness.state_mut().apply(EditCommand::Change { edit, gesture: None });
+    settle(&mut harness);
+    let now = harness.state().replay.runner.answer().expect("run").clone();
+    let forces = [&now, &before].map(|run| run.device(&name).expect("read").force.value);
+    assert!((forces[0] - forces[1]).abs() > 1e-3 * forces[1], "the slack matters: {forces:?} N");
+    assert!(harness.query_by_label(&format!("force of {name}")).is_some(), "a row of {name}");
 }

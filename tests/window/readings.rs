@@ -252,7 +252,7 @@ fn a_verdict_and_every_reading_lead_to_their_moment_and_their_place() {
     assert!(off < 3.0, "its corner in the middle of the view: {off} points aside");
     // Figures of the status line, one by one.
     for (words, t) in [
-        ("peak ", answer.summary.peak_total_time.expect("a hit")),
+        ("pair peak ", answer.summary.peak_total_time.expect("a hit")),
         ("moves ", answer.history.farthest().expect("it moves").1.t),
         ("turns ", answer.history.most_turned().expect("it turns").1.t),
         ("hits ", answer.history.touches()[0].start),
@@ -263,7 +263,7 @@ fn a_verdict_and_every_reading_lead_to_their_moment_and_their_place() {
     }
     let (hit, most) = answer.history.hardest_pounding().expect("a hit");
     let strongest = answer.history.strongest_contact(hit.pair, most.t).map(Target::Contact);
-    let peak = figure(&harness, "peak ");
+    let peak = figure(&harness, "pair peak ");
     press(&mut harness, &peak);
     assert!(strongest.is_some(), "closed then");
     assert_eq!(harness.state().files.document.selection().lead(), strongest, "and that contact is selected");

@@ -1,9 +1,9 @@
 //! Ways of looking: larger motion, a camera that goes along, the plan beside the view, the gap's section, sizes.
 
-use super::harness::{open, reach, settle, view};
+use super::harness::{open, press, reach, settle, view};
 use egui_kittest::Harness;
 use egui_kittest::kittest::Queryable as _;
-use girderbench::app::{Follow, SelectCommand, Sight, TimeCommand, ViewCommand, Workbench};
+use girderbench::app::{Follow, SelectCommand, Sight, TimeCommand, ViewCommand, Workbench, lessons};
 use girderbench::scene::presets;
 use girderbench::view::Target;
 
@@ -91,6 +91,9 @@ fn everything_can_be_larger_and_the_panels_step_back_in_a_lecture() {
     assert!(harness.state().view.display.sight.lecture, "on");
     assert!(harness.query_by_label("What if").is_none(), "the panels are gone");
     assert!(view(&harness).area() * 2.25 > before.area(), "the view has the room");
+    press(&mut harness, "Learn");
+    press(&mut harness, &lessons()[0].title);
+    assert!(harness.query_by_label("Reset").is_some() && harness.query_by_label("Placed").is_none(), "a lesson alone");
     harness.get_by_label("View").click();
     harness.run_steps(10);
     harness.get_by_label_contains("Lecture hall").click();

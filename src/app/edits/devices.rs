@@ -142,10 +142,12 @@ fn count_between(scene: &Scene, kind: DeviceKind, (one, other): (&str, Option<&s
 }
 
 /// What is before the end of a girder that a new device goes to: what is wanted, else the end with the fewest pairs of devices of
-/// this kind, of equals an abutment; else its far end before nothing.
+/// this kind; of equals the joint with another girder for a cable, which ties spans to each other, and an abutment for others; else its
+/// far end before nothing.
 fn before(scene: &Scene, girder: usize, kind: DeviceKind, wanted: &[&str]) -> Before {
     let own = scene.girders[girder].name.as_str();
     let pairs = facing::find(scene).unwrap_or_default();
+    let ties = kind == DeviceKind::Restrainer;
     let of = |pair: &facing::Facing| {
         let (end, other) = match (pair.first, pair.second) {
             (Side::Girder(own, end), other) if own == girder => (end, other),
@@ -158,7 +160,7 @@ fn before(scene: &Scene, girder: usize, kind: DeviceKind, wanted: &[&str]) -> Be
             Side::Flank(..) | Side::Rear(..) => return None,
         };
         let pairs_there = count_between(scene, kind, (own, Some(&to))) / 2;
-        let rank = (wanted.contains(&to.as_str()), Reverse(pairs_there), matches!(other, Side::Abutment(_)));
+        let rank = (wanted.contains(&to.as_str()), Reverse(pairs_there), matches!(other, Side::Abutment(_)) != ties);
         Some((rank, Before { end, to: Some(to), gap: pair.gap.max(0.0) }))
     };
     // Of equals the first.
@@ -291,8 +293,8 @@ mod tests {
         assert_eq!(add(&[Target::Girder(1), Target::Girder(2)]), named("g3", "g2"), "the joint of two girders");
         assert_eq!(add(&[Target::Pier(3)]), named("g4", "g5"), "the joint on a pier");
         assert_eq!(add(&[Target::Abutment(1)]), named("g5", "east"), "an abutment and its girder");
-        for other in ["west", "west", "g2", "g2"] {
-            assert_eq!(add(&[Target::Girder(0)]), named("g1", other), "two at an end, then at the next");
+        for other in ["g2", "g2", "west", "west"] {
+            assert_eq!(add(&[Target::Girder(0)]), named("g1", other), "two at the joint, then at the next end");
         }
     }
 

@@ -10,10 +10,10 @@ use crate::app::command::{Command, MapCommand};
 use crate::app::style::theme::Palette;
 use crate::app::text;
 use crate::app::unit::Unit;
+use crate::plot::Colors;
+use crate::plot::chart::{range, ticks};
+use crate::plot::color_map::{LEVELS, level};
 use crate::scene::Scene;
-use crate::study::plot::Colors;
-use crate::study::plot::chart::{range, ticks};
-use crate::study::plot::color_map::{LEVELS, level};
 use crate::study::sweep::Status;
 
 /// Room for the numbers of the upright axis, and for those of the level one with its name \[points\].

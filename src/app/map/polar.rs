@@ -8,8 +8,8 @@ use super::angles::Turned;
 use super::field::ring;
 use crate::app::style::theme::Palette;
 use crate::app::text;
-use crate::scene::Scene;
-use crate::study::plot::chart::{range, ticks};
+use crate::plot::chart::{range, ticks};
+use crate::scene::{Scene, placed};
 use crate::study::sweep::Measure;
 
 /// Room about the circle, for the angles' names \[points\].
@@ -120,7 +120,7 @@ pub(super) fn show(ui: &mut Ui, size: Vec2, polar: &Polar, scene: &Scene) -> Opt
     let palette = Palette::of(ui);
     let circle =
         Circle { middle: rect.center(), radius: 0.5 * rect.width().min(rect.height()) - MARGIN, values: polar.range() };
-    draw_axes(ui.painter(), circle, &palette);
+    draw_axes(ui.painter(), (circle, polar.measure.drawn.0), &palette);
     draw_plan(ui.painter(), circle, scene, palette.line);
     draw_curve(ui.painter(), circle, polar, &palette);
     let (cursor, entered) = keyed(ui, &response, polar);
@@ -132,7 +132,8 @@ pub(super) fn show(ui: &mut Ui, size: Vec2, polar: &Polar, scene: &Scene) -> Opt
     clicked.and_then(|place| polar.nearest(circle.direction(place))).or(entered)
 }
 
-fn draw_axes(painter: &Painter, circle: Circle, palette: &Palette) {
+/// Circle, spokes with their angles, and circles of values of this unit.
+fn draw_axes(painter: &Painter, (circle, unit): (Circle, &str), palette: &Palette) {
     let small = FontId::proportional(10.5);
     let [low, high] = circle.values;
     painter.circle(circle.middle, circle.radius, palette.track, Stroke::new(1.0, palette.line));
@@ -148,21 +149,13 @@ fn draw_axes(painter: &Painter, circle: Circle, palette: &Palette) {
         let radius = circle.radius * part((value - low) / (high - low));
         painter.circle_stroke(circle.middle, radius, Stroke::new(0.7, palette.line));
         let at = circle.middle + way(75.0) * radius;
-        painter.text(at, Align2::CENTER_CENTER, text::short(value), small.clone(), palette.weak);
+        painter.text(at, Align2::CENTER_CENTER, text::valued(value, unit), small.clone(), palette.weak);
     }
 }
 
 /// The decks in plan, so that directions are seen against their skew.
 fn draw_plan(painter: &Painter, circle: Circle, scene: &Scene, color: Color32) {
-    let decks: Vec<[DVec2; 4]> = scene
-        .girders
-        .iter()
-        .map(|girder| {
-            let turn = DVec2::from_angle(girder.heading_deg.to_radians());
-            let place = DVec2::new(girder.position[0], girder.position[1]);
-            girder.prism().plan_corners().map(|corner| place + turn.rotate(corner))
-        })
-        .collect();
+    let decks: Vec<[DVec2; 4]> = scene.girders.iter().map(placed::plan).collect();
     let corners = || decks.iter().flatten();
     let (Some(low), Some(high)) = (corners().copied().reduce(DVec2::min), corners().copied().reduce(DVec2::max)) else {
         return;

@@ -10,9 +10,9 @@ use crate::app::run::spot::Spot;
 use crate::app::style::theme::PINS;
 use crate::app::text;
 use crate::app::unit::{Size, unit_of};
-use crate::scene::Scene;
 use crate::scene::difference::Difference;
 use crate::scene::shown::shown;
+use crate::scene::{DeviceKind, Scene};
 
 /// Shows what is kept, and how the run that is shown, `now`, differs from each.
 pub(in crate::app) fn show(
@@ -80,15 +80,79 @@ fn own_value(difference: &Difference<'_>, scene: &Scene) -> String {
         Value::String(words) => shown(words, MOST_LETTERS),
         other => shown(&other.to_string(), MOST_LETTERS),
     };
-    let own = difference.values[0].map_or_else(|| "–".to_owned(), value);
+    let own = difference.values[0].map_or_else(|| NONE.to_owned(), value);
     text::pin_differs(&text::title_of(difference.place), &own)
 }
 
 /// Letters of a value that is a list or a name: what the panel has room for.
 const MOST_LETTERS: usize = 40;
 
-/// A number's name, how a run's is written, where it is seen.
-type Row = (&'static str, fn(&Answer) -> String, fn(&Answer) -> Option<Spot>);
+/// A number's name, and of a run how it is written and where it is seen.
+type Row = (String, Box<dyn Fn(&Answer) -> (String, Option<Spot>)>);
+
+/// Most devices that have a row.
+const MOST_DEVICES: usize = 4;
+
+/// What stands where a run has no such number.
+const NONE: &str = "–";
+
+/// The numbers of these runs, of which the first is shown.
+fn rows(runs: &[&Answer]) -> Vec<Row> {
+    let row = |name: &str, cell: fn(&Answer) -> (String, Option<Spot>)| -> Row { (name.to_owned(), Box::new(cell)) };
+    let mut rows = vec![
+        row(&text::MOVES, |a| (text::length(a.summary.max_displacement), Spot::farthest(&a.history))),
+        row(&text::TURNS, |a| {
+            (format!("{}°", text::short(a.summary.max_rotation.to_degrees())), Spot::most_turned(&a.history))
+        }),
+    ];
+    if runs.iter().any(|run| run.least_seat().is_some()) {
+        rows.push(row(&text::LEAST_SEAT, |a| {
+            a.least_seat().map_or((NONE.to_owned(), None), |(girder, least)| {
+                (text::length(least.value), Some(Spot::girder(girder, least.t)))
+            })
+        }));
+    }
+    rows.extend([
+        row(&text::PEAK, |a| (text::force(a.summary.peak_total), Spot::hardest(&a.history))),
+        row(&text::HITS, |a| (a.summary.hits.to_string(), Spot::first_touch(&a.history))),
+        row(&text::LOST, |a| (text::energy(a.lost()), None)),
+    ]);
+    rows.extend(devices(runs).into_iter().map(|name| -> Row {
+        let of = name.clone();
+        let cell = move |a: &Answer| {
+            a.device(&of).map_or((NONE.to_owned(), None), |reading| {
+                (text::force(reading.force.value), Spot::device(&a.history, reading))
+            })
+        };
+        (text::force_of(&name), Box::new(cell))
+    }));
+    rows
+}
+
+/// Names of the devices of these runs that have a row, those first in which the scenes of two of them differ.
+fn devices(runs: &[&Answer]) -> Vec<String> {
+    let mut names: Vec<String> = Vec::new();
+    for name in runs.iter().flat_map(|run| run.device_names()) {
+        if !names.contains(&name) {
+            names.push(name);
+        }
+    }
+    let places: Vec<&str> = runs
+        .iter()
+        .skip(1)
+        .flat_map(|run| run.values().differences(runs[0].values()))
+        .map(|difference| difference.place)
+        .collect();
+    let differ = |name: &String| {
+        let mut tables = DeviceKind::ALL.iter().map(|kind| format!("{}.{name}.", kind.label()));
+        tables.any(|table| places.iter().any(|place| place.starts_with(&table)))
+    };
+    if names.len() > MOST_DEVICES {
+        names.sort_by_cached_key(|name| !differ(name));
+    }
+    names.truncate(MOST_DEVICES);
+    names
+}
 
 /// A row for each number, a column for each run, the run that is shown first: its numbers lead to where they are seen.
 fn table(ui: &mut Ui, pins: &[Pin], now: Option<&Answer>, out: &mut Vec<Command>) {
@@ -97,37 +161,23 @@ fn table(ui: &mut Ui, pins: &[Pin], now: Option<&Answer>, out: &mut Vec<Command>
         .into_iter()
         .chain(pins.iter().enumerate().map(|(i, p)| (format!("{}", i + 1), &*p.answer)))
         .collect();
-    let seat = |a: &Answer| a.least_seat().map_or_else(|| "–".to_owned(), |(_, least)| text::length(least.value));
-    let least_seat = |a: &Answer| a.least_seat().map(|(girder, least)| Spot::girder(girder, least.t));
-    let mut rows: Vec<Row> = vec![
-        (text::MOVES.as_str(), |a| text::length(a.summary.max_displacement), |a| Spot::farthest(&a.history)),
-        (
-            text::TURNS.as_str(),
-            |a| format!("{}°", text::short(a.summary.max_rotation.to_degrees())),
-            |a| Spot::most_turned(&a.history),
-        ),
-        (text::PEAK.as_str(), |a| text::force(a.summary.peak_total), |a| Spot::hardest(&a.history)),
-        (text::HITS.as_str(), |a| a.summary.hits.to_string(), |a| Spot::first_touch(&a.history)),
-        (text::LOST.as_str(), |a| text::energy(a.lost()), |_| None),
-    ];
-    if runs.iter().any(|(_, answer)| answer.least_seat().is_some()) {
-        rows.insert(2, (text::LEAST_SEAT.as_str(), seat, least_seat));
-    }
+    let answers: Vec<&Answer> = runs.iter().map(|(_, answer)| *answer).collect();
     Grid::new("pins").striped(true).spacing([8.0, 2.0]).show(ui, |ui| {
         ui.label("");
         for (name, _) in &runs {
             ui.label(RichText::new(name).strong());
         }
         ui.end_row();
-        for (what, words, there) in rows {
+        for (what, cell) in rows(&answers) {
             ui.label(RichText::new(what).weak());
-            for (_, answer) in &runs {
+            for answer in &answers {
                 let shown = now.is_some_and(|now| std::ptr::eq(now, *answer));
-                let Some(spot) = there(answer).filter(|_| shown) else {
-                    ui.label(words(answer));
+                let (words, spot) = cell(answer);
+                let Some(spot) = spot.filter(|_| shown) else {
+                    ui.label(words);
                     continue;
                 };
-                let button = egui::Button::new(RichText::new(words(answer)).underline()).frame(false);
+                let button = egui::Button::new(RichText::new(words).underline()).frame(false);
                 if ui.add(button).on_hover_text(text::GO_THERE).clicked() {
                     spot.go(out);
                 }

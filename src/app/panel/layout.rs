@@ -162,15 +162,19 @@ fn panels(bench: &Workbench, ui: &mut Ui, out: &mut Vec<Command>) {
         let shown = whatif::Shown { document, replay, display, plots };
         ScrollArea::vertical().id_salt("what if").auto_shrink(false).show(ui, |ui| whatif::show(ui, shown, out));
     });
-    if let Some(lesson) = learning.lesson() {
-        let tried = learning.tried(document.revision());
-        beside(ui, (Pane::Lesson, folded), out, |ui, out| {
-            fold::head(ui, Pane::Lesson, out, |_, _| ());
-            // A lesson begins at its head, wherever the one before was left.
-            let area = ScrollArea::vertical().id_salt(("lesson", &lesson.title)).auto_shrink(false);
-            area.show(ui, |ui| lesson_panel::show(ui, lesson, tried, out));
-        });
-    }
+    lesson(bench, ui, folded, out);
+}
+
+/// The lesson that is open, beside the view.
+fn lesson(bench: &Workbench, ui: &mut Ui, folded: Folded, out: &mut Vec<Command>) {
+    let Some(lesson) = bench.learning.lesson() else { return };
+    let tried = bench.learning.tried(bench.files.document.revision());
+    beside(ui, (Pane::Lesson, folded), out, |ui, out| {
+        fold::head(ui, Pane::Lesson, out, |_, _| ());
+        // A lesson begins at its head, wherever the one before was left.
+        let area = ScrollArea::vertical().id_salt(("lesson", &lesson.title)).auto_shrink(false);
+        area.show(ui, |ui| lesson_panel::show(ui, lesson, tried, out));
+    });
 }
 
 /// Which panels are folded in this window.
@@ -199,14 +203,18 @@ fn beside(
     panel.frame(side).default_size(width).size_range(range).show(ui, |ui| body(ui, out));
 }
 
-/// The view and the time, and the way back.
+/// The view, the time, the lesson that is open, and the way back.
 fn lecture_panels(bench: &Workbench, ui: &mut Ui, out: &mut Vec<Command>) {
     let document = &bench.files.document;
     Panel::top("bar").resizable(false).show(ui, |ui| {
-        ui.menu_button(text::VIEWS, |ui| view_menu::menu(ui, bench.view.display.sight, document, out));
+        ui.horizontal(|ui| {
+            ui.menu_button(text::VIEWS, |ui| view_menu::menu(ui, bench.view.display.sight, document, out));
+            ui.menu_button(text::LEARN, |ui| lesson_panel::menu(ui, bench.learning, out));
+        });
     });
     let time = Panel::bottom("lecture time").resizable(false);
     time.show(ui, |ui| time_rows(document.scene(), &bench.replay, ui, (None, 0.0), out));
+    lesson(bench, ui, folded(bench, ui), out);
 }
 
 /// The row of buttons, with one for the plots that says whether they are folded, and the timeline under it, so far from the

@@ -16,6 +16,7 @@ pub(in crate::app) mod name_field;
 pub(in crate::app) mod notices;
 pub(in crate::app) mod outliner;
 pub(in crate::app) mod overlays;
+mod plan_icon;
 pub(in crate::app) mod record_of;
 mod results;
 pub(in crate::app) mod row_dialog;

@@ -1,6 +1,9 @@
 //! What stands over an empty scene: a bridge by its numbers, presets, files used last, lessons.
 
-use egui::{Align2, Area, Button, Frame, Grid, Id, Order, Rect, RichText, ScrollArea, Ui};
+use egui::{
+    Align2, Area, Button, Frame, Grid, Id, Label, Order, Rect, RichText, Role, ScrollArea, Sense, StrokeKind, Ui,
+};
+use egui::{Vec2, WidgetInfo, vec2};
 
 use crate::app::command::{BridgeDraft, Command, FileCommand, Learn, WindowCommand};
 use crate::app::disk::recent;
@@ -8,12 +11,16 @@ use crate::app::disk::scene_files::SceneFiles;
 use crate::app::edits;
 use crate::app::field::{Place, number};
 use crate::app::learn::lessons::lessons;
+use crate::app::panel::plan_icon;
+use crate::app::style::theme::Palette;
 use crate::app::text;
 use crate::app::unit::{DEGREES, PURE, Unit, length_unit};
 use crate::scene::presets;
 
 /// Widest that it is \[points\].
-const WIDTH: f32 = 560.0;
+const WIDTH: f32 = 640.0;
+/// Size of the plan of a preset \[points\].
+const PLAN: Vec2 = vec2(76.0, 34.0);
 
 /// Shows it in the middle of the view.
 pub(in crate::app) fn show(ui: &Ui, view: Rect, (files, draft): (&SceneFiles, BridgeDraft), out: &mut Vec<Command>) {
@@ -68,9 +75,24 @@ fn whole(spans: f64) -> usize {
 
 fn others(ui: &mut Ui, files: &SceneFiles, out: &mut Vec<Command>) {
     ui.label(RichText::new(text::PRESETS).strong());
-    for preset in presets::all() {
-        let words = format!("{}: {}", preset.name, preset.summary);
-        if ui.add(Button::new(words).frame(false).truncate()).on_hover_text(&*preset.summary).clicked() {
+    for (number, preset) in presets::all().iter().enumerate() {
+        let card = ui.horizontal(|ui| {
+            let (rect, _) = ui.allocate_exact_size(PLAN, Sense::hover());
+            plan_icon::draw(ui.painter(), rect.shrink(3.0), number, &Palette::of(ui));
+            ui.vertical(|ui| {
+                ui.spacing_mut().item_spacing.y = 1.0;
+                ui.add(Label::new(RichText::new(preset.name).strong()).selectable(false));
+                ui.add(Label::new(RichText::new(&*preset.summary).weak().small()).selectable(false).wrap());
+            });
+        });
+        let response = ui.interact(card.response.rect, ui.scope_id().with(preset.name), Sense::click());
+        let words = || format!("{}: {}", preset.name, preset.summary);
+        response.widget_info(|| WidgetInfo::labeled(Role::Button, true, words()));
+        if response.hovered() || response.has_focus() {
+            let visuals = &ui.visuals().widgets.hovered;
+            ui.painter().rect_stroke(response.rect.expand(1.0), 3.0, visuals.bg_stroke, StrokeKind::Outside);
+        }
+        if response.clicked() {
             out.push(FileCommand::OpenPreset(preset.name.to_owned()).into());
         }
     }

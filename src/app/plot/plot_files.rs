@@ -11,11 +11,11 @@ use crate::app::run::answer::Answer;
 use crate::app::run::comparison::Pin;
 use crate::app::text;
 use crate::files::write_atomic;
+use crate::plot::COLORS;
+use crate::plot::chart::{Chart, Curve, Panel};
 use crate::render::Image;
 use crate::scene::PlotSettings;
 use crate::sim::History;
-use crate::study::plot::COLORS;
-use crate::study::plot::chart::{Chart, Curve, Panel};
 
 /// Samples of a curve on paper.
 const POINTS: usize = 2000;
@@ -118,7 +118,7 @@ fn write(path: &Path, title: &str, plots: &[Sampled]) -> Result<Told, String> {
 
 #[cfg(feature = "study")]
 fn png(svg: &str) -> Result<Vec<u8>, String> {
-    crate::study::plot::png(svg).map_err(|e| e.to_string())
+    crate::plot::png(svg).map_err(|e| e.to_string())
 }
 
 #[cfg(not(feature = "study"))]

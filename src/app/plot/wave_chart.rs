@@ -13,8 +13,8 @@ use crate::app::plot::value_axis::{ValueAxis, fitting};
 use crate::app::plot::wave_picture::{COLUMN, Key, colors};
 use crate::app::style::theme::Palette;
 use crate::app::text;
+use crate::plot::color_map::level;
 use crate::sim::OfSection;
-use crate::study::plot::color_map::level;
 use crate::study::waves;
 use crate::view::section_force;
 

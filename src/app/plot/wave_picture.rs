@@ -6,9 +6,9 @@ use egui::epaint::{Mesh, Vertex, WHITE_UV};
 use egui::{Color32, Rect, pos2};
 
 use crate::app::run::answer::Answer;
+use crate::plot::Colors;
+use crate::plot::color_map::level;
 use crate::sim::{OfSection, SectionField};
-use crate::study::plot::Colors;
-use crate::study::plot::color_map::level;
 
 /// Width of a column of the grid \[points\].
 pub(super) const COLUMN: f32 = 3.0;
@@ -56,7 +56,7 @@ impl WaveCache {
 }
 
 pub(super) fn colors(what: OfSection) -> Colors {
-    if what.is_signed() { Colors::Signed } else { Colors::Even }
+    Colors::of_signed(what.is_signed())
 }
 
 fn color(colors: Colors, value: f64, range: [f64; 2]) -> Color32 {

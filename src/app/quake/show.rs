@@ -9,8 +9,8 @@ use crate::app::plot::value_axis::grid_marks;
 use crate::app::run::answer::Answer;
 use crate::app::style::theme::{OWN, Palette};
 use crate::app::text;
+use crate::plot::chart::Panel;
 use crate::study::ground::Component;
-use crate::study::plot::chart::Panel;
 
 /// Height of the window's plots together \[points\].
 const HEIGHT: f32 = 400.0;

@@ -12,7 +12,9 @@ use crate::sim::moving_ground::{MovedSupport, moved_supports};
 use crate::sim::readings::{self, Extreme, Passed, Reading};
 use crate::sim::seats::{self, OrbitPoint};
 use crate::sim::verdict::{self, Verdict};
-use crate::sim::{Balance, ContactState, Dropped, EventKind, History, Hit, Overlap, Quantity, Summary, TooDeep};
+use crate::sim::{
+    Balance, ContactState, DeviceReading, Dropped, EventKind, History, Hit, Overlap, Quantity, Summary, TooDeep,
+};
 use crate::tables::{self, BackfillReport, PierReport};
 
 /// A stretch of time that a contact of a pair spends in one state.
@@ -93,6 +95,7 @@ pub struct Answer {
     passed: OnceLock<Vec<Passed>>,
     falls: OnceLock<Vec<(usize, Verdict)>>,
     readings: OnceLock<Vec<OnceLock<Reading>>>,
+    devices: OnceLock<Vec<OnceLock<Option<DeviceReading>>>>,
     quantities: OnceLock<Vec<(String, Quantity)>>,
     seats: OnceLock<Vec<SeatAnswer>>,
     piers: OnceLock<Vec<PierReport>>,
@@ -140,6 +143,7 @@ impl Answer {
             passed: OnceLock::new(),
             falls: OnceLock::new(),
             readings: OnceLock::new(),
+            devices: OnceLock::new(),
             quantities: OnceLock::new(),
             seats: OnceLock::new(),
             piers: OnceLock::new(),
@@ -192,6 +196,20 @@ impl Answer {
         let all =
             self.readings.get_or_init(|| self.history.model().girders().iter().map(|_| OnceLock::new()).collect());
         Some(all.get(girder)?.get_or_init(|| readings::reading(&self.history, girder)))
+    }
+
+    /// Names of the devices, in the order of the model.
+    pub fn device_names(&self) -> impl Iterator<Item = String> {
+        let scene = self.history.scene();
+        let devices = self.history.model().devices.iter();
+        devices.filter_map(|device| Some(scene.device(device.id)?.part().ends().name.to_owned()))
+    }
+
+    /// What the run did to the device of this name; reckoned when first asked for.
+    pub fn device(&self, name: &str) -> Option<&DeviceReading> {
+        let number = self.device_names().position(|known| known == name)?;
+        let all = self.devices.get_or_init(|| self.history.model().devices.iter().map(|_| OnceLock::new()).collect());
+        all.get(number)?.get_or_init(|| self.history.device_reading(number)).as_ref()
     }
 
     /// Every seat with what codes require of it and the orbit of its corners; reckoned when first asked for.

@@ -7,7 +7,7 @@ use crate::sim::quantity::{OfPair, Quantity};
 use crate::sim::readings::Extreme;
 use crate::sim::readings::Passed;
 use crate::sim::verdict::Verdict;
-use crate::sim::{Dropped, History, Touch};
+use crate::sim::{DeviceReading, Dropped, History, Touch};
 use crate::view::Target;
 
 /// A moment of a run, and what is to be looked at then.
@@ -76,6 +76,15 @@ impl Spot {
         let (pair, most) = most.reduce(|a, b| if b.1.value > a.1.value { b } else { a })?;
         let spot = Self::contact(history.strongest_contact(pair, most.t)?, most.t);
         Some((spot, most))
+    }
+
+    /// The largest force of a device, at its girder.
+    pub(in crate::app) fn device(history: &History, reading: &DeviceReading) -> Option<Self> {
+        let device = history.model().devices.get(reading.device)?;
+        let girder = history.scene().device(device.id)?;
+        let girder = history.scene().girders.iter().position(|known| known.name == girder.part().ends().girder)?;
+        let look = Look::Girder(girder);
+        Some(Self { t: reading.force.t, select: Some(Target::Device(device.id)), look })
     }
 
     /// The beginning of the first touch.

@@ -198,3 +198,8 @@ pub(in crate::app) const COARSE_MEANS: Text = Text::new("coarse-means");
 pub(in crate::app) const STILL_COARSE: Text = Text::new("still-coarse");
 /// Heads the verdicts on every girder.
 pub(in crate::app) const VERDICTS: Text = Text::new("verdicts");
+
+/// The largest force of a device, by its name.
+pub(in crate::app) fn force_of(name: &str) -> String {
+    Text::new("force-of-device").with(&values!["name" => name])
+}

@@ -2,7 +2,7 @@
 
 use super::others::OTHERS;
 use super::study::{Part, Study};
-use crate::study::plot::{COLORS, Guide, Mark, Marker, Plot, Series, Ticks};
+use crate::plot::{COLORS, Guide, Mark, Marker, Plot, Series, Ticks};
 
 /// What is to be reached: problem, seconds, displacement error \[m\].
 pub(super) const GOALS: &[(&str, f64, f64)] = &[("P1", 1e-3, 1e-9), ("P2", 2e-3, 1e-8), ("record", 5e-3, 1e-8)];

@@ -3,8 +3,8 @@
 use std::fmt::Write as _;
 
 use super::{Influence, Row};
+use crate::plot::{COLORS, Marker, Plot, Series, Ticks};
 use crate::study::Occasion;
-use crate::study::plot::{COLORS, Marker, Plot, Series, Ticks};
 
 /// Markers of the lines of a plot.
 const MARKERS: [Marker; 3] = [Marker::Circle, Marker::Square, Marker::Triangle];

@@ -3,9 +3,9 @@
 use std::fmt::Write as _;
 
 use super::{ASKED, Outcome, SPEED};
+use crate::plot::COLORS;
+use crate::plot::chart::{Chart, Curve, Panel};
 use crate::study::Occasion;
-use crate::study::plot::COLORS;
-use crate::study::plot::chart::{Chart, Curve, Panel};
 
 /// Every law: `law,e_hit,depth_hit_m,lasting_hit_s,force_hit_n,hits,force_n,displacement_m,lost_j,residual`.
 pub fn csv(outcomes: &[Outcome]) -> String {

@@ -3,10 +3,10 @@
 mod page;
 mod rows;
 
+use crate::plot::{COLORS, Guide, Marker, Plot, Series, Ticks};
 use crate::scene::{Scene, SceneErrors};
 use crate::sim::History;
 use crate::study::clock::fastest;
-use crate::study::plot::{COLORS, Guide, Marker, Plot, Series, Ticks};
 
 pub use page::page;
 pub use rows::{colliding, few_touch};

@@ -3,9 +3,9 @@
 use super::axis::Axis;
 use super::dataset::Dataset;
 use super::measure::Measure;
-use crate::study::plot::chart::{Chart, Curve, Panel};
-use crate::study::plot::heat_map::{HeatMap, Map, Steps};
-use crate::study::plot::{COLORS, Colors};
+use crate::plot::chart::{Chart, Curve, Panel};
+use crate::plot::heat_map::{HeatMap, Map, Steps};
+use crate::plot::{COLORS, Colors};
 
 /// Most panels of a heat map, and most lines of a chart: as many as there are colours.
 const MOST: usize = COLORS.len();

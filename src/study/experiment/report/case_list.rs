@@ -4,11 +4,11 @@ use std::fmt::Write as _;
 
 use super::figures::histories;
 use super::strip::{Band, pattern, strip};
+use crate::plot::draw::escape;
 use crate::study::experiment::cases::{Case, Specimen};
 use crate::study::experiment::findings::rules::successions;
 use crate::study::experiment::observe::Observed;
 use crate::study::experiment::results::{MODELS, Results};
-use crate::study::plot::draw::escape;
 
 /// The table.
 pub(super) fn table(results: &Results) -> String {

@@ -2,11 +2,11 @@
 //! computed ones; measurements are not at hand, so that ours are of the models alone.
 
 use super::plan;
+use crate::plot::COLORS;
+use crate::plot::chart::{Chart, Curve, Panel};
 use crate::study::experiment::cases::{Case, Shaking, Specimen};
 use crate::study::experiment::observe::{DRAWN_HZ, Observed};
 use crate::study::experiment::results::{MODELS, Results};
-use crate::study::plot::COLORS;
-use crate::study::plot::chart::{Chart, Curve, Panel};
 
 /// A figure.
 pub(super) struct Figure {

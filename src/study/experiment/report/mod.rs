@@ -13,9 +13,9 @@ use super::earthquake::Earthquake;
 use super::findings::findings;
 use super::results::Results;
 use super::scan::Scan;
+use crate::plot::draw::escape;
 use crate::study::Occasion;
 use crate::study::page;
-use crate::study::plot::draw::escape;
 
 /// The page.
 pub fn html(results: &Results, earthquake: &Earthquake, occasion: &Occasion) -> String {

@@ -3,9 +3,9 @@
 
 use std::fmt::Write as _;
 
+use crate::plot::draw::{line, text};
 use crate::study::experiment::cases::girder;
 use crate::study::experiment::observe::{DRAWN_HZ, Observed};
-use crate::study::plot::draw::{line, text};
 
 /// Factor of displacements and gap.
 pub(super) const FACTOR: f64 = 6.0;

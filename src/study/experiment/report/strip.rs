@@ -2,10 +2,10 @@
 
 use std::fmt::Write as _;
 
+use crate::plot::draw::{escape, line, text};
 use crate::sim::State;
 use crate::study::experiment::observe::HitSeen;
 use crate::study::experiment::states::Stretch;
-use crate::study::plot::draw::{escape, line, text};
 
 const WIDTH: f64 = 900.0;
 /// The field of a chart above it.

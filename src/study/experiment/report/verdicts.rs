@@ -2,13 +2,13 @@
 
 use std::fmt::Write as _;
 
+use crate::plot::Colors;
+use crate::plot::draw::escape;
+use crate::plot::heat_map::{HeatMap, Map, Steps};
 use crate::study::experiment::earthquake::Earthquake;
 use crate::study::experiment::findings::{Finding, Outcome, Verdict};
 use crate::study::experiment::results::Results;
 use crate::study::experiment::scan::{Parameter, Scan, steps};
-use crate::study::plot::Colors;
-use crate::study::plot::draw::escape;
-use crate::study::plot::heat_map::{HeatMap, Map, Steps};
 
 /// A sign that needs no colour, in the colour of the outcome.
 pub(super) fn badge(outcome: Outcome) -> String {

@@ -15,15 +15,16 @@ const VIRIDIS: [[u8; 3]; 10] = [
     [0xfd, 0xe7, 0x25],
 ];
 
-/// Both sides of 0: C. Brewer's `RdBu` of seven classes turned round, light in the middle, told apart by every kind of colour vision.
+/// Both sides of 0: C. Brewer's `PRGn` of seven classes, purple below, green above, light in the middle, told apart by every kind of
+/// colour vision. Blue and vermilion are stick and slip, and mean nothing else.
 const SIGNED: [[u8; 3]; 7] = [
-    [0x21, 0x66, 0xac],
-    [0x67, 0xa9, 0xcf],
-    [0xd1, 0xe5, 0xf0],
+    [0x76, 0x2a, 0x83],
+    [0xaf, 0x8d, 0xc3],
+    [0xe7, 0xd4, 0xe8],
     [0xf7, 0xf7, 0xf7],
-    [0xfd, 0xdb, 0xc7],
-    [0xef, 0x8a, 0x62],
-    [0xb2, 0x18, 0x2b],
+    [0xd9, 0xf0, 0xd3],
+    [0x7f, 0xbf, 0x7b],
+    [0x1b, 0x78, 0x37],
 ];
 
 /// A map of numbers to colours.
@@ -48,6 +49,11 @@ pub(crate) fn level(value: f64, [low, high]: [f64; 2]) -> u8 {
 }
 
 impl Colors {
+    /// For values of both signs, or of one.
+    pub const fn of_signed(both: bool) -> Self {
+        if both { Self::Signed } else { Self::Even }
+    }
+
     /// The colour of a level, red, green and blue.
     pub(crate) fn rgb(self, level: u8) -> [u8; 3] {
         match self {
@@ -112,6 +118,6 @@ mod tests {
         assert_eq!([level(-9.0, [1.0, 3.0]), level(9.0, [1.0, 3.0])], [0, 255], "beyond it");
         assert_eq!([0, 255].map(|at| Colors::Even.hex(at)), ["#440154", "#fde725"], "the ends of the map");
         assert_eq!(Colors::Signed.range([-1.0, 3.0]), [-3.0, 3.0], "0 in the middle");
-        assert_eq!([0, 255].map(|at| Colors::Signed.hex(at)), ["#2166ac", "#b2182b"], "the ends of the signed map");
+        assert_eq!([0, 255].map(|at| Colors::Signed.hex(at)), ["#762a83", "#1b7837"], "the ends of the signed map");
     }
 }
