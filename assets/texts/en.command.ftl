@@ -86,6 +86,7 @@ run-hardest = hardest hit
 run-not-negligible = not negligible: { $names }
 run-returned = , returned e = { $e }
 run-hit-of = at { $t } s for { $time } ms{ $restitution }; { $ringing } J left ringing
+run-hit-goes-on = from { $t } s on, { $time } ms until the end of the run{ $restitution }; it has not ended; { $ringing } J in the modes
 run-section-forces = mid-span |N| to { $axial } MN at { $t } s (strain differs by { $difference }), |M| to { $moment } MN·m; fibre to { $stress } MPa at s = { $s } m
 run-section-forces-space = |M_y| to { $moment } MN·m, |T| to { $torque } MN·m
 run-degrees = degree { $one } against { $other }: force { $force }, impulse { $impulse }, ends { $ends }, N at mid-span { $section }
@@ -335,6 +336,7 @@ identify-as-given = , as given
 identify-residual = residual
 identify-residual-of = { $rms } mm RMS, { $share } % of the motion
 identify-interval = ± is half of the interval that holds the true value 95 times in 100, of an oscillator
+identify-at-bound = h lies at the highest that is looked for: it hardly swings, and neither f nor h nor their intervals can be relied on
 identify-poor = it moves otherwise than an oscillator: the intervals have no sense (hits, slip, other ground?)
 identify-independent = independent from row to row
 identify-correlated = correlated from row to row by { $next } (autoregression of order { $order }), which the intervals account for
@@ -352,7 +354,7 @@ identify-factor = factor of the ground motion
 identify-amplitude = amplitude of the ground
 identify-too-few = { $have } rows within the time asked for: give { $need } at least
 identify-no-motion = every displacement is the same: give a history that moves
-identify-undetermined = f and h do not show: give a longer history, one that begins while it moves, or the ground motion that it answers to
+identify-undetermined = f and h do not show: give a longer history, one that begins while it moves and does not grow, or the ground motion that it answers to
 fit-key = give KEY=START
 fit-number = START must be a number
 fit-not-zero = START must be a number other than 0

@@ -83,6 +83,7 @@ run-hardest = 最大の衝突
 run-not-negligible = 無視できない：{ $names }
 run-returned = 、反発 e = { $e }
 run-hit-of = { $t } s、接触 { $time } ms{ $restitution }。振動に { $ringing } J
+run-hit-goes-on = { $t } s から計算の終わりまで { $time } ms{ $restitution }：まだ終わっていない。モードのエネルギー { $ringing } J
 run-section-forces = 中央の |N| 最大 { $axial } MN（{ $t } s、ひずみの差 { $difference }）、|M| 最大 { $moment } MN·m。縁応力 最大 { $stress } MPa（s = { $s } m）
 run-section-forces-space = |M_y| 最大 { $moment } MN·m、|T| 最大 { $torque } MN·m
 run-degrees = 次数 { $one } と { $other }：力 { $force }、力積 { $impulse }、端 { $ends }、中央の N { $section }
@@ -326,6 +327,7 @@ identify-as-given = （与えた値）
 identify-residual = 残差
 identify-residual-of = RMS { $rms } mm、動きの { $share } %
 identify-interval = ± は 1 自由度系で真値を 100 回に 95 回含む区間の半幅
+identify-at-bound = h は探索の上限にある：ほとんど振動せず、f も h もその区間も信頼できない
 identify-poor = 1 自由度系と異なる動き：区間に意味はない（衝突、滑り、別の地動？）
 identify-independent = 行ごとに独立
 identify-correlated = 行間の相関 { $next }（{ $order } 次の自己回帰）、区間はこれを考慮
@@ -343,7 +345,7 @@ identify-factor = 地動の倍率
 identify-amplitude = 地動の振幅
 identify-too-few = 求めた時間内に { $have } 行：{ $need } 行以上を与える
 identify-no-motion = 変位がすべて同じ：動く時刻歴を与える
-identify-undetermined = f と h が現れない：もっと長い時刻歴、動いている間に始まる時刻歴、または応答の元の地動を与える
+identify-undetermined = f と h が現れない：もっと長い時刻歴、動いている間に始まり増大しない時刻歴、または応答の元の地動を与える
 fit-key = KEY=START を与える
 fit-number = START は数とする
 fit-not-zero = START は 0 でない数とする

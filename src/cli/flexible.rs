@@ -1,7 +1,7 @@
 //! Elastic girders in the text of a summary.
 
 use super::digits::six;
-use crate::language::{Text, said};
+use crate::language::{Text, said, values};
 use crate::scene::shown::escaped;
 use crate::sim::DegreeCheck;
 use crate::tables::{FlexibleReport, FlexibleRun};
@@ -52,13 +52,13 @@ fn of_girder(girder: &FlexibleReport) -> Vec<(String, String)> {
 fn hit(run: &FlexibleRun) -> Option<(String, String)> {
     let hit = run.hit?;
     let restitution = hit.restitution.map_or(String::new(), |e| said!("run-returned", "e" => six(e)));
-    let value = said!(
-        "run-hit-of",
+    let words = if hit.ended { Text::new("run-hit-of") } else { Text::new("run-hit-goes-on") };
+    let value = words.with(&values![
         "t" => format!("{:.4}", hit.t),
         "time" => six(hit.contact_time * 1e3),
         "restitution" => restitution,
         "ringing" => format!("{:.2e}", hit.ringing)
-    );
+    ]);
     Some((format!("  {}", Text::new("run-hardest")), value))
 }
 

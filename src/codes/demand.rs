@@ -20,8 +20,8 @@ pub struct Case<'a> {
     pub codes: &'a Codes,
     /// What the run left of the seat.
     pub seat: &'a Seat,
-    /// Average height of the columns of the scene: of the pier under this end, of an end on an abutment of all piers \[m\], and where that
-    /// is from; `None` of a scene without piers.
+    /// Average height of the columns: of the pier under this end, of an end on an abutment of the pier under the other end \[m\], and where
+    /// that is from; `None` of a girder on no pier.
     pub columns: Option<(f64, Source)>,
 }
 
@@ -134,8 +134,8 @@ impl Case<'_> {
         (90.0 - self.prism.skew.to_degrees()).abs()
     }
 
-    /// Average height of the columns: what `[codes]` gives, else that of the scene's piers; assumed to be 0, as of a single span, without
-    /// either.
+    /// Average height of the columns: what `[codes]` gives, else that of the piers that carry the girder; assumed to be 0, as of a single
+    /// span, without either.
     pub(super) fn column_height(&self, symbol: &'static str) -> Input {
         match (self.codes.column_height, self.columns) {
             (None, Some((value, source))) => Input { symbol, value, unit: "m", source },

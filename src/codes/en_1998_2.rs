@@ -69,7 +69,7 @@ impl Code for En1998Part2 {
         vec![Demand {
             rule: Text::new("code-en-1998-2"),
             edition: Text::new("code-edition-en-1998-2"),
-            formula: "l_ov = l_m + d_eg + d_es; d_eg = 2 d_g L_eff/L_g ≤ 2 d_g, d_g = 0.025 a_g S T_C T_D; d_es = d_E + d_G + d_T/2",
+            formula: "l_ov = max(l_m, 0.4 m) + d_eg + d_es; d_eg = 2 d_g L_eff/L_g ≤ 2 d_g, d_g = 0.025 a_g S T_C T_D; d_es = d_E + d_G + d_T/2",
             confirmed: false,
             note: Text::new("code-note-en-1998-2"),
             inputs: vec![

@@ -12,12 +12,11 @@ mod en_1998_2;
 mod jra;
 mod rotation;
 
-use std::ops::Range;
-
 pub use demand::{Case, Demand, Input, Source};
 pub use rotation::{RotationCondition, rotation_to_zero};
 
-use crate::scene::{Codes, Scene, Support};
+use crate::geometry::End;
+use crate::scene::{Codes, Girder, Scene, Support};
 use crate::sim::History;
 use crate::sim::seats::{self, Seat};
 use demand::Code;
@@ -66,12 +65,13 @@ pub struct SeatDemands {
     pub demands: Vec<Demand>,
 }
 
-/// Average height of piers \[m\], assumed where the scene leaves out that of one; `None` of none.
-fn columns(scene: &Scene, piers: Range<usize>) -> Option<(f64, Source)> {
-    let given = piers.clone().all(|pier| scene.piers[pier].height.is_some());
-    let sum: f64 = piers.clone().map(|pier| scene.pier(pier).height).sum();
-    let source = if given { Source::Scene } else { Source::Assumed };
-    (!piers.is_empty()).then(|| (sum / piers.len() as f64, source))
+/// Height of the columns that a seat's length depends on \[m\], assumed where the scene leaves it out: of the pier under the end, of an end
+/// on an abutment the pier under the girder's other end, which carries the deck up to the next joint (AASHTO LRFD 4.7.4.4); `None` where
+/// neither end stands on a pier.
+fn columns(scene: &Scene, girder: &Girder, end: End) -> Option<(f64, Source)> {
+    let pier = scene.pier_under(girder, end).or_else(|| scene.pier_under(girder, end.other()))?;
+    let source = if scene.piers[pier].height.is_some() { Source::Scene } else { Source::Assumed };
+    Some((scene.pier(pier).height, source))
 }
 
 /// Every seat of a run with what the codes require of it.
@@ -81,8 +81,7 @@ pub fn of(history: &History) -> Vec<SeatDemands> {
         let prism = scene.girders[girder].prism();
         let seats = seats::of_girder(history, girder).into_iter();
         seats.map(move |seat| {
-            let under = scene.pier_under(&scene.girders[girder], seat.ledge.end);
-            let columns = columns(scene, under.map_or(0..scene.piers.len(), |pier| pier..pier + 1));
+            let columns = columns(scene, &scene.girders[girder], seat.ledge.end);
             let demands = demands(&Case { prism: &prism, codes: &scene.codes, seat: &seat, columns });
             SeatDemands { girder, seat, demands }
         })

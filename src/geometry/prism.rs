@@ -25,6 +25,15 @@ impl End {
         }
     }
 
+    /// The end across the girder's middle.
+    #[must_use]
+    pub fn other(self) -> Self {
+        match self {
+            Self::Plus => Self::Minus,
+            Self::Minus => Self::Plus,
+        }
+    }
+
     /// The end as files spell it.
     pub fn label(self) -> &'static str {
         match self {

@@ -73,6 +73,14 @@ pub struct Identified {
     pub unexplained: f64,
 }
 
+impl Identified {
+    /// Whether the damping ratio lies at the highest that is looked for: the motion does not swing, and neither value nor interval says
+    /// how much it is damped.
+    pub fn is_at_the_bound(&self) -> bool {
+        self.damping.value > AT_THE_BOUND * MOST_DAMPING
+    }
+}
+
 /// Why nothing was found, with a remedy.
 #[derive(Clone, Debug, PartialEq, thiserror::Error)]
 pub enum NotIdentified {
@@ -94,6 +102,8 @@ pub enum NotIdentified {
 
 /// Highest damping ratio that is looked for: an overdamped girder has no resonance.
 const MOST_DAMPING: f64 = 0.99;
+/// Part of it from which a value counts as held by it: a search ends within a thousandth (measured on decays of h = 1 and 1.5).
+const AT_THE_BOUND: f64 = 0.995;
 /// Damping ratios to start from.
 const DAMPINGS: [f64; 7] = [0.003, 0.01, 0.03, 0.1, 0.2, 0.35, 0.6];
 /// Frequencies to start from, of that of the resonance: the resonance of h = 0.6 lies at 0.53 f.

@@ -36,6 +36,30 @@ pub fn integrate(samples: &[f64], dt: f64) -> [Vec<f64>; 2] {
     [velocity, displacement]
 }
 
+/// Largest ground velocity \[m/s\] and displacement \[m\] of an acceleration that is straight between samples, with these integrals at them:
+/// at a sample, or between two where the acceleration or the velocity passes 0.
+pub fn peaks(samples: &[f64], [velocity, displacement]: [&[f64]; 2], dt: f64) -> [Peak; 2] {
+    let mut most = [Peak::of(velocity, dt), Peak::of(displacement, dt)];
+    for (n, pair) in samples.windows(2).enumerate() {
+        // a(τ) = a₀ + j τ, v(τ) = v₀ + a₀ τ + j τ²/2, d(τ) = d₀ + v₀ τ + a₀ τ²/2 + j τ³/6.
+        let (a, jerk) = (pair[0], (pair[1] - pair[0]) / dt);
+        let (v, d) = (velocity[n], displacement[n]);
+        let turn = -a / jerk;
+        // Roots of the velocity, without the difference of nearly equal numbers.
+        let root = (a * a - 2.0 * jerk * v).sqrt();
+        let sum = -(a + root.copysign(a));
+        let at_rest =
+            [sum / jerk, 2.0 * v / sum].map(|tau| (1, tau, d + tau * (v + tau * (0.5 * a + tau * jerk / 6.0))));
+        for (which, tau, value) in at_rest.into_iter().chain([(0, turn, v + 0.5 * a * turn)]) {
+            // NaN where there is no root.
+            if tau > 0.0 && tau < dt && value.abs() > most[which].value.abs() {
+                most[which] = Peak { value, at: n as f64 * dt + tau };
+            }
+        }
+    }
+    most
+}
+
 /// Strong motion: Arias intensity and when it passes 5 % and 95 % of its final value.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
 pub struct StrongMotion {
@@ -107,6 +131,25 @@ mod tests {
             "{few:?}"
         );
         assert_eq!(StrongMotion::of(&[0.0; 5], 0.1), StrongMotion::default(), "still ground");
+    }
+
+    #[test]
+    fn velocity_and_displacement_are_largest_where_acceleration_and_velocity_pass_nought() {
+        // Up by 1, down to -1, back to 0, a second each: v(τ) = 1/2 + τ - τ² in the second, largest half-way.
+        let samples = [0.0, 1.0, -1.0, 0.0];
+        let [v, d] = integrate(&samples, 1.0);
+        let [velocity, _] = peaks(&samples, [&v, &d], 1.0);
+        assert!((velocity.value - 0.75).abs() < 1e-15 && (velocity.at - 1.5).abs() < 1e-15, "{velocity:?}");
+        // a = 2 - 4 t: v = 2 t - 2 t² is 0 at 1 s, d = t² - 2 t³/3 largest there, between samples at 0, 0.75, 1.5 s.
+        let samples = [2.0, -1.0, -4.0];
+        let [v, d] = integrate(&samples, 0.75);
+        let [velocity, displacement] = peaks(&samples, [&v, &d], 0.75);
+        assert!((velocity.value + 1.5).abs() < 1e-15 && velocity.at == 1.5, "at the last sample: {velocity:?}");
+        assert!(
+            (displacement.value - 1.0 / 3.0).abs() < 1e-15 && (displacement.at - 1.0).abs() < 1e-15,
+            "{displacement:?}"
+        );
+        assert_eq!(peaks(&[0.0; 4], [&[0.0; 4]; 2], 0.1), [Peak::default(); 2], "still ground");
     }
 
     #[test]

@@ -36,7 +36,7 @@ pub(super) fn table(report: &Report) -> String {
         let frequencies: Vec<String> = girder.frequencies.iter().take(3).map(|f| six(*f)).collect();
         let hit = run.hit.map_or_else(none, |hit| {
             let returned = hit.restitution.map_or_else(none, six);
-            at(format!("{}, {returned}", six(hit.contact_time * 1e3)), hit.t)
+            at(format!("{}{}, {returned}", if hit.ended { "" } else { "> " }, six(hit.contact_time * 1e3)), hit.t)
         });
         let cells = [
             format!("{}, {}", girder.degree, girder.modes),

@@ -7,7 +7,7 @@ use super::in_force;
 use super::sections::{head, row};
 use crate::language::{Text, said};
 use crate::motion::Ground;
-use crate::motion::integrate::{Peak, StrongMotion, integrate};
+use crate::motion::integrate::{StrongMotion, integrate, peaks};
 use crate::motion::spectrum::{DESIGN_DAMPING, periods, spectrum};
 use crate::plot::COLORS;
 use crate::plot::chart::{Chart, Curve, Panel};
@@ -95,8 +95,9 @@ fn grounds(history: &History) -> Vec<Drawn<'_>> {
 /// A line of the table of peaks: the largest acceleration and when it is reached first, the largest velocity from rest, Arias intensity
 /// and the time from 5 to 95 % of it.
 fn peak_row(name: &str, [value, t]: [f64; 2], (samples, dt): (&[f64], f64)) -> String {
-    let [velocity, _] = integrate(samples, dt);
-    let (velocity, strong) = (Peak::of(&velocity, dt).value.abs(), StrongMotion::of(samples, dt));
+    let [velocity, displacement] = integrate(samples, dt);
+    let [velocity, _] = peaks(samples, [&velocity, &displacement], dt);
+    let (velocity, strong) = (velocity.value.abs(), StrongMotion::of(samples, dt));
     let numbers = [
         format!("{:.4}", value / STANDARD_GRAVITY),
         format!("{t:.3}"),

@@ -1,12 +1,13 @@
-//! Hysteresis loops: force against displacement of bearings that yield or slide, of devices and of backfill.
+//! Hysteresis loops: force against displacement of bearings that yield or slide, of piers whose base yields, of devices and of backfill.
 
 use glam::DVec2;
 
+use crate::dynamics::model::compiled_model::Pier;
 use crate::language::{Text, said};
 use crate::plot::COLORS;
 use crate::plot::chart::{Chart, Curve, Panel};
 use crate::scene::Girder;
-use crate::sim::quantity::{OfBearing, OfLink};
+use crate::sim::quantity::{OfBearing, OfLink, OfPier};
 use crate::sim::{History, Quantity};
 use crate::tables::{BearingsReport, Report};
 
@@ -20,10 +21,19 @@ const MOST_HALVINGS: u32 = 5;
 /// Loops of a page at most; the rest has none.
 const MOST_LOOPS: usize = 12;
 
+/// Directions of the two curves of a bearing, and of a pier.
+const AXES: [Text; 2] = [Text::new("report-along"), Text::new("report-across")];
+const PIER_AXES: [Text; 2] = [Text::new("report-along-pier"), Text::new("report-across-pier")];
+
 /// Pictures with their captions: along and across the girder for a bearing, along its line for a device. What never moved apart or
 /// carried a force has none.
 pub(super) fn pictures(history: &History, report: &Report) -> Vec<(String, String)> {
-    bearings(history, &report.bearings).into_iter().chain(links(history)).take(MOST_LOOPS).collect()
+    bearings(history, &report.bearings)
+        .into_iter()
+        .chain(piers(history))
+        .chain(links(history))
+        .take(MOST_LOOPS)
+        .collect()
 }
 
 /// Of every girder on bearings that yield or slide, the one of them that moves most of all.
@@ -39,12 +49,25 @@ fn bearings(history: &History, readings: &[BearingsReport]) -> Vec<(String, Stri
         let curve = |axis: usize| {
             let [x, y] = [OfBearing::Deformation(axis), OfBearing::Force(axis)];
             let [x, y] = [x, y].map(|what| Quantity::Bearing(girder, number, what));
-            let name = [Text::new("report-along"), Text::new("report-across")][axis];
-            curve((history, history.bearing_lost_at(girder, number)), &name, axis, [x, y])
+            curve((history, history.bearing_lost_at(girder, number)), &AXES[axis], axis, [x, y])
         };
         drawn(&name, [curve(0), curve(1)].into_iter().flatten().collect())
     };
     scene.girders.iter().enumerate().filter_map(yields).collect()
+}
+
+/// Of every pier whose base yields the base shear against the drift of its cap, along and across the pier.
+fn piers(history: &History) -> Vec<(String, String)> {
+    let model = history.model();
+    let yielding = model.piers.iter().enumerate().filter(|(_, pier)| pier.yielding.is_some());
+    let of_pier = |(number, pier): (usize, &Pier)| {
+        let curve = |axis: usize| {
+            let pair = [OfPier::DriftAlong(axis), OfPier::ShearAlong(axis)].map(|what| Quantity::Pier(number, what));
+            curve((history, f64::INFINITY), &PIER_AXES[axis], axis, pair)
+        };
+        drawn(&model.bodies[pier.body].name, [curve(0), curve(1)].into_iter().flatten().collect())
+    };
+    yielding.filter_map(of_pier).collect()
 }
 
 fn links(history: &History) -> Vec<(String, String)> {

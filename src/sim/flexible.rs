@@ -60,9 +60,12 @@ pub struct ElasticHit {
     pub t: f64,
     /// How long the two bodies were in touch, pauses of less than a wave's way there and back included \[s\].
     pub contact_time: f64,
-    /// Speed at which G of both part, over that at which they met, along the face's normal; nothing where they did not meet.
+    /// Whether it ended before the run did.
+    pub ended: bool,
+    /// Speed at which G of both part, over that at which they met, along the face's normal; nothing where they did not meet, or have not
+    /// parted.
     pub restitution: Option<f64>,
-    /// Energy left in the elastic modes at its end \[J\].
+    /// Energy in the elastic modes at its end, or at the end of the run \[J\].
     pub ringing: f64,
 }
 
@@ -285,10 +288,12 @@ impl History {
             (of(site.node_body) - of(site.face_body)).dot(normal)
         };
         let (before, after) = (speed(span[0]), speed(span[1]));
+        let ended = span[1] < self.end();
         Some(ElasticHit {
             t: span[0],
             contact_time: span[1] - span[0],
-            restitution: (before < 0.0 && span[1] < self.end()).then(|| -after / before),
+            ended,
+            restitution: (before < 0.0 && ended).then(|| -after / before),
             ringing: self.ringing(girder, span[1]),
         })
     }

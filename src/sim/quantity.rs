@@ -37,6 +37,10 @@ pub enum OfPier {
     Drift,
     /// Base shear, in plan.
     Shear,
+    /// The part of the drift along or across the pier: 0 or 1.
+    DriftAlong(usize),
+    /// The part of the base shear along or across: 0 or 1.
+    ShearAlong(usize),
 }
 
 /// What of a corner of a girder in plan.
@@ -136,7 +140,14 @@ const OF_GIRDER: [(&str, OfGirder); 7] = [
     ("vy", OfGirder::Vy),
     ("omega", OfGirder::Omega),
 ];
-const OF_PIER: [(&str, OfPier); 2] = [("drift", OfPier::Drift), ("shear", OfPier::Shear)];
+const OF_PIER: [(&str, OfPier); 6] = [
+    ("drift", OfPier::Drift),
+    ("shear", OfPier::Shear),
+    ("drift-along", OfPier::DriftAlong(0)),
+    ("drift-across", OfPier::DriftAlong(1)),
+    ("shear-along", OfPier::ShearAlong(0)),
+    ("shear-across", OfPier::ShearAlong(1)),
+];
 const OF_CORNER: [(&str, OfCorner); 3] = [("x", OfCorner::X), ("y", OfCorner::Y), ("drift", OfCorner::Drift)];
 const OF_PAIR: [(&str, OfPair); 3] = [("force", OfPair::Force), ("total", OfPair::Total), ("gap", OfPair::Gap)];
 const OF_CONTACT: [(&str, OfContact); 7] = [
@@ -220,8 +231,9 @@ impl Quantity {
                 let own = |what: &str| link.name.starts_with(&format!("{}.{what}", model.bodies[body].name));
                 own("bearing") || own("corner")
             };
-            // The links of a bearing are in the bearing's quantities; the drop watch of a corner has no force.
-            if !link.bodies[0].is_some_and(of_bearing) {
+            // The links of a bearing are in the bearing's quantities, those of a pier in its drift and shear; the drop watch of a corner has
+            // no force.
+            if !(link.bodies[0].is_some_and(of_bearing) || model.piers.iter().any(|pier| pier.has(i))) {
                 all.extend(OF_LINK.map(|(of, what)| (format!("{}.{of}", link.name), Self::Link(i, what))));
             }
         }
@@ -245,7 +257,7 @@ impl Quantity {
             Self::Girder(_, G::X | G::Y | G::Z)
             | Self::Corner(..)
             | Self::Seat(..)
-            | Self::Pier(_, OfPier::Drift)
+            | Self::Pier(_, OfPier::Drift | OfPier::DriftAlong(_))
             | Self::Pair(_, P::Gap)
             | Self::Contact(_, C::Penetration)
             | Self::Bearing(_, _, OfBearing::Deformation(_))
@@ -257,7 +269,7 @@ impl Quantity {
             Self::Section(_, _, OfSection::Stress) => Unit::Pascal,
             Self::Section(..)
             | Self::Pair(_, P::Force | P::Total)
-            | Self::Pier(_, OfPier::Shear)
+            | Self::Pier(_, OfPier::Shear | OfPier::ShearAlong(_))
             | Self::Contact(_, C::Normal | C::Tangential | C::Force)
             | Self::Bearing(_, _, OfBearing::Force(_) | OfBearing::Load)
             | Self::Link(_, OfLink::Force) => Unit::Newton,
@@ -282,8 +294,13 @@ impl Quantity {
             }
             Self::Seat(i, end) if i < model.bodies.len() => seats::remaining(history, i, end, t),
             Self::Pier(i, what) => history.pier(i, t).map_or(0.0, |now| {
-                let vector = if what == OfPier::Drift { now.displacement } else { now.shear };
-                vector.truncate().length()
+                let along = |vector: DVec3, axis: usize| vector.dot(history.scene().pier(i).axes.col(axis.min(1)));
+                match what {
+                    OfPier::Drift => now.displacement.truncate().length(),
+                    OfPier::Shear => now.shear.truncate().length(),
+                    OfPier::DriftAlong(axis) => along(now.displacement, axis),
+                    OfPier::ShearAlong(axis) => along(now.shear, axis),
+                }
             }),
             Self::Section(i, station, what) => section_quantity::at(history, i, station, what, t),
             Self::Pair(i, what) if i < model.pairs.len() => match what {

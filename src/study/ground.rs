@@ -6,7 +6,7 @@ pub use crate::motion::Ground as Shaker;
 
 use crate::language::Text;
 use crate::motion::format::Channel;
-use crate::motion::integrate::{Peak, StrongMotion, integrate};
+use crate::motion::integrate::{Peak, StrongMotion, integrate, peaks};
 use crate::motion::spectrum::{DESIGN_DAMPING, Response, periods, response, spectrum};
 use crate::motion::{Ground as Motion, Samples};
 use crate::plot::COLORS;
@@ -52,12 +52,8 @@ impl<'a> Ground<'a> {
     /// Peaks and duration.
     pub fn figures(&self) -> Figures {
         let (a, dt) = (&self.channel.samples, self.channel.dt);
-        Figures {
-            acceleration: Peak::of(a, dt),
-            velocity: Peak::of(&self.velocity, dt),
-            displacement: Peak::of(&self.displacement, dt),
-            strong: StrongMotion::of(a, dt),
-        }
+        let [velocity, displacement] = peaks(a, [&self.velocity, &self.displacement], dt);
+        Figures { acceleration: Peak::of(a, dt), velocity, displacement, strong: StrongMotion::of(a, dt) }
     }
 
     /// The spectrum at 5 % of critical damping.

@@ -8,7 +8,7 @@ use super::{number, to_csv, xyz};
 use crate::language::Language;
 use crate::sim::{DeviceReading, History};
 
-const HEADER: [&str; 8] = ["t", "device", "state", "deformation", "gap", "fx", "fy", "fz"];
+const HEADER: [&str; 9] = ["t", "device", "state", "deformation", "across", "gap", "fx", "fy", "fz"];
 
 /// What a run did to a device.
 #[derive(Clone, Debug, PartialEq, Serialize)]
@@ -57,26 +57,28 @@ pub(super) fn reports(history: &History) -> Vec<DeviceReport> {
     history.devices().into_iter().map(report).collect()
 }
 
-/// The table: one row a change of phase, in order of time, the first phase of each link among them. Force on the first point in the new
+/// The table: one row a change of phase, in order of time, the first phase of each link among them; nothing of the springs of a column,
+/// which have one phase and are in the pier's drift and shear. Deformation along the first axis, which is the line between points apart, and
+/// across it in plan. Force on the first point in the new
 /// phase, of a slider that of the whole bearing; deformation and gap as in that phase \[N, m\].
 ///
 /// # Errors
 /// What the writer says.
 pub fn devices(history: &History, out: &mut dyn Write) -> std::io::Result<()> {
-    let links = history.model().links.iter().enumerate();
+    let model = history.model();
+    let links = (0..model.links.len()).filter(|link| !model.piers.iter().any(|pier| pier.column.contains(link)));
     let mut changes: Vec<(f64, usize, usize)> = links
-        .flat_map(|(link, _)| history.link_phases(link).iter().enumerate().map(move |(n, (t, _))| (*t, link, n)))
+        .flat_map(|link| history.link_phases(link).iter().enumerate().map(move |(n, (t, _))| (*t, link, n)))
         .collect();
     changes.sort_by(|a, b| a.0.total_cmp(&b.0).then(a.1.cmp(&b.1)).then(a.2.cmp(&b.2)));
     let row = |(t, link, change): (f64, usize, usize)| {
         let now = history.link_in(link, history.link_phases(link)[change].1, t)?;
         let [fx, fy, fz] = xyz(now.reaction);
-        let (name, state) =
-            (history.model().links[link].name.clone(), Language::English.within(|| now.state.to_string()));
+        let (name, state) = (model.links[link].name.clone(), Language::English.within(|| now.state.to_string()));
         // A bearing whose travel has no end has no distance to it.
-        let [deformation, gap] =
-            [now.along.deformation[0], now.gap].map(|v| if v.is_nan() { String::new() } else { number(v) });
-        Some(vec![number(t), name, state, deformation, gap, fx, fy, fz])
+        let [along, across] = now.along.deformation;
+        let [along, across, gap] = [along, across, now.gap].map(|v| if v.is_nan() { String::new() } else { number(v) });
+        Some(vec![number(t), name, state, along, across, gap, fx, fy, fz])
     };
     to_csv(&HEADER.map(str::to_owned), changes.into_iter().filter_map(row), out)
 }

@@ -55,6 +55,24 @@ fn a_decay_is_identified_and_drawn() {
 }
 
 #[test]
+fn what_hardly_swings_is_said_to_lie_at_the_bound() {
+    let folder = tempfile::tempdir().expect("a folder");
+    // ω = 6 1/s, h = 1.5: two exponentials.
+    let root = 1.25f64.sqrt();
+    let [slow, fast] = [6.0 * (1.5 - root), 6.0 * (1.5 + root)];
+    let x = |t: f64| 10.0 * (fast * (-slow * t).exp() - slow * (-fast * t).exp()) / (fast - slow);
+    let mut table = "t_s,x_mm\n".to_owned();
+    for t in (0..60).map(|n| f64::from(n) / 30.0) {
+        let _ = writeln!(table, "{t},{}", x(t));
+    }
+    let file = written(folder.path(), "over.csv", &table);
+    let said = call(&["identify", &file]);
+    assert!(said.out.contains("highest that is looked for"), "{}{}", said.out, said.err);
+    let said = call(&["identify", &decay(folder.path(), "t_s,x_mm")]);
+    assert!(!said.out.contains("highest that is looked for"), "{}", said.out);
+}
+
+#[test]
 fn a_run_under_a_sweep_is_identified_from_its_own_table() {
     let folder = tempfile::tempdir().expect("a folder");
     let out = folder.path().to_str().expect("UTF-8");

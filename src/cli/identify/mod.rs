@@ -252,6 +252,9 @@ fn text(args: &IdentifyArgs, measured: &Measured, found: &Identified, ground: &M
     line(&Text::new("identify-residual"), &said!("identify-residual-of", "rms" => rms, "share" => share));
     line("", &noise_words(found));
     line("", &Text::new("identify-interval"));
+    if found.is_at_the_bound() {
+        line("", &Text::new("identify-at-bound"));
+    }
     if found.unexplained > POOR {
         line("", &Text::new("identify-poor"));
     }
@@ -306,6 +309,7 @@ fn report(file: &Path, measured: &Measured, found: &Identified, ground: &Message
         "ground": ground,
         "natural_frequency": estimate(&found.frequency),
         "damping_ratio": estimate(&found.damping),
+        "damping_at_bound": found.is_at_the_bound(),
         "others": others,
         "resonance_hz": found.resonance,
         "residual_deviation_m": found.noise.deviation,

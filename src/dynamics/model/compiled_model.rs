@@ -36,6 +36,13 @@ pub struct Pier {
     pub column: Range<usize>,
 }
 
+impl Pier {
+    /// Whether a link is a part of this pier.
+    pub fn has(&self, link: usize) -> bool {
+        self.yielding == Some(link) || self.column.contains(&link)
+    }
+}
+
 /// A scene, compiled.
 #[derive(Clone, Debug)]
 pub struct Model {

@@ -84,7 +84,11 @@ fn read(bytes: &[u8], beside: &Supplement) -> Result<Vec<Channel>, RecordError> 
         }
         (stated, beside) => stated.or(beside).unwrap_or(Unit::MetrePerSecond2),
     };
-    Ok(vec![Channel::converted("", Orientation::Unstated, unit, interval(&times)?, samples)])
+    let mut channel = Channel::converted("", Orientation::Unstated, unit, interval(&times)?, samples);
+    if let Some(begin) = times.first().map(|time| time.t).filter(|begin| *begin != 0.0) {
+        channel.done.push(message!("record-begins", "begin" => begin));
+    }
+    Ok(vec![channel])
 }
 
 fn unreadable(error: &csv::Error) -> RecordError {
@@ -261,6 +265,8 @@ mod tests {
         assert!(refused("t,a [counts]", None).contains("`counts`"), "no unit");
         for heading in
             ["t,a_mm/s2", "t,acc mm/s2", "t,acc_mg", "t,a ft/s2", "t,a_milli_g", "t,displacement_m", "t,vel_cm/s"]
+                .into_iter()
+                .chain(["t,mg", "t,mm", "t,v_m_s", "t,force_n", "t,deck.x", "t,deck.vx"])
         {
             assert!(refused(heading, None).contains("unit"), "{heading}");
             assert_eq!(of(heading, Some(Unit::Gal)), Ok((Unit::Gal, 2.0)), "{heading}, stated beside the file");
@@ -268,7 +274,9 @@ mod tests {
         for heading in ["t,g", "t,a/g", "t,acc x g"] {
             assert_eq!(of(heading, None), Ok((Unit::G, 200.0 * 9.80665)), "{heading}");
         }
-        for heading in ["t,acc_x", "t,acceleration ns", "t,ground acceleration", "t,ax"] {
+        for heading in
+            ["t,acc_x", "t,acceleration ns", "t,ground acceleration", "t,ax", "t,ground.x", "t,st1.acc", "t,Acc."]
+        {
             assert_eq!(of(heading, None), Ok((Unit::MetrePerSecond2, 200.0)), "{heading}");
         }
         assert!(refused("t [ms],a [gal]", None).contains("times in ms"), "no seconds");

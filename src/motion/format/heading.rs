@@ -39,17 +39,21 @@ const DIRECTIONS: [&str; 18] =
     ["x", "y", "z", "h", "v", "n", "s", "e", "w", "ns", "sn", "ew", "we", "ud", "up", "north", "east", "vertical"];
 
 /// Beginnings of words that name another quantity than an acceleration.
-const OTHERS: [&str; 4] = ["disp", "vel", "speed", "time"];
+const OTHERS: [&str; 5] = ["disp", "vel", "speed", "time", "force"];
+
+/// Words that are units of other quantities, or parts of a unit of acceleration that is not taken.
+const OTHER_UNITS: [&str; 16] =
+    ["mg", "ug", "mm", "cm", "m", "km", "in", "ft", "kn", "mn", "pa", "kpa", "mpa", "rad", "deg", "hz"];
 
 /// The unit that a heading without brackets states behind the name of the quantity; none where it states none, as `a`, `acc x` and
 /// `ground motion` do not.
 fn unit_in_words(heading: &str) -> Result<Option<Unit>, OtherWord> {
-    // `m_s2` is written for m/s2 where a name may have no slash.
-    let heading = heading.trim().to_ascii_lowercase().replace("m_s2", "m/s2");
+    // `m_s2` is written for m/s2 where a name may have no slash, `m_s` for m/s.
+    let heading = heading.trim().to_ascii_lowercase().replace("m_s2", "m/s2").replace("m_s", "m/s");
     let parted = |c: char| c.is_whitespace() || c == '_';
     let words: Vec<&str> = heading.split(parted).filter(|word| !word.is_empty()).collect();
     let [name, more @ ..] = &words[..] else { return Ok(None) };
-    if OTHERS.iter().any(|other| name.starts_with(other)) {
+    if OTHERS.iter().any(|other| name.starts_with(other)) || OTHER_UNITS.contains(name) || is_of_a_body(name) {
         return Err(OtherWord);
     }
     // `g`, or `a/g`: the acceleration in parts of it.
@@ -62,6 +66,11 @@ fn unit_in_words(heading: &str) -> Result<Option<Unit>, OtherWord> {
     let unit = Unit::of_word(last);
     let known = if unit.is_some() { between.iter().all(&names) } else { names(last) };
     if known { Ok(unit) } else { Err(OtherWord) }
+}
+
+/// Whether a name is of a quantity of a body, as tables of this program write it: `deck.x`, and not `ground.x`, its acceleration.
+fn is_of_a_body(name: &str) -> bool {
+    name.trim_end_matches('.').split_once('.').is_some_and(|(body, what)| body != "ground" && !what.starts_with('a'))
 }
 
 /// What stands in round or square brackets.

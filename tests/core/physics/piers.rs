@@ -208,6 +208,16 @@ fn a_pier_that_yields_is_a_mass_on_a_bearing_that_yields() {
     within("ductility is drift over F_y/k", base.ductility[0] - reading.drift.value / 5e-3, 1e-9);
     let beyond = 2e5 + 4e6 * (reading.drift.value - 5e-3);
     assert!(reading.shear.value > 2e5 && reading.shear.value <= beyond * (1.0 + 1e-9), "on the loop: {reading:?}");
+    // What is plotted as the pier's loop is the whole of its base: its area is what is lost, and what is stored at the end.
+    let names: Vec<String> = Quantity::all(&pier).into_iter().map(|(name, _)| name).collect();
+    assert!(names.iter().all(|name| !name.starts_with("p.base")), "no part of it by itself: {names:?}");
+    let [drift, shear] =
+        ["p.drift-along", "p.shear-along"].map(|name| Quantity::find(&pier, name).expect("a quantity of piers"));
+    let at = |i: u32| [drift, shear].map(|quantity| quantity.at(&pier, f64::from(i) / 1e4));
+    let area: f64 = (0..40_000).map(|i| (at(i), at(i + 1))).map(|(a, b)| 0.5 * (a[1] + b[1]) * (b[0] - a[0])).sum();
+    let ledger = pier.ledger(4.0);
+    let wanted = ledger.loss_bearing + ledger.bearing + ledger.loss_device + ledger.device;
+    assert!(wanted > 1.0 && (area - wanted).abs() < 1e-5 * wanted, "{area} J of {wanted} J");
     assert!(pier.balance().holds(), "{:?}", pier.ledger(4.0));
 }
 

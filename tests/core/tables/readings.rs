@@ -303,7 +303,7 @@ fn what_a_cable_did_is_the_closed_form_s() {
     near(slack_again, 0.1 + 0.1 * std::f64::consts::PI, 1e-9, "half a period after it is taut");
     for row in &rows[1..] {
         near(row[3].parse().expect("a length"), 0.01, 1e-9, "elongation at its slack");
-        near(row[5].parse().expect("a force"), 0.0, 1e-3, "no force where it sets in and ends");
+        near(row[6].parse().expect("a force"), 0.0, 1e-3, "no force where it sets in and ends");
     }
     near(whole.force.value, 1000.0, 1e-6, "peak");
     near(whole.force.t, 0.1 + 0.05 * std::f64::consts::PI, 1e-5, "a quarter of a period after it is taut");

@@ -158,6 +158,29 @@ fn only_ends_with_a_seat_are_read() {
 }
 
 #[test]
+fn the_columns_of_an_end_are_those_up_to_the_next_joint() {
+    let mut scene = presets::load("viaduct-5").expect("ships");
+    scene.duration = 0.01;
+    let heights = [15.0, 12.0, 9.0, 6.0];
+    scene.piers.iter_mut().zip(heights).for_each(|(pier, height)| pier.height = Some(height));
+    let history = History::of(&scene).expect("runs");
+    let height = |seat: &codes::SeatDemands| {
+        let inputs = seat.demands.iter().flat_map(|demand| &demand.inputs);
+        inputs.into_iter().find(|input| input.symbol == "H").map(|input| input.value)
+    };
+    let seats = codes::of(&history);
+    assert_eq!(seats.len(), 10, "both ends of five girders");
+    for seat in &seats {
+        // An end on an abutment has the pier at the other end.
+        let pier = match seat.seat.ledge.end {
+            End::Plus => seat.girder.min(3),
+            End::Minus => seat.girder.saturating_sub(1),
+        };
+        assert_eq!(height(seat), Some(heights[pier]), "{:?} of girder {}", seat.seat.ledge.end, seat.girder);
+    }
+}
+
+#[test]
 fn what_follows_from_the_ground_type_that_a_scene_gives_is_not_assumed() {
     let sources = |ground: Option<EuropeanGround>| {
         let mut scene = deck(Initial::default());
