@@ -50,7 +50,7 @@ table! {
             "deck to the next joint: L of AASHTO, l and L_θ of JRA, L_eff of EN 1998-2, m";
         support_distance: Option<f64> = "support_distance_m" as "field-between-supports", Range::Positive, Fallback::Words("the girder's length"),
             "distance between the supports that move apart: L of JRA's u_G, m";
-        column_height: Option<f64> = "column_height_m" as "field-column-height", Range::NotNegative, Fallback::Words("that of the piers, or 0.0"),
+        column_height: Option<f64> = "column_height_m" as "field-column-height", Range::NotNegative, Fallback::Words("that of the pier under the end, else under the other end, or 0.0"),
             "average height of the columns, 0 for a single span: H of AASHTO, m";
         zone_percent: Option<f64> = "zone_percent" as "field-zone-percentage", Range::Within([50.0, 200.0]), Fallback::Words("150.0"),
             "percentage of N by seismic zone: of AASHTO LRFD";
