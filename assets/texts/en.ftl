@@ -791,6 +791,7 @@ legend-device-acts = device whose force acts
 legend-device-idle = idle device
 legend-soil = brown: soil, with its failure surface
 legend-overlap = overlap that no contact carries
+legend-seat-edge = front edge of a seat
 legend-law = friction law: { $laws }
 legend-grid = grid { $spacing }
 state-open = open

@@ -774,6 +774,7 @@ legend-device-acts = 力の働く装置
 legend-device-idle = 力の働かない装置
 legend-soil = 茶：背面土と破壊面
 legend-overlap = 接触力のない重なり
+legend-seat-edge = 桁かかりの前縁
 legend-law = 摩擦則：{ $laws }
 legend-grid = 格子 { $spacing }
 state-open = 開

@@ -5,6 +5,7 @@ use std::fmt::Write as _;
 use super::in_force;
 use super::plan::trimmed;
 use super::sections::input_words;
+use super::units::stiffness;
 use crate::codes::Source;
 use crate::language::{Text, said, six};
 use crate::plot::draw::escape;
@@ -165,7 +166,7 @@ fn of_contact(history: &History, listed: &mut Listed) -> Vec<String> {
 
 /// Stiffness and laws of a pair, and restitution and friction where they are its own.
 fn in_force(pair: &PairContact, own: bool) -> String {
-    let mut words = format!("K = {:e} N/m, ", pair.stiffness);
+    let mut words = format!("K = {}, ", stiffness(pair.stiffness));
     if own {
         let _ = write!(
             words,

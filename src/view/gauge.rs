@@ -18,6 +18,8 @@ use crate::sim::{ContactNow, ContactState};
 const SIZE: Vec2 = Vec2::new(13.0, 62.0);
 /// From the contact to the middle of the gauge, square to the arrow \[points\].
 const ASIDE: f32 = 40.0;
+/// What counts as upwards: a little to the left, so that a contact with an upright normal has its gauge on its left.
+const UPWARDS: Vec2 = Vec2::new(-0.2, -0.98);
 /// Between the lines of the hatching \[points\].
 const HATCH: f32 = 7.0;
 
@@ -44,11 +46,11 @@ fn beside(input: &ViewInput<'_>, c: &ContactNow, taken: &[Area]) -> Option<Area>
     let ppp = input.pixels_per_point;
     let at = pixel(input, c.point)?;
     let tip = pixel(input, c.point + c.normal * input.point_length(c.point))?;
-    // Square to the normal on the picture, away from where the friction points; upwards where that says nothing.
+    // Square to the normal on the picture, on the side that looks upwards, and so on the same one in every picture of a film: the arrow,
+    // within its cone, reaches neither.
     let along = (tip - at).try_normalize().unwrap_or(Vec2::NEG_Y);
     let side = Vec2::new(-along.y, along.x);
-    let friction = pixel(input, c.point + c.tangential_force.normalize_or_zero() * input.point_length(c.point))? - at;
-    let side = if side.dot(friction) > 0.0 { -side } else { side };
+    let side = if side.dot(UPWARDS) < 0.0 { -side } else { side };
     let half = SIZE * 0.5 * ppp;
     let room = Vec2::from(input.size.map(|s| s as f32));
     let margin = half + 4.0 * ppp;

@@ -13,6 +13,7 @@ use super::list::{Mark, Rgba};
 use super::moment::Moment;
 use super::palette::{DAMPING, IMPULSE, NORMAL, OVERLAP, Palette, STICK, TANGENTIAL};
 use super::scale::{round_down, round_force, round_impulse, round_length};
+use super::seat_edges;
 use super::texts::TEXT;
 use super::words::{contact_state, friction_laws, section_force};
 use crate::language::{Text, values};
@@ -61,6 +62,8 @@ enum Sign {
     /// A device whose force acts, or an idle one.
     Device(bool),
     Overlap,
+    /// The front edge of a seat, so wide \[points\].
+    SeatEdge(f32),
     Grid,
     Girder,
     Ghost,
@@ -145,6 +148,9 @@ fn rows(input: &ViewInput<'_>, moment: &Moment, grid: Option<f64>) -> Vec<Row> {
     }
     if !moment.overlaps.is_empty() {
         rows.push(row(Sign::Overlap, Need::Value, Text::new("legend-overlap")));
+    }
+    if let Some(width) = seat_edges::shown(input, moment) {
+        rows.push(row(Sign::SeatEdge(width), Need::State, Text::new("legend-seat-edge")));
     }
     if can_touch && !moment.laws.is_empty() {
         rows.push(row(Sign::None, Need::Aside, friction_laws(&moment.laws)));
@@ -257,6 +263,7 @@ fn sign_marks(sign: Sign, at: Vec2, ppp: f32, palette: &Palette, out: &mut Vec<M
             out.push(stroke(outline, 2.2 * ppp, OVERLAP));
             out.extend([2.0, 9.0, 16.0].map(|x| stroke([p(x, 6.0), p(x + 12.0, -6.0)], 1.1 * ppp, OVERLAP)));
         }
+        Sign::SeatEdge(width) => out.push(stroke([p(2.0, 0.0), p(28.0, 0.0)], width * ppp, OVERLAP)),
         Sign::Colors(signed) => {
             let low = if signed { -1.0 } else { 0.0 };
             for k in 0..COLOR_PARTS {

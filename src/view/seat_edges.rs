@@ -19,6 +19,11 @@ use crate::sim::seats::seated_share;
 /// Width of the front edge, and of the part of the end that is off \[points\].
 const WIDTHS: [f32; 2] = [1.6, 4.0];
 
+/// Whether any seat is shown, and the width \[points\] of its front edge.
+pub(super) fn shown(input: &ViewInput<'_>, moment: &Moment) -> Option<f32> {
+    moment.seats.iter().any(|seat| is_shown(input, seat)).then_some(WIDTHS[0])
+}
+
 /// Whether a seat is shown: a corner is off it, or its girder is selected.
 fn is_shown(input: &ViewInput<'_>, seat: &SeatNow) -> bool {
     seat.is_left() || input.selected.contains(&Target::Girder(seat.girder))
