@@ -50,6 +50,16 @@ fn rows(studio: &mut girderbench::snapshot::Studio, scene: &girderbench::scene::
 }
 
 #[test]
+fn the_gauge_stays_where_it_is_when_the_friction_turns_round() {
+    let (scene, mut moment) = handmade::sticking(0.6);
+    let camera = handmade::camera(&scene, SIZE);
+    let input = handmade::input(&scene, &camera, SIZE, PPP, BARE);
+    let before = gauge::place(&input, &moment.contacts[0]);
+    moment.contacts[0].tangential_force *= -1.0;
+    assert!(before.is_some() && gauge::place(&input, &moment.contacts[0]) == before, "{before:?}");
+}
+
+#[test]
 fn the_gauge_is_filled_as_far_as_the_cone_is_used_and_hatched_in_slip() {
     let Some(mut studio) = studio("the_gauge_is_filled_as_far_as_the_cone_is_used_and_hatched_in_slip") else { return };
     for share in [0.3, 0.6, 0.9] {

@@ -71,7 +71,7 @@ fn a_device_that_was_changed_has_its_force_in_the_table_of_runs() {
     harness.key_press(Key::P);
     settle(&mut harness);
     let before = harness.state().replay.runner.answer().expect("run").clone();
-    let name = before.device_names().next().expect("a cable");
+    let name = before.device_names().next().expect("a cable").to_owned();
     let id = before.history.model().devices[0].id;
     let mut cable = before.history.scene().device(id).expect("there");
     let Device::Restrainer(restrainer) = &mut cable else { panic!("a cable") };

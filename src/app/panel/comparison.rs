@@ -118,39 +118,34 @@ fn rows(runs: &[&Answer]) -> Vec<Row> {
         row(&text::LOST, |a| (text::energy(a.lost()), None)),
     ]);
     rows.extend(devices(runs).into_iter().map(|name| -> Row {
-        let of = name.clone();
+        let of = name.to_owned();
         let cell = move |a: &Answer| {
             a.device(&of).map_or((NONE.to_owned(), None), |reading| {
                 (text::force(reading.force.value), Spot::device(&a.history, reading))
             })
         };
-        (text::force_of(&name), Box::new(cell))
+        (text::force_of(name), Box::new(cell))
     }));
     rows
 }
 
 /// Names of the devices of these runs that have a row, those first in which the scenes of two of them differ.
-fn devices(runs: &[&Answer]) -> Vec<String> {
-    let mut names: Vec<String> = Vec::new();
+fn devices<'a>(runs: &[&'a Answer]) -> Vec<&'a str> {
+    let mut names: Vec<&str> = Vec::new();
     for name in runs.iter().flat_map(|run| run.device_names()) {
         if !names.contains(&name) {
             names.push(name);
         }
     }
-    let places: Vec<&str> = runs
-        .iter()
-        .skip(1)
-        .flat_map(|run| run.values().differences(runs[0].values()))
-        .map(|difference| difference.place)
-        .collect();
-    let differ = |name: &String| {
-        let mut tables = DeviceKind::ALL.iter().map(|kind| format!("{}.{name}.", kind.label()));
-        tables.any(|table| places.iter().any(|place| place.starts_with(&table)))
-    };
     if names.len() > MOST_DEVICES {
-        names.sort_by_cached_key(|name| !differ(name));
+        let others = runs.iter().skip(1).flat_map(|run| run.values().differences(runs[0].values()));
+        let places: Vec<&str> = others.map(|difference| difference.place).collect();
+        names.sort_by_cached_key(|name| {
+            let mut tables = DeviceKind::ALL.iter().map(|kind| format!("{}.{name}.", kind.label()));
+            !tables.any(|table| places.iter().any(|place| place.starts_with(&table)))
+        });
+        names.truncate(MOST_DEVICES);
     }
-    names.truncate(MOST_DEVICES);
     names
 }
 

@@ -199,10 +199,8 @@ impl Answer {
     }
 
     /// Names of the devices, in the order of the model.
-    pub fn device_names(&self) -> impl Iterator<Item = String> {
-        let scene = self.history.scene();
-        let devices = self.history.model().devices.iter();
-        devices.filter_map(|device| Some(scene.device(device.id)?.part().ends().name.to_owned()))
+    pub fn device_names(&self) -> impl Iterator<Item = &str> {
+        self.history.model().devices.iter().map(|device| device.name.as_str())
     }
 
     /// What the run did to the device of this name; reckoned when first asked for.

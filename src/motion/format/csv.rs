@@ -283,6 +283,12 @@ mod tests {
     }
 
     #[test]
+    fn a_table_that_begins_late_is_said_to() {
+        let done = |text: &str| read(text.as_bytes(), &Supplement::default()).expect("two samples")[0].done.len();
+        assert_eq!([done("0,1\n0.01,2\n"), done("5,1\n5.01,2\n")], [0, 1], "times counted from the first");
+    }
+
+    #[test]
     fn a_complaint_names_line_value_and_remedy() {
         assert_eq!(error("0,1\n0.01,abc\n"), "line 2: found `abc`; the acceleration must be a finite number", "word");
         assert!(error("0,1\n0.01,inf\n").starts_with("line 2: found `inf`"), "infinite");
