@@ -86,7 +86,7 @@ run-hardest = hardest hit
 run-not-negligible = not negligible: { $names }
 run-returned = , returned e = { $e }
 run-hit-of = at { $t } s for { $time } ms{ $restitution }; { $ringing } J left ringing
-run-hit-goes-on = from { $t } s on, { $time } ms until the end of the run{ $restitution }; it has not ended; { $ringing } J in the modes
+run-hit-goes-on = from { $t } s on, { $time } ms until the end of the run; it has not ended; { $ringing } J in the modes
 run-section-forces = mid-span |N| to { $axial } MN at { $t } s (strain differs by { $difference }), |M| to { $moment } MN·m; fibre to { $stress } MPa at s = { $s } m
 run-section-forces-space = |M_y| to { $moment } MN·m, |T| to { $torque } MN·m
 run-degrees = degree { $one } against { $other }: force { $force }, impulse { $impulse }, ends { $ends }, N at mid-span { $section }

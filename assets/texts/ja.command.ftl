@@ -83,7 +83,7 @@ run-hardest = 最大の衝突
 run-not-negligible = 無視できない：{ $names }
 run-returned = 、反発 e = { $e }
 run-hit-of = { $t } s、接触 { $time } ms{ $restitution }。振動に { $ringing } J
-run-hit-goes-on = { $t } s から計算の終わりまで { $time } ms{ $restitution }：まだ終わっていない。モードのエネルギー { $ringing } J
+run-hit-goes-on = { $t } s から計算の終わりまで { $time } ms：まだ終わっていない。モードのエネルギー { $ringing } J
 run-section-forces = 中央の |N| 最大 { $axial } MN（{ $t } s、ひずみの差 { $difference }）、|M| 最大 { $moment } MN·m。縁応力 最大 { $stress } MPa（s = { $s } m）
 run-section-forces-space = |M_y| 最大 { $moment } MN·m、|T| 最大 { $torque } MN·m
 run-degrees = 次数 { $one } と { $other }：力 { $force }、力積 { $impulse }、端 { $ends }、中央の N { $section }

@@ -46,8 +46,8 @@ fn beside(input: &ViewInput<'_>, c: &ContactNow, taken: &[Area]) -> Option<Area>
     let ppp = input.pixels_per_point;
     let at = pixel(input, c.point)?;
     let tip = pixel(input, c.point + c.normal * input.point_length(c.point))?;
-    // Square to the normal on the picture, on the side that looks upwards, and so on the same one in every picture of a film: the arrow,
-    // within its cone, reaches neither.
+    // Square to the normal on the picture, on the side that looks upwards, and so on the same one in every picture of a film: the arrow
+    // reaches neither up to μ = 0.8, where it passes a corner of the gauge beside an upright normal.
     let along = (tip - at).try_normalize().unwrap_or(Vec2::NEG_Y);
     let side = Vec2::new(-along.y, along.x);
     let side = if side.dot(UPWARDS) < 0.0 { -side } else { side };

@@ -29,8 +29,8 @@ const COLOR_BAR: f32 = 120.0;
 const COLOR_PARTS: u8 = 40;
 /// Longest force bar \[points\].
 const LONGEST_BAR: f64 = 150.0;
-/// Largest part of a picture that the legend covers before it leaves out what can be spared (chosen: the view of a window of 1024 × 640
-/// keeps three quarters of its width free).
+/// Largest part of a picture that the legend covers before it leaves out what can be spared. Chosen: of the view in a window of 1024 × 640
+/// a legend with all rows covers a quarter, and without those that can be spared a ninth.
 const MOST_COVERED: f32 = 0.16;
 
 /// A row of the legend: a sign, what it means, and who needs it.

@@ -266,7 +266,7 @@ mod tests {
         for heading in
             ["t,a_mm/s2", "t,acc mm/s2", "t,acc_mg", "t,a ft/s2", "t,a_milli_g", "t,displacement_m", "t,vel_cm/s"]
                 .into_iter()
-                .chain(["t,mg", "t,mm", "t,v_m_s", "t,force_n", "t,deck.x", "t,deck.vx"])
+                .chain(["t,mg", "t,mm", "t,v_m_s", "t,force_n", "t,deck.x", "t,deck.axial_mid"])
         {
             assert!(refused(heading, None).contains("unit"), "{heading}");
             assert_eq!(of(heading, Some(Unit::Gal)), Ok((Unit::Gal, 2.0)), "{heading}, stated beside the file");

@@ -68,9 +68,11 @@ fn unit_in_words(heading: &str) -> Result<Option<Unit>, OtherWord> {
     if known { Ok(unit) } else { Err(OtherWord) }
 }
 
-/// Whether a name is of a quantity of a body, as tables of this program write it: `deck.x`, and not `ground.x`, its acceleration.
+/// Whether a name is of a quantity of a body, as tables of this program write it: `deck.x`, and neither `ground.x`, an acceleration, nor
+/// `st1.acc`.
 fn is_of_a_body(name: &str) -> bool {
-    name.trim_end_matches('.').split_once('.').is_some_and(|(body, what)| body != "ground" && !what.starts_with('a'))
+    let accelerates = |what: &str| what.starts_with("acc") || ["a", "ax", "ay", "az"].contains(&what);
+    name.trim_end_matches('.').split_once('.').is_some_and(|(body, what)| body != "ground" && !accelerates(what))
 }
 
 /// What stands in round or square brackets.
