@@ -13,6 +13,9 @@
 //! `Ḋ = ż cos φ − ẏ sin φ − φ̇ y'` and `ẏ' = ẏ cos φ + ż sin φ + φ̇ D` follows what a normal force N and a tangential force T do to
 //! the bodies: both act at the point, and the couple `(T₂ D − N y') a` acts on the body of the edge, the opposite one on that of
 //! the face. The work of N is that of the distance: its line of action is the common perpendicular. `h` has the sign of `u₂`.
+//!
+//! Axes that follow the common perpendicular by a part `f` alone are turned by `f φ`, so that `f a` stands for `a`: the same
+//! balance of work, with a gap that at `f = 0` is that of a node before the face.
 
 use glam::DVec3;
 
@@ -24,11 +27,13 @@ pub struct Crossed {
     sin: f64,
     /// `u₁/h` \[–\].
     shear: f64,
+    /// The vector `a`, in the axes.
+    lever: DVec3,
 }
 
 impl Crossed {
     /// Edges that are not turned against the axes: a node before a face.
-    pub const SQUARE: Self = Self { cos: 1.0, sin: 0.0, shear: 0.0 };
+    pub const SQUARE: Self = Self { cos: 1.0, sin: 0.0, shear: 0.0, lever: DVec3::X };
 
     /// Of an edge with this direction in the axes; one along the first axis has no common perpendicular, and keeps the third axis.
     #[inline]
@@ -37,7 +42,18 @@ impl Crossed {
         if h == 0.0 {
             return Self::SQUARE;
         }
-        Self { cos: edge.y / h, sin: edge.z / h, shear: edge.x / h }
+        let (cos, sin, shear) = (edge.y / h, edge.z / h, edge.x / h);
+        Self { cos, sin, shear, lever: DVec3::new(1.0, -shear * cos, -shear * sin) }
+    }
+
+    /// The same of axes that follow the common perpendicular by the part `follow` \[–\].
+    #[inline]
+    pub(super) fn partly(self, follow: f64) -> Self {
+        if follow == 1.0 {
+            return self;
+        }
+        let (sin, cos) = (follow * self.sin.atan2(self.cos)).sin_cos();
+        Self { cos, sin, shear: self.shear, lever: follow * self.lever }
     }
 
     /// Components in the turned axes of a vector given in the axes.
@@ -59,16 +75,11 @@ impl Crossed {
         at.x - self.shear * at.y
     }
 
-    /// The vector `a`, in the axes.
-    fn lever(self) -> DVec3 {
-        DVec3::new(1.0, -self.shear * self.cos, -self.shear * self.sin)
-    }
-
     /// Rates of `(x, y', D)`, of a point `at` in the turned axes, from the rates of `(x, y, z)` and the angular velocity relative to
     /// the face, both in the axes.
     #[inline]
     pub(super) fn rates(self, at: DVec3, rates: DVec3, spin: DVec3) -> DVec3 {
-        let turning = self.lever().dot(spin);
+        let turning = self.lever.dot(spin);
         self.seen(rates) + turning * DVec3::new(0.0, at.z, -at.y)
     }
 
@@ -76,7 +87,7 @@ impl Crossed {
     /// \[N·m\].
     #[inline]
     pub fn couple(self, at: DVec3, force: DVec3) -> DVec3 {
-        self.lever() * (force.y * at.z - force.z * at.y)
+        self.lever * (force.y * at.z - force.z * at.y)
     }
 }
 
@@ -87,9 +98,9 @@ mod tests {
     const EDGE: DVec3 = DVec3::new(0.3, -0.8, 0.25);
     const AT: DVec3 = DVec3::new(0.7, 0.02, -0.03);
 
-    /// `(x, y', D)` of the point on the edge after a small motion.
-    fn after(spin: DVec3, rates: DVec3, dt: f64) -> DVec3 {
-        Crossed::of(EDGE + spin.cross(EDGE) * dt).seen(AT + rates * dt)
+    /// `(x, y', D)` of the point on the edge after a small motion, in axes that follow by a part.
+    fn after(follow: f64, spin: DVec3, rates: DVec3, dt: f64) -> DVec3 {
+        Crossed::of(EDGE + spin.cross(EDGE) * dt).partly(follow).seen(AT + rates * dt)
     }
 
     #[test]
@@ -111,16 +122,18 @@ mod tests {
     #[test]
     fn rates_are_derivatives_and_the_forces_do_their_work() {
         let (spin, rates) = (DVec3::new(0.9, -1.3, 0.4), DVec3::new(0.2, -0.5, 0.3));
-        let crossed = Crossed::of(EDGE);
-        let h = 1e-6;
-        let difference = (after(spin, rates, h) - after(spin, rates, -h)) / (2.0 * h);
-        let found = crossed.rates(crossed.seen(AT), rates, spin);
-        assert!((difference - found).length() < 1e-9, "{found} is not {difference}");
-        let force = DVec3::new(3.0, -5.0, 11.0);
-        let power = force.dot(found);
-        let couple = crossed.couple(crossed.seen(AT), force);
-        let done = crossed.in_axes(force).dot(rates) + couple.dot(spin);
-        assert!((power - done).abs() < 1e-13 * power.abs(), "{done} W is not {power} W");
+        for follow in [0.0, 0.3, 1.0] {
+            let crossed = Crossed::of(EDGE).partly(follow);
+            let h = 1e-6;
+            let difference = (after(follow, spin, rates, h) - after(follow, spin, rates, -h)) / (2.0 * h);
+            let found = crossed.rates(crossed.seen(AT), rates, spin);
+            assert!((difference - found).length() < 1e-9, "{found} is not {difference}, followed by {follow}");
+            let force = DVec3::new(3.0, -5.0, 11.0);
+            let power = force.dot(found);
+            let couple = crossed.couple(crossed.seen(AT), force);
+            let done = crossed.in_axes(force).dot(rates) + couple.dot(spin);
+            assert!((power - done).abs() < 1e-13 * power.abs(), "{done} W is not {power} W, followed by {follow}");
+        }
     }
 
     #[test]
@@ -128,5 +141,11 @@ mod tests {
         let square = Crossed::of(DVec3::Y);
         assert_eq!(square, Crossed::SQUARE);
         assert_eq!([square.seen(AT), square.in_axes(AT)], [AT, AT]);
+        let kept = Crossed::of(EDGE).partly(0.0);
+        assert_eq!(
+            [kept.seen(AT), kept.couple(AT, AT)],
+            [AT, DVec3::ZERO],
+            "and where the common perpendicular is not followed"
+        );
     }
 }

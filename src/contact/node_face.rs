@@ -114,6 +114,8 @@ pub struct Home {
     /// Direction of the edge that the node is on, where the gap is the distance of its line from that of the first axis through
     /// corner a, world axes \[–\]; 0 of a node before a face.
     pub edge: DVec3,
+    /// Part of the turn of the common perpendicular of both edges from the third axis by which the normal follows it \[–\].
+    follow: f64,
 }
 
 impl Home {
@@ -137,10 +139,17 @@ impl Home {
         Self { axes, at: axes.transpose() * apart, apart, corner: self.corner + from, upright: false, ..*self }
     }
 
-    /// Geometry of the same node as a point of an edge in this direction, world axes as placed, across the first axis.
+    /// Geometry of the same node as a point of an edge in this direction, world axes as placed, across the first axis; its normal
+    /// follows the common perpendicular by the part `follow` \[–\].
     #[must_use]
-    pub fn across(&self, edge: DVec3) -> Self {
-        Self { edge, ..*self }
+    pub fn across(&self, edge: DVec3, follow: f64) -> Self {
+        Self { edge, follow, ..*self }
+    }
+
+    /// Part of the way from the node to the anchor at which the reaction on the face's body acts, of laws along the stretch \[–\].
+    #[inline]
+    pub fn about_anchor(&self) -> f64 {
+        1.0 - self.follow
     }
 
     /// Outward normal of the contact, world axes: that of the face, or the common perpendicular of two edges.
@@ -154,7 +163,7 @@ impl Home {
     /// Turn of the normal from the third axis.
     fn crossed(&self, node_body: &Frame, face_body: &Frame) -> Crossed {
         let edge = node_body.turn(self.edge);
-        Crossed::of(self.axes.transpose() * (edge + face_body.turned.transpose() * edge))
+        Crossed::of(self.axes.transpose() * (edge + face_body.turned.transpose() * edge)).partly(self.follow)
     }
 
     /// Geometry with the poses of `node_body` and `face_body`, at rest, in place of the placed ones.
@@ -171,6 +180,7 @@ impl Home {
             corner,
             upright: self.upright && face_body.level,
             edge: node_body.turn(self.edge),
+            follow: self.follow,
         }
     }
 
@@ -187,7 +197,17 @@ impl Home {
             at.z = 0.0;
         }
         let upright = face.is_upright();
-        Self { axes: axes * along, at, apart: lever - corner, arm, lever, corner, upright, edge: DVec3::ZERO }
+        Self {
+            axes: axes * along,
+            at,
+            apart: lever - corner,
+            arm,
+            lever,
+            corner,
+            upright,
+            edge: DVec3::ZERO,
+            follow: 0.0,
+        }
     }
 }
 
@@ -295,7 +315,8 @@ fn measure_in_space(home: &Home, node_body: &Frame, face_body: &Frame) -> Measur
 
 /// Position and velocity of a point of an edge relative to the edge along the first axis, in axes turned about that one to the common
 /// perpendicular: the gap is the distance of the lines, and the place that of their nearest points along the first axis, with the distance
-/// of the node from that axis. Both reactions act at the node, so that its velocity is that relative to its own place in the face's body.
+/// of the node from that axis. Where the normal follows wholly both reactions act at the node, so that its velocity is that relative to
+/// its own place in the face's body; else the reaction on that body acts nearer to the anchor, by the part by which it does not.
 fn measure_across(
     home: &Home,
     [node_body, face_body]: [&Frame; 2],
@@ -304,7 +325,7 @@ fn measure_across(
 ) -> Measured {
     let in_face = |v: DVec3| home.axes.transpose() * (v + face_body.turned.transpose() * v);
     let crossed = home.crossed(node_body, face_body);
-    let from = Crossed::of(home.axes.transpose() * home.edge).seen(home.at);
+    let from = Crossed::of(home.axes.transpose() * home.edge).partly(home.follow).seen(home.at);
     let at = crossed.seen(home.at + way);
     let rates = crossed.rates(at, rates, in_face(node_body.spin - face_body.spin));
     let here = Local {
@@ -313,7 +334,10 @@ fn measure_across(
         at: DVec2::new(crossed.along(at), at.y),
         way: (at - from).truncate(),
         rate: rates.truncate(),
-        spin: DVec3::ZERO,
+        spin: match home.about_anchor() {
+            0.0 => DVec3::ZERO,
+            part => crossed.seen(in_face(face_body.spin)) * part,
+        },
     };
     Measured { here, arm, apart, crossed }
 }

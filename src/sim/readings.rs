@@ -8,7 +8,7 @@ use glam::DVec3;
 pub use super::report::Extreme;
 use super::{BearingsReading, History, Pounding, peaks, seats, touches};
 use crate::contact::node_face::locate;
-use crate::dynamics::model::edge_node::NodePlace;
+use crate::dynamics::model::edge_node::node_place::NodePlace;
 use crate::geometry::{End, Prism};
 
 /// A girder in numbers.

@@ -8,7 +8,8 @@ use glam::DVec3;
 
 use crate::dynamics::ContactSite;
 use crate::dynamics::contact_model::at_instant::AtInstant;
-use crate::dynamics::model::edge_node::{Edge, NodePlace};
+use crate::dynamics::model::edge_node::Edge;
+use crate::dynamics::model::edge_node::node_place::NodePlace;
 use crate::dynamics::penalty3d::constants::UNCARRIED;
 use crate::dynamics::world::contact_points;
 use crate::scene::facing::{Side, SolidId};

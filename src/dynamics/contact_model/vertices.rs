@@ -8,7 +8,7 @@ use glam::DVec2;
 use crate::contact::{Local, Mode, NormalLaw};
 use crate::dynamics::contact_model::contact_law;
 use crate::dynamics::contact_model::contact_states::ContactStates;
-use crate::dynamics::model::edge_node::NodePlace;
+use crate::dynamics::model::edge_node::node_place::NodePlace;
 use crate::dynamics::penalty3d::contact_force::to_world;
 use crate::dynamics::penalty3d::contact_state::{ClosedContact, Contact};
 use crate::dynamics::record::event::EventKind;

@@ -14,12 +14,14 @@
 
 use std::sync::Arc;
 
-use glam::{DMat3, DVec2, DVec3};
+use glam::{DVec2, DVec3};
 
 use crate::contact::parameters::edge_slack;
 use crate::contact::{Frame, Home, Local, locate};
 use crate::dynamics::model::face_choice::FaceChoice;
 use crate::geometry::Face;
+
+pub mod node_place;
 
 /// Least sine of the angle between an edge and a side that it crosses \[–\]: 30°. Edges closer to parallel
 /// cross anywhere along their length at the least roll, and bound a sliver only.
@@ -40,18 +42,6 @@ const ALONG: f64 = std::f64::consts::FRAC_1_SQRT_2;
 /// Distance of an edge node from the crossing, per size of the face, at which it is moved to the crossing \[–\]: the
 /// lever of its force is wrong by less. Tuned.
 const SLIDE: f64 = 1e-3;
-
-/// Where the node of a contact is and how its contact is directed, axes of the bodies as placed.
-#[derive(Clone, Copy, Debug, Default, PartialEq)]
-pub struct NodePlace {
-    /// Node from that of its site, of an edge node the middle of the edge \[m\].
-    pub shift: DVec3,
-    /// Unit normal of an edge node's contact, outward of the face's body; 0 for a corner, whose normal is the face's.
-    pub normal: DVec3,
-    /// How far the node may be beyond an end of the side: faces that are not parallel see a crossing beside the place where
-    /// its edges are nearest \[m\].
-    pub overhang: f64,
-}
 
 /// An edge of one face and a side of the facing one that stands across it.
 #[derive(Clone, Debug)]
@@ -341,47 +331,6 @@ impl Edge {
         let crossing = self.crossing([node, face], self.tolerance)?;
         let first = locate(&self.ends[0], node, face);
         Some((first.at - self.from).extend(first.gap).dot(self.ends[0].axes.transpose() * crossing.normal))
-    }
-
-    /// Node and contact geometry as placed, from those of the middle of the edge against the face: axes along the side,
-    /// across it and along the normal, with their origin at the first corner of the side.
-    pub(in crate::dynamics) fn home(&self, middle: &Home, place: &NodePlace) -> Home {
-        let node = middle.shifted(place.shift);
-        if place.normal == DVec3::ZERO {
-            return node;
-        }
-        let along = self.along();
-        let axes = DMat3::from_cols(along, place.normal.cross(along), place.normal);
-        let node = node.before(node.axes * self.from.extend(0.0), axes);
-        if self.is_of_met() { node.across(self.span / self.length()) } else { node }
-    }
-
-    /// Positive where a node of the edge is too far from the side or beyond its ends \[m\]; its projection is its place
-    /// along and across the side.
-    pub(in crate::dynamics) fn left(&self, place: &NodePlace, at: DVec2) -> f64 {
-        let beyond = at.x.max(self.length - at.x) - self.length;
-        (at.y.abs() - self.slide).max(beyond - self.tolerance - place.overhang)
-    }
-
-    /// Whether a node of the edge, by its place along and across the side, has slid from the crossing.
-    pub(in crate::dynamics) fn has_slid(&self, at: DVec2) -> bool {
-        at.y.abs() > 0.5 * self.slide
-    }
-
-    /// A place along and across the side in the coordinates of the face \[m\].
-    pub(in crate::dynamics) fn to_face(&self, at: DVec2) -> DVec2 {
-        self.from + self.side * at.x + self.side.perp() * at.y
-    }
-
-    /// The node at a crossing.
-    pub(in crate::dynamics) fn place(&self, crossing: &Crossing) -> NodePlace {
-        let Crossing { nearest, normal, overhang, .. } = *crossing;
-        NodePlace { shift: self.span * (nearest - 0.5), normal, overhang }
-    }
-
-    /// A node in the coordinates of the face that the edge bounds \[m\].
-    pub(in crate::dynamics) fn own_place(&self, place: &NodePlace) -> DVec2 {
-        self.own[0].lerp(self.own[1], 0.5 + place.shift.dot(self.span) / self.span.length_squared())
     }
 
     /// The crossing in the coordinates of the face that the edge bounds (`own`), or of the facing face \[m\].

@@ -6,7 +6,8 @@ use glam::{DVec2, DVec3};
 
 use crate::contact::parameters::{edge_slack, outside};
 use crate::contact::{Frame, Home, Law, Local, returned_restitution};
-use crate::dynamics::model::edge_node::{Edge, NodePlace};
+use crate::dynamics::model::edge_node::Edge;
+use crate::dynamics::model::edge_node::node_place::NodePlace;
 use crate::dynamics::model::face_choice::FaceChoice;
 use crate::geometry::{End, Face};
 use crate::scene::facing::{PairContact, Side, SolidId};

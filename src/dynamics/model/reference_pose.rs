@@ -8,7 +8,7 @@
 use glam::{DMat3, DQuat, DVec2, DVec3};
 
 use crate::contact::{Frame, Home, locate, turned_by};
-use crate::dynamics::model::edge_node::NodePlace;
+use crate::dynamics::model::edge_node::node_place::NodePlace;
 use crate::dynamics::model::pair::ContactSite;
 
 /// A place and attitude, and what is counted from it.
@@ -119,7 +119,7 @@ fn pose(site: &ContactSite, base: Option<&ReferencePose>) -> Frame {
 mod tests {
     use super::*;
     use crate::dynamics::Model;
-    use crate::dynamics::model::edge_node::NodePlace;
+    use crate::dynamics::model::edge_node::node_place::NodePlace;
     use crate::scene::{Kind, presets};
 
     fn model(name: &str) -> Model {

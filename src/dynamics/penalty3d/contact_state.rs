@@ -1,7 +1,7 @@
 //! State of a contact (`docs/physics.md#contact-events`), and the forces of a closed one.
 
 use crate::contact::{Forces, FrictionLaw, Law, Local, Mode};
-use crate::dynamics::model::edge_node::NodePlace;
+use crate::dynamics::model::edge_node::node_place::NodePlace;
 
 /// State of a contact with all quantities that its forces depend on.
 #[derive(Clone, Copy, Debug, PartialEq)]

@@ -5,7 +5,7 @@ use glam::DVec2;
 
 use crate::contact::{Law, Mode};
 use crate::dynamics::integrator::dense_output::DenseOutput;
-use crate::dynamics::model::edge_node::NodePlace;
+use crate::dynamics::model::edge_node::node_place::NodePlace;
 use crate::dynamics::penalty3d::contact_state::{ClosedContact, Contact, SolverState};
 
 /// A state, stored in twelve bytes.

@@ -3,7 +3,7 @@
 use std::collections::BTreeMap;
 use std::sync::Arc;
 
-use crate::dynamics::model::edge_node::NodePlace;
+use crate::dynamics::model::edge_node::node_place::NodePlace;
 
 use crate::contact::{Home, NormalLaw};
 use crate::dynamics::free_flight::body_motion::BodyMotion;

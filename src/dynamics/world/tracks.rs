@@ -5,7 +5,7 @@ use smallvec::SmallVec;
 
 use crate::dynamics::connection::{Phase, Switch};
 use crate::dynamics::free_flight::body_motion::{BodyFlight, BodyMotion};
-use crate::dynamics::model::edge_node::NodePlace;
+use crate::dynamics::model::edge_node::node_place::NodePlace;
 use crate::dynamics::penalty3d::contact_state::Contact;
 use crate::dynamics::record::contact_log::ContactLog;
 use crate::dynamics::record::link_log::LinkLog;

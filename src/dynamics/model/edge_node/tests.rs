@@ -2,7 +2,7 @@
 
 use super::*;
 use crate::contact::turned_by;
-use glam::DQuat;
+use glam::{DMat3, DQuat};
 
 /// A unit square in the plane z = 0 with its outward normal up, and an edge at height `h` across its side y = 0,
 /// rising by `slope` inwards, of a face that looks down.
