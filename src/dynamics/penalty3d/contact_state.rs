@@ -5,6 +5,10 @@ use crate::dynamics::model::edge_node::node_place::NodePlace;
 
 /// State of a contact with all quantities that its forces depend on.
 #[derive(Clone, Copy, Debug, PartialEq)]
+#[expect(
+    clippy::large_enum_variant,
+    reason = "copied with every contact of a step; in a box each copy would be an allocation"
+)]
 pub enum Contact {
     /// No contact. A disarmed contact (its node is behind the face and did not enter through it) does not close until
     /// its gap is positive again.

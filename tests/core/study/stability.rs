@@ -45,6 +45,12 @@ const THROWN_ONCE: &[u64] = &[
     1_005_823, 1_006_094, 1_009_129, 1_009_235, 1_010_493, 1_010_597, 1_010_802,
 ];
 
+/// Bridges with devices, and on supports that move later than others, of which edges of facing ends were inside each other as their contacts
+/// opened, until the normal between two edges followed both.
+const EDGES_ONCE: &[u64] = &[
+    2_000_008, 2_000_075, 2_000_140, 2_000_212, 2_000_431, 2_000_505, 2_000_527, 2_000_740, 4_000_046,
+];
+
 /// No limit of processor time; as many events as the command asks for by itself.
 const ENOUGH: Limits = Limits { events: 20_000, ..Limits::NONE };
 /// The beginning of a scene, so long that most end before it (measured), and the longest take a second each. A count of steps
@@ -105,6 +111,17 @@ fn the_beginning_of_seeds_that_failed_once_passes() {
 #[test]
 fn girders_that_were_thrown_into_each_other_once_meet() {
     all_pass(&examined(THROWN_ONCE, QUICK));
+}
+
+#[test]
+fn edges_that_were_inside_each_other_once_part() {
+    all_pass(&examined(EDGES_ONCE, QUICK));
+}
+
+#[test]
+fn the_beginning_of_bridges_as_built_and_of_girders_thrown_in_space_passes() {
+    let seeds: Vec<u64> = [2_000_010, 3_000_000, 4_000_010].iter().flat_map(|&from| from..from + 10).collect();
+    all_pass(&examined(&seeds, QUICK));
 }
 
 #[test]
