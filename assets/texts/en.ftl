@@ -614,7 +614,7 @@ bars =
        *[other] { $count } bars: { $stick } s of stick, { $slip } s of slip
     }
 assumed = Assumed until you say otherwise: depth { $depth }, { $mass } t a span, gaps { $gap }, seats { $seat }, contact K { $k }, bearings { $frequency } Hz with 10 % damping, a sine of 0.4 g at 0.8 Hz. The file lists them. Joints stand on the ground until Shift P puts a pier under them.
-hit-of = { $t } s  hit of { $impulse } N s
+hit-of = { $t } s  impulse { $impulse } N·s
 ago-moment = from less than a minute ago
 ago-minutes =
     { $count ->
@@ -962,7 +962,7 @@ report-moving-supports = Supports and abutments are fixed to their ground, which
 report-assume-elastic = Elastic girders are linear beams with plane, rigid end sections: { $girders }. All others are rigid.
 report-bends = girder that bends
 report-bends-modes = degree, modes
-report-bends-frequencies = first frequencies [Hz]
+report-bends-frequencies = lowest frequencies [Hz]
 report-bends-hit = hardest hit: duration [ms], returned e
 report-bends-axial = |N| at mid-span [MN]
 report-bends-moment = |M| at mid-span [MN·m]
@@ -1031,7 +1031,7 @@ report-no-limits = The scene sets no limits.
 report-limits-kept = No limit of the scene is passed.
 report-seats-short = Seats shorter than required: { $seats }
 report-no-seats = The scene gives no seats (seat_m of a girder).
-report-seats-means = All lengths square to the front edge of the seat. Used: placed less least. A code's number does not change the run.
+report-seats-means = All lengths square to the front edge of the seat. Used: length as placed less the least left. A code's number does not change the run.
 report-corner-stays = stays on its seat
 report-code = code
 report-needed = needed [mm]

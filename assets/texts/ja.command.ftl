@@ -24,11 +24,11 @@ run-uplift = 浮き上がり
 run-tilt = 最大傾斜角
 run-total = 二物体間の力
 run-gave-up-at = { $t } s、{ $place }：{ $reason }
-run-lifts-at = { $bearing } は { $t } s に荷重が零となり、浮き上がる
-run-damped-at = { $bearing } は { $t } s に荷重が零となり、浮き上がる。ばねがまだ押されている間に鉛直の減衰が最大 { $pull } で引く（{ $tp } s）
-run-pulls-at = { $bearing } は { $t } s に荷重が零となり、その後最大 { $pull } で引く（{ $tp } s）：この支承の則に浮き上がりはない
+run-lifts-at = { $bearing } は { $t } s に反力が 0 となり、浮き上がる
+run-damped-at = { $bearing } は { $t } s に反力が 0 となり、浮き上がる。ばねがまだ圧縮中に鉛直ダッシュポットが最大 { $pull } で引く（{ $tp } s）
+run-pulls-at = { $bearing } は { $t } s に反力が 0 となり、その後最大 { $pull } で引く（{ $tp } s）：この支承の則に浮き上がりはない
 run-total-at = { $force }（{ $t } s）、二物体間の全接触の和
-run-pair-returns = ；反発係数 { $returned } が返る（指定 { $asked }）
+run-pair-returns = 。反発係数の結果 { $returned }（指定 { $asked }）
 run-pair-total = 、全接触の和は { $total }
 run-lost-at = { $bearing }：{ $t } s、({ $x }, { $y }) m。以後の値はこの支承なし
 run-pier-yields = 。{ $t } s から降伏、塑性率 { $ductility }。最後に除荷して橋軸 { $along }、直角 { $across } mm 残る
@@ -48,9 +48,9 @@ run-no-contact = 接触なし
 run-impulse-at = { $impulse } N·s（{ $t } s）
 run-hits-of = { $hits } 回（接触点ごとには { $touches } 回）
 run-stick-slip-of = { $stick } s、{ $slip } s（全接触の和）
-run-pair-of = 摩擦則は{ $law }、接触 { $touches } 回、一隅の最大 { $peak }{ $total }
+run-pair-of = 摩擦則は{ $law }、接触 { $touches } 回、1点の最大 { $peak }{ $total }
 run-pair = 組 { $name }
-run-soil-of = { $t } s に { $push } mm 押され { $force }、終局の力の { $share } %。{ $gap } mm の隙間が残る
+run-soil-of = { $t } s に { $push } mm 押され { $force }、終局抵抗力の { $share } %。{ $gap } mm の隙間が残る
 run-soil = 背面土 { $name }
 run-unbalanced = （限度を超える）
 run-error-of = { $error } m（許容誤差 { $tolerance } の 1/100 の計算と比べて）
@@ -61,13 +61,13 @@ run-seat = 桁かかり { $girder }{ $end }
 run-seat-lost = 桁端全体が { $t } s から外れる
 run-seat-along = （橋軸方向 { $length }）
 run-seat-at = （{ $which }）
-run-seat-of = 初期 { $placed } mm{ $along }、最小 { $least }{ $corner }、使用 { $used }、{ $t } s
+run-seat-of = 初期 { $placed } mm{ $along }、最小 { $least }{ $corner }、移動量 { $used }、{ $t } s
 run-corner = 隅角部 { $corner }（{ $angle }）
-run-corner-off = { $which }が { $t } s に外れる、縁に沿って { $at } m。最小でも端の { $share } % が載っている
+run-corner-off = { $which }が { $t } s に外れる、縁に沿って { $at } m。最小でも端の幅の { $share } % が載っている
 run-corner-side = { $which }が { $t } s に側方へ外れる
 run-needed = 必要
-run-there = 実際
-run-used = 使用
+run-there = 現況
+run-used = 移動量
 run-seats-head = 桁かかり（縁に直角） [mm]
 run-seats-legend = * 記憶による引用、その版では未確認。° 仮定の入力を含む、summary.json の codes
 run-seats-turned = G まわりの回転で桁かかりがなくなる角：{ $one }の隅角部 { $first }°、{ $other }の隅角部 { $second }°、中央 { $middle }°
@@ -81,8 +81,8 @@ run-left-out = 省略した項
 run-warning = 警告
 run-hardest = 最大の衝突
 run-not-negligible = 無視できない：{ $names }
-run-returned = 、反発 e = { $e }
-run-hit-of = { $t } s、接触 { $time } ms{ $restitution }。振動に { $ringing } J
+run-returned = 、反発係数 e = { $e }
+run-hit-of = { $t } s、接触 { $time } ms{ $restitution }。残留振動 { $ringing } J
 run-hit-goes-on = { $t } s から計算の終わりまで { $time } ms：まだ終わっていない。モードのエネルギー { $ringing } J
 run-section-forces = 中央の |N| 最大 { $axial } MN（{ $t } s、ひずみの差 { $difference }）、|M| 最大 { $moment } MN·m。縁応力 最大 { $stress } MPa（s = { $s } m）
 run-section-forces-space = |M_y| 最大 { $moment } MN·m、|T| 最大 { $torque } MN·m
@@ -118,8 +118,8 @@ warning-unjoined = 警告：{ $one } と { $other }：初期の間隔 { $apart }
 warning-more-unjoined = 警告：このような組がほか { $more } 件
 check-touch-anywhere = 物体は出会う所で接触する
 check-touch-nowhere = 接触しうるものはない
-check-impact = 衝突モデル：e_n = { $en }、e_t = { $et }、面の μ_s = { $mus }、μ_k = { $muk }、隅の μ̄_s = { $cmus }、μ̄_k = { $cmuk }
-check-impact-differs = 二つのモデルの継手が異なる：[impact] の e_n = { $impact }、[contact] の e_n = { $contact }
+check-impact = 衝撃モデル：e_n = { $en }、e_t = { $et }、面の μ_s = { $mus }、μ_k = { $muk }、隅の μ̄_s = { $cmus }、μ̄_k = { $cmuk }
+check-impact-differs = 二つのモデルの継目が異なる：[impact] の e_n = { $impact }、[contact] の e_n = { $contact }
 check-no-pairs = 向かい合う端なし：{ $elsewhere }
 check-assumed = 仮定：{ $path } = { $value }
 check-planar = 平面
@@ -161,7 +161,7 @@ check-no-bearings = 支承なし
 check-bearings = 支承 { $count } 個：ω_x, ω_y, ω_θ = { $omega } rad/s（{ $hertz } Hz）、h_x, h_y, h_θ = { $damping }
 check-bearings-b = 偏心：剛性 ε_x, ε_y = { $stiffness }、ダッシュポット η_x, η_y = { $dashpots }
 check-density = 質量は寸法に対して { $density } kg/m³（コンクリート 2500、鋼 7850）：mass_kg の単位は kg か
-check-in-dish = 支承 { $number } は静止時の { $part } 倍の荷重で始まる：この水平変位で皿は { $rise } m 上がるが、displacement_m の鉛直成分はそうでない
+check-in-dish = 支承 { $number } は静止時の { $part } 倍の荷重で始まる：この水平変位で球面に沿い { $rise } m 上がるが、displacement_m の鉛直成分はそうでない
 check-tips = 支承は桁を直立に保てない（重心の片側にあるか、一直線に近い）：自由になると傾いて転倒する
 check-pulled = 支承 { $number } は静止時に { $pull } kN で引かれ、桁を押さえている
 check-vertical = 鉛直：ω_z = { $omega } rad/s（{ $hertz } Hz）、h_z = { $ratio }
@@ -176,7 +176,7 @@ check-assumed-of = 。仮定：{ $numbers }
 check-together = { $kind } 全体：k₁, k₂ = { $first }, { $second } N/m、Q = { $force } N、u_y = { $yields } m
 check-then-drops = 隅角部が { $drop } m 落ちたら計算を止める
 check-then-stops = そこで計算を止める
-check-then-goes-on = その支承なしに計算を続け、そう述べる
+check-then-goes-on = その支承なしに計算を続け、その旨を示す
 check-rooms = うち { $count } 個は支えを失いうる、最初は桁端に直角に { $least } m：{ $then }
 moved-own-ground = 「{ $ground }」、
 moved-support = { $name }：{ $ground }{ $delay } s 遅れ、× { $factor }。基準の地盤から最大 { $largest } m、最後に { $last } m
@@ -286,7 +286,7 @@ motion-channel = 成分 { $number }：{ $name }、{ $direction }
 motion-samples = 単位 { $unit }：{ $count } 点、{ $dt } s 間隔、{ $length } s
 motion-peak = 最大加速度 { $g } g = { $gal } gal（{ $t } s）
 motion-ground = 最大速度 { $velocity } m/s（{ $tv } s）、最大変位 { $displacement } m（{ $td } s）：静止から積分、データの間は直線
-motion-strong = 強震 { $duration } s、{ $from } ～ { $until } s：アリアス強度 { $arias } m/s の 5 ～ 95 %（有意継続時間）
+motion-strong = 強震継続時間 { $duration } s、{ $from } ～ { $until } s：アリアス強度 { $arias } m/s の 5 ～ 95 %（有意継続時間）
 motion-done = 処理：{ $done }
 wrong-scaled = --scaled：--scene か --record で地動を与える
 wrong-no-girder-flag = --girder：次のどれかを与える：{ $names }
@@ -380,7 +380,7 @@ measure-no-picture = 読める PNG 画像でない（{ $error }）：保存し�
 measure-depth = 読めない色深度：1 チャンネル 8 ビットとする
 measure-no-body = 物体 { $body } がない：標点を { $names } のどれかに付ける
 measure-short = 計算は { $end } s、動画は { $last } s で終わる：計算を延ばすか、from_s か fps を直す
-layout-line = { $line } 行：{ $what }
+layout-line = { $line } 行目：{ $what }
 layout-fps = fps { $fps }：毎秒の枚数を 0 より大きく与える
 layout-from = from_s { $from }：時刻を s で与える
 layout-scale = mm_per_pixel：0 より大きい長さを与える
@@ -411,8 +411,8 @@ progress-pictures = 枚
 progress-results = 個
 progress-seeds = 個
 progress-error = 誤差を推定中：許容誤差 1/100 の計算
-table-line = { $line } 行
-table-line-column = { $line } 行の列 { $column }
+table-line = { $line } 行目
+table-line-column = { $line } 行目の列 { $column }
 table-first = 最初の列は t とする
 table-needed = 列 t、pair、kind が要る
 table-number = 有限の数とする
@@ -431,5 +431,5 @@ gpu-without = { $name }={ $value } がある：外して試す。
 gpu-install-mesa = mesa-vulkan-drivers（または libegl1 と libgl1-mesa-dri）を入れる
 gpu-install-driver = 描画装置のドライバーを入れる
 window-no-display = ウィンドウを開く画面がない（DISPLAY も WAYLAND_DISPLAY もない）
-window-cut-off = 誤り：画面が失われ、ウィンドウも終わった。保存していない内容はなかった
-window-cut-off-kept = 誤り：画面が失われ、ウィンドウも終わった。保存していない内容は残してあり、次に開いたときに示す
+window-cut-off = エラー：画面が失われ、ウィンドウも終わった。保存していない内容はなかった
+window-cut-off-kept = エラー：画面が失われ、ウィンドウも終わった。保存していない内容は残してあり、次に開いたときに示す

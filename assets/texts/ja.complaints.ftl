@@ -1,7 +1,7 @@
 # シーンの誤りと直し方（日本語）。キーと値の名前は en.complaints.ftl と同じ。
 
 ## 指摘の一行
-complaint = { $file }：{ $place } が { $value }。{ $remedy }
+complaint = { $file }：{ $place }：{ $value }。{ $remedy }
 
 ## 範囲外の数
 wrong-not-finite = 有限の数とする：{ $remedy }
@@ -80,10 +80,10 @@ wrong-slider-wave = 立体のすべり支承は基準の地盤に立つ自身の
 wrong-stiffness-twice = K = E A / L は young_modulus_pa、area_m2、contact_length_m から決まる。それらか stiffness_n_per_m の一方を与える
 wrong-no-amplitude = 振幅を与える：amplitude_g、または amplitude_m_s2
 wrong-no-such-girder = その名前の桁はない。{ $names }
-wrong-one-girder = 両方の点が同じ桁にある。別の物体を名指すか、外して地盤とする
+wrong-one-girder = 両方の点が同じ桁にある。別の物体を指定するか、外して地盤とする
 wrong-device-on-pier = これは橋脚である。装置がつなぐのは桁、橋台、地盤。外すと地盤となる。{ $names }
 wrong-no-such-body = その名前の物体はない。外すと地盤となる。{ $names }
-wrong-pier-bears-nothing = この橋脚に立つ支承がない。桁の支承（on_plus_x, on_minus_x, on）で名指すか、位置 [x, y] を与える
+wrong-pier-bears-nothing = この橋脚に立つ支承がない。桁の支承（on_plus_x, on_minus_x, on）で指定するか、位置 [x, y] を与える
 wrong-pier-no-stiffness = N/m で与えるか、frequency_hz、または column_m と height_m を与える
 wrong-same-thing = 1つだけ与える。同じことを表す
 wrong-no-column-height = k = 3EI/h³ に要る。柱の高さを m で与える
@@ -102,7 +102,7 @@ wrong-no-such-pier = その名前の橋脚も橋台もない。{ $known }。外�
 wrong-nameless = 名前を付ける
 wrong-name = 表と --set で区別できない。文字、数字、- と _、間の1つの空白だけを使う
 wrong-ground-twice = 同じ名前の地動がある。地動の名前はそれぞれ異なるものとする
-wrong-name-taken = グラフでは地盤とエネルギー収支が、測定では台がこの名前：別の名前を付ける
+wrong-name-taken = グラフでは地盤とエネルギー収支が、測定では振動台がこの名前：別の名前を付ける
 wrong-name-twice = 同じ名前の物体か装置がある。桁、橋台、橋脚、装置の名前はそれぞれ異なるものとする
 wrong-pair-friction = { $pair } で有効な mu_static { $mus } を超える。これを下げるか、mu_static を上げる
 wrong-face = 接触面にならない：{ $error }
@@ -110,7 +110,7 @@ wrong-leaning-face = 平面の桁は傾いた面を滑り上がれない。面�
 wrong-face-away = { $girder } に背を向けている。そこから見て反時計回りに隅を並べる
 found-leaning-backwall = 傾いた胸壁
 wrong-leaning-backwall = 動く胸壁は鉛直。面を鉛直にするか、backfill を外す
-wrong-soil-never-fails = 終局の力 { $force } N に { $push } m で達しない。どちらかを上げる
+wrong-soil-never-fails = 終局抵抗力 { $force } N に { $push } m で達しない。どちらかを上げる
 wrong-soil-unloads = 土の除荷は載荷より軟らかくならない。{ $stiffness } 以上を与える
 wrong-overlap = { $one } が { $other } に { $depth } m 食い込む。離す
 found-girder = 桁 { $name }
@@ -151,14 +151,14 @@ wrong-no-area = 断面積を m² で与えるか、density_kg_m3 を与える
 found-two-masses = ρ A a₀ = { $mass } kg と質量 { $given } kg
 wrong-two-masses = area_m2 か density_kg_m3 の一方だけ、または 1 % 以内で一致する質量を与える
 wrong-degree = 2 から 64 までの整数、または "auto" を与える
-wrong-two-abutments = 橋台は動かず接触しない。桁を1つ以上名指す
-wrong-touches-itself = 物体は自分とは接触しない。2つを名指す
+wrong-two-abutments = 橋台は動かず接触しない。桁を1つ以上指定する
+wrong-touches-itself = 物体は自分とは接触しない。2つを指定する
 wrong-not-facing = この2つは向かい合っていない。動かすか、`ends = ["+x", "-x"]` を加える
-wrong-ends-away = この端は背を向け合っている。向かい合う端を名指す
+wrong-ends-away = この端は背を向け合っている。向かい合う端を指定する
 wrong-nobody = "{ $name }" という名前の物体はない。{ $names }
 wrong-names = 桁：{ $girders }、橋台：{ $abutments }
 wrong-names-none = なし
-wrong-assumed = --set と同じように、このファイルの値か表を名指す（girder.deck.mass_kg）か、外す
+wrong-assumed = --set と同じように、このファイルの値か表を指定する（girder.deck.mass_kg）か、外す
 wrong-quake-length = 時間刻みの 2 ～ 1e6 倍の長さを与える
 wrong-target = [周期 s, 擬似加速度 g] の組を2～1000個、周期の増加順に、2 dt_s から length_s まで与える
 wrong-longest-of-target = target_psa_g があるときはその最長周期を使う。longest_period_s を外す
@@ -189,7 +189,7 @@ type-word = ここで使える言葉
 type-list-of = { $n } 個の値の列
 wrong-did-you-mean = （`{ $known }` のことか）
 wrong-format-write = このプログラムが読む形式は { $version }：`format = { $version }` と書く
-found-line-column = { $line } 行 { $column } 列
+found-line-column = { $line } 行目 { $column } 列目
 wrong-toml = TOML ではない：{ $message }
 wrong-preset = その名前の例題はない{ $meant }。例題：{ $names }
 wrong-there = { $place }：{ $remedy }
@@ -198,12 +198,12 @@ wrong-pulled-slider = すべり支承は引張を受けられない。支承を 
 found-face = 面
 found-its-face = その面
 found-no-face = 面がない
-wrong-abutment-no-face = 実在する桁の前に gap_m か、4つの角の polygon_m を与える
+wrong-abutment-no-face = 実在する桁の前に gap_m か、4つの隅の polygon_m を与える
 found-no-soil = 土がない
 wrong-no-soil = unloading_stiffness_n_per_m は押込み 0 での勾配以上、stiffness_n_per_m × failing_push_m は ultimate_n より大きい値を与える
 
 ## ファイル
-found-line = { $line } 行
+found-line = { $line } 行目
 found-byte = { $byte } バイト目
 found-file-itself = ファイル自体
 found-not-text = UTF-8 の文字でない
@@ -241,7 +241,7 @@ gpu-size = { $width } x { $height } ピクセルの画像：各辺 1 ～ { $most
 gpu-readback = 画像を読み戻せない：{ $why }
 gpu-lost = 描画装置が失われた（{ $why }）
 gpu-no-memory = 描画装置のメモリーが足りない（{ $why }）
-gpu-refused = 描画装置が仕事を断った（{ $why }）
+gpu-refused = 描画装置で実行できない（{ $why }）
 gpu-unsaid = 理由は示されない
 window-not-opened = ウィンドウを開けない：{ $why }
 window-ended = ウィンドウを続けられない：{ $why }
@@ -255,7 +255,7 @@ code-note-caltrans-moves = 支承線に直角。Δ_eq は動く桁かかりに�
 code-note-en-1998-2 = 縁に直角にとる。d_E は計算した最大の開き
 code-note-aashto-lrfd = 支承の中心線に直角に測る
 code-note-aashto-guide = Δ_eq は計算した最大の開き。基準自身の解析による要求値として
-code-note-jra = 縁に直角にとる。u_R は桁かかりに対する計算した最大の変位
+code-note-jra = 縁に直角にとる。u_R は桁かかりに対する計算上の最大変位
 code-note-jra-rotation = 桁が G まわりに α_E 回転したときに桁端の中央が縁に直角に失う長さ。鋭角部はもっと失う
 domain-unchecked = 検証したシーンにそのような桁はない
 domain-tolerance = 許容誤差
@@ -288,7 +288,7 @@ domain-motion-phase = 計算全体の支承、地動または回転の位相 ω 
 domain-above-motion-phase = 検証したどの計算より長く、ステップの誤差が積み重なる
 domain-mend-motion-phase = duration_s を短くするか、振動数、減衰、回転速度を下げる
 domain-acceleration = 外力、重力または地動による加速度
-domain-above-acceleration = 桁がステップの誤差が積み重なるほど速く転がりうる
+domain-above-acceleration = ステップの誤差が積み重なるほど桁が速く回転しうる
 domain-mend-acceleration = 外力、重力または地動の振幅を下げる
 domain-speed = 初期の、または初期条件が生む隅角部の速さ
 domain-mend-speed = velocity_m_s、spin_deg_s、displacement_m または rotation_deg を下げる
@@ -306,7 +306,7 @@ stop-space-in-impact = 衝撃モデルは平面内の剛な桁だけを扱う
 stop-alternates = 1回の接触で状態が { $touch } 回変わり、うち { $same } 回はこの瞬間：固着と滑りが際限なく入れ替わる。別の摩擦則、低い剛性、または大きい許容誤差なら終わりうる
 stop-device = 装置 { $name } の状態が1つの瞬間に際限なく変わる。遊びを与える
 stop-support-left = 鉛直支持を失う：{ $name } が ({ $x }, { $y }) m で桁かかりから外れた。これを除いて続けるには after_unseating = "continue" を与える
-stop-support-dropped = 桁が支承から転落する：{ $name } が ({ $x }, { $y }, { $z }) m まで落ちた
+stop-support-dropped = 桁が支承から落下する：{ $name } が ({ $x }, { $y }, { $z }) m まで落ちた
 stop-memory = ここまでのステップに { $bytes } MiB 要り、1回の計算の上限 { $most } MiB を超える
 stop-pace = t = { $from } s からのステップと評価が { $done } 回：この調子では計算全体に { $expected } 回要り、上限を超える
 stop-work = ステップと評価 { $work } 回が1回の計算の上限を超える
@@ -319,7 +319,7 @@ stop-no-motion = どれだけ短いステップでも接触を追えない：反
 stop-no-contact = 衝撃モデルの接触がない所で出会う：扱うのは向かい合う端と宣言した組だけ。[model] で `kind = "contact"` とするか、組を宣言するか、[contact] の `between = "ends"` で通り抜けさせる
 
 ## 地震動の記録と計測値の表
-record-error = { $line } 行が { $value }。{ $remedy }
+record-error = { $line } 行目：{ $value }。{ $remedy }
 record-format = 読める形式の記録を与える：{ $formats }
 record-at2 = 単位、個数、時間刻みを含む見出し4行、続いて g の加速度
 record-knet = 見出し17行、続いて記録器のカウント値。gal の倍率を乗じ、平均を引く
@@ -436,8 +436,8 @@ processed-start = 始め
 processed-end = 終わり
 processed-cut = { $from } から { $to } までの値を切出し
 processed-baseline = 基線：{ $kind } を除去
-processed-taper = { $seconds } s のテーパー
-processed-pad = 前後に { $seconds } s の零を付加（最も近い値の数）
+processed-taper = 両端に { $seconds } s のテーパー
+processed-pad = 前後に { $seconds } s の零を付加（データ間隔に丸め）
 processed-time = 時間軸 × { $factor }
 processed-peak = 最大加速度を { $peak } g に調整
 processed-scale = × { $scale }
@@ -453,7 +453,7 @@ code-edition-aashto-lrfd = 第9版、2020 年
 code-edition-aashto-guide = 第2版、2011 年
 code-edition-caltrans = 2.0 版、2019 年
 code-edition-en-1998-2 = 2005 + A2:2011。S、T_C、T_D は EN 1998-1:2004 の type 1
-ledger-unsound = エネルギー収支の残差が最大エネルギーの { $residual } で、健全な答えの { $bound } を超える
+ledger-unsound = エネルギー収支の残差が最大エネルギーの { $residual } で、許容値 { $bound } を超える
 neglected-centrifugal = 遠心力
 neglected-coriolis = コリオリ力
 neglected-inertia = 慣性モーメントの変化

@@ -75,7 +75,7 @@ help-motion-peak_g = 最大値をこれに合わせる [g]
 help-motion-scale = ほかの処理の後ですべての値に掛ける倍率
 
 ## plot
-help-plot-about = 計算の量を時刻または互いに対して図示する（履歴ループなど）。`--y` がなければ量の名前の一覧
+help-plot-about = 計算の量を時刻または互いに対して図示する（履歴曲線など）。`--y` がなければ量の名前の一覧
 help-plot-y = 縦軸の量、例：`deck.bearing1.force-x`。何度でも与えられる
 help-plot-x = 横軸の量、例：`deck.bearing1.x`。省くと時刻
 help-plot-sample = 毎秒の点の数 [Hz]
@@ -92,7 +92,7 @@ help-identify-to = この時刻までだけ [s]
 help-identify-scene = このシーンまたは例題の地動による。t = 0 はその始まり
 help-identify-sets = そのシーンの値を変える。例：`--set motion.kind=sweep`
 help-identify-along = そのシーンでの変位の向き、全体座標の x から [度]
-help-identify-record = 変位の向きのこの記録による。`girderbench motion` が読むファイル
+help-identify-record = この記録で変位の向きに加振した。`girderbench motion` が読むファイル
 help-identify-channel = 記録のどの成分か（1 から数える）
 help-identify-dt = その時間刻み、書かれていないとき [s]
 help-identify-record_unit = その数値の単位、書かれていないとき：g、gal (cm/s2)、m/s2
@@ -124,7 +124,7 @@ help-study-accuracy-problems = 問題。名前がなければすべて
 help-study-accuracy-out = README.md、results.csv、図をこのフォルダーに書く
 help-study-accuracy-methods = 解法、コンマ区切り。名前がなければすべて
 help-study-accuracy-repeat = 準備の1回の後に時間を測る回数。最小の値をとる
-help-study-accuracy-quick = 設定を減らしスイープを短くする：何分もではなく1分
+help-study-accuracy-quick = 設定を減らしスイープを短くする：約1分で終わる
 help-study-accuracy-date = ページに書く測定の日
 help-study-accuracy-machine = ページに書く計算機の名前
 help-study-camera-about = 標点の動画の精度を測る：標点の大きさ、解像度、露光時間、雑音、量子化に対する誤差
@@ -175,7 +175,7 @@ help-render-about = シーンの計算の図を描く
 help-render-at = 時刻 [s]、または `peak`：接触力が最大の時刻。何度でも与えられる
 help-render-frames = 動画：静止した視点から等間隔にこの数の図、1 から番号を付ける
 help-render-marks = 桁と振動台の白い標点を真上から見た動画とその配置、`girderbench measure` 用
-help-render-mark_mm = 標点の直径 [mm]。省くと最も狭い桁の幅の 0.08
+help-render-mark_mm = 標点の直径 [mm]。省くと最も狭い桁の幅の 0.08 倍
 help-render-rate = 標点の動画の毎秒の図の数 [Hz]
 help-render-exposure_ms = 標点の動画の各図の露光時間、その時刻の前後：動くものはぶれる [ms]
 help-render-from = 動画の始まりの時刻 [s]

@@ -84,7 +84,7 @@ fn what_the_other_commands_print_is_in_the_language_that_is_asked_for() {
     for (args, words) in [
         (vec!["compare", "skew45-abutment", "straight-abutment"], ["両方にある時刻", "イベント：A に", "で分かれる"]),
         (vec!["identify", &decay], ["固有振動数 f", "静止：自由減衰", "目盛の零点"]),
-        (vec!["identify", &wrong], ["3 行が `x`", "2 列目は有限の数", ""]),
+        (vec!["identify", &wrong], ["3 行目：`x`", "2 列目は有限の数", ""]),
         (vec!["study", "laws", "--out", &laws], ["に書いた", "ファイル", ""]),
         (vec!["study", "accuracy", "nothing", "--out", &laws], ["のどれでもない", "この中から与える", ""]),
         (vec!["run", "deck-30m", "--until", "0.1"], ["道示 V、S_E ", "道示 V、S_Eθ", "必要"]),

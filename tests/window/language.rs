@@ -67,7 +67,8 @@ fn what_a_girder_is_shown_with_is_japanese() {
     harness.state_mut().apply(WindowCommand::Language(Language::Japanese));
     harness.state_mut().apply(SelectCommand::Only(Some(Target::Girder(0))));
     harness.run_steps(10);
-    for words in ["計算値", "計算の読み", "配置", "条件", "桁長 a₀", "質量 m", "落橋しない"] {
+    for words in ["計算値", "計算の最大応答", "配置", "条件", "桁長 a₀", "質量 m", "落橋しない"]
+    {
         assert!(harness.query_all_by_label_contains(words).next().is_some(), "{words}");
     }
 }
