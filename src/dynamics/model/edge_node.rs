@@ -27,12 +27,9 @@ pub mod node_place;
 /// cross anywhere along their length at the least roll, and bound a sliver only.
 const LEAST_SINE: f64 = 0.5;
 
-/// The same of bodies that have met \[–\]: closer to parallel the common perpendicular is not determined well. Chosen.
-const LEAST_SINE_ACROSS: f64 = 0.02;
-
 /// Two edges of bodies that have met have no contact where the sine of their angle is below [`LEAST_SINE`] and its product with the sine
 /// of the angle between their common perpendicular and the nearer face's normal is below this \[–\]: a corner enters before the edges
-/// penetrate by this part of half their length. Chosen: [`LEAST_SINE_ACROSS`] times sin 10°.
+/// penetrate by this part of half their length. Edges closer to parallel than this have none at any angle of their faces. Chosen.
 const SLIVER: f64 = 3.5e-3;
 
 /// Least cosine of the angle between the common perpendicular and the normal of either face \[–\]: 45°. Edges with another one
@@ -166,7 +163,7 @@ impl Edge {
         };
         let across = seen(self.span).cross(self.along());
         let sine = across.length() / self.length();
-        if sine + turned < LEAST_SINE_ACROSS {
+        if sine + turned < SLIVER {
             return false;
         }
         let normal = across.normalize_or_zero() * across.dot(facing.own).signum();
@@ -275,7 +272,7 @@ impl Edge {
     }
 
     fn least_sine(&self) -> f64 {
-        if self.faces.is_some() { LEAST_SINE_ACROSS } else { LEAST_SINE }
+        if self.faces.is_some() { SLIVER } else { LEAST_SINE }
     }
 
     /// Whether the two edges of bodies that have met bound a sliver at their crossing.

@@ -47,9 +47,8 @@ const THROWN_ONCE: &[u64] = &[
 
 /// Bridges with devices, and on supports that move later than others, of which edges of facing ends were inside each other as their contacts
 /// opened, until the normal between two edges followed both.
-const EDGES_ONCE: &[u64] = &[
-    2_000_008, 2_000_075, 2_000_140, 2_000_212, 2_000_431, 2_000_505, 2_000_527, 2_000_740, 4_000_046,
-];
+const EDGES_ONCE: &[u64] =
+    &[2_000_008, 2_000_075, 2_000_140, 2_000_212, 2_000_431, 2_000_505, 2_000_527, 2_000_740, 4_000_046];
 
 /// No limit of processor time; as many events as the command asks for by itself.
 const ENOUGH: Limits = Limits { events: 20_000, ..Limits::NONE };
