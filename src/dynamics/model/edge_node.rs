@@ -29,7 +29,9 @@ const LEAST_SINE: f64 = 0.5;
 
 /// Two edges of bodies that have met have no contact where the sine of their angle is below [`LEAST_SINE`] and its product with the sine
 /// of the angle between their common perpendicular and the nearer face's normal is below this \[–\]: a corner enters before the edges
-/// penetrate by this part of half their length. Edges closer to parallel than this have none at any angle of their faces. Chosen.
+/// penetrate by this part of half their length. Edges closer to parallel than this have none at any angle of their faces. Chosen:
+/// with a tenth of it one of 100 hits of long edges overlaps where four do, and a scene of girders thrown in space (seed 3000021) takes
+/// over a minute of processor time where all 41 took 143 s.
 const SLIVER: f64 = 3.5e-3;
 
 /// Least cosine of the angle between the common perpendicular and the normal of either face \[–\]: 45°. Edges with another one
