@@ -6,18 +6,12 @@ use std::collections::{BTreeMap, BTreeSet};
 use glam::DVec3;
 use rayon::prelude::*;
 
-use super::readings::largest;
+use super::peaks::first_largest;
 use super::report::{Extreme, Pounding, PoundingHit};
+use super::touches::looks_in_hit;
 use super::{History, Touch};
 use crate::dynamics::model::pair::Pair;
 use crate::scene::facing::SolidId;
-
-/// Most instants of a hit, those of the largest forces of single contacts, at which the sum is looked at first. Chosen: contacts that
-/// chatter under another one that stays closed are many, and their peaks alike.
-const MOST_LOOKS: usize = 64;
-/// Parts of the time from the highest look to its neighbours at whose ends the sum is looked at again. Chosen: a 30 m deck of concrete
-/// rings some eight times in a hit.
-const LOOKS_BETWEEN: u32 = 8;
 
 impl History {
     /// Force of the second body of a pair on its first, of all contacts between the two \[N\].
@@ -115,14 +109,6 @@ impl History {
         if let [touch] = hit {
             return Extreme { value: touch.peak_force, t: touch.peak_time };
         }
-        let mut hardest = hit.to_vec();
-        hardest.sort_by(|a, b| b.peak_force.total_cmp(&a.peak_force));
-        hardest.truncate(MOST_LOOKS);
-        let mut times: Vec<f64> = hardest.iter().map(|touch| touch.peak_time).collect();
-        times.extend(hit.iter().map(|touch| touch.start).reduce(f64::min));
-        times.extend(hit.iter().map(|touch| touch.end).reduce(f64::max));
-        times.sort_by(f64::total_cmp);
-        times.dedup();
         let sum = |t: f64| {
             // Two touches of one contact may meet at an instant.
             let touching = hit.iter().filter(|touch| touch.start <= t && t <= touch.end);
@@ -130,16 +116,8 @@ impl History {
             let force = |contact| Some(self.contact_at(contact, t)?.force * self.sign(contact, solids)?);
             contacts.into_iter().filter_map(force).sum::<DVec3>().length()
         };
-        // Girders that ring have several humps between the peaks of two contacts.
-        let seen: Vec<f64> = times.iter().map(|&t| sum(t)).collect();
-        let highest = (0..seen.len()).max_by(|&a, &b| seen[a].total_cmp(&seen[b])).unwrap_or(0);
-        let about = [highest.saturating_sub(1), highest, (highest + 1).min(times.len() - 1)].map(|i| times[i]);
-        let between =
-            |[a, b]: [f64; 2]| (1..LOOKS_BETWEEN).map(move |i| a + (b - a) * f64::from(i) / f64::from(LOOKS_BETWEEN));
-        times.extend(between([about[0], about[1]]).chain(between([about[1], about[2]])));
-        times.sort_by(f64::total_cmp);
-        times.dedup();
-        largest(&times, sum)
+        let (t, value) = first_largest(&looks_in_hit(self, hit), sum);
+        Extreme { value, t }
     }
 }
 

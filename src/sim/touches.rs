@@ -96,6 +96,36 @@ fn of_contact(history: &History, contact: usize) -> Vec<Touch> {
 /// Largest force of a contact in one state, and when.
 fn peak(history: &History, contact: usize, from: f64, until: f64) -> (f64, f64) {
     let force = |t: f64| history.contact(contact, t.min(until)).map_or(0.0, |now| now.force.length());
+    first_largest(&in_order(looks_in_state(history, contact, from, until)), force)
+}
+
+/// Times at which the forces of a hit are looked at: the beginning of every state of every contact, and in every step.
+pub(super) fn looks_in_hit(history: &History, hit: &[&Touch]) -> Vec<f64> {
+    if history.impact().is_some() {
+        let of_touch = |touch: &&Touch| impact::touches::looks(touch.start, touch.end).chain([touch.peak_time]);
+        return in_order(hit.iter().flat_map(of_touch).collect());
+    }
+    let of_touch = |touch: &&Touch| {
+        let log = &history.logs[touch.contact];
+        let inside = log.states().map(|(t, _)| t).filter(|t| (touch.start..touch.end).contains(t));
+        let starts: Vec<f64> = inside.collect();
+        let ends = starts.iter().copied().skip(1).chain([touch.end]).collect::<Vec<_>>();
+        let looks = starts.iter().zip(&ends).map(|(&from, &until)| looks_in_state(history, touch.contact, from, until));
+        looks.flatten().collect::<Vec<f64>>()
+    };
+    in_order(hit.iter().flat_map(of_touch).collect())
+}
+
+/// Times in rising order, each once: two bodies of one island have the same steps, and a look taken twice would hide the hump on its far
+/// side.
+fn in_order(mut times: Vec<f64>) -> Vec<f64> {
+    times.sort_by(f64::total_cmp);
+    times.dedup();
+    times
+}
+
+/// Times at which the force of a contact in one state is looked at, in no order.
+fn looks_in_state(history: &History, contact: usize, from: f64, until: f64) -> Vec<f64> {
     let mut times = vec![from];
     let site = &history.model().contacts[contact];
     for body in [site.node_body, site.face_body].into_iter().flatten() {
@@ -106,10 +136,7 @@ fn peak(history: &History, contact: usize, from: f64, until: f64) -> (f64, f64) 
     }
     // Just inside: at its very end the next state begins.
     times.push(until - (until - from) * 1e-9);
-    times.sort_by(f64::total_cmp);
-    // Two bodies of one island have the same steps; a look taken twice would hide the hump on its far side.
-    times.dedup();
-    first_largest(&times, force)
+    times
 }
 
 /// Touches of pairs: contacts of one pair whose touches overlap in time are one hit.

@@ -8,6 +8,12 @@ use crate::sim::{ContactState, History, Touch};
 /// Looks for the largest push of a lasting contact.
 const LOOKS: u32 = 64;
 
+/// Times at which what pushes in a lasting contact is looked at, in rising order.
+pub(in crate::sim) fn looks(from: f64, until: f64) -> impl Iterator<Item = f64> {
+    // Just inside: at its very end the next state begins.
+    (0..=LOOKS).map(move |look| from + (until - from) * (f64::from(look) / f64::from(LOOKS)) * (1.0 - 1e-9))
+}
+
 /// Every hit, without length, and every lasting contact.
 pub(in crate::sim) fn of(history: &History, record: &Record) -> Vec<Touch> {
     let mut all: Vec<Touch> = Vec::new();
@@ -50,9 +56,7 @@ pub(in crate::sim) fn of(history: &History, record: &Record) -> Vec<Touch> {
             } else {
                 touch.slip += length;
             }
-            // Just inside: at its very end the next state begins.
-            let time = |look: u32| from + length * (f64::from(look) / f64::from(LOOKS)) * (1.0 - 1e-9);
-            let times: Vec<f64> = (0..=LOOKS).map(time).collect();
+            let times: Vec<f64> = looks(from, until).collect();
             let force = |t: f64| history.contact_at(contact, t).map_or(0.0, |now| now.force.length());
             let (t, force) = first_largest(&times, force);
             if force > touch.peak_force {

@@ -170,6 +170,29 @@ fn hit(kind: &str, aside: f64) -> History {
 }
 
 #[test]
+fn the_force_between_two_bodies_is_nowhere_above_its_peak() {
+    // In space nodes at the top and at the bottom of a corner peak within microseconds, and the corner beside closes in between.
+    for (angle, until) in [(40.0, 1.0), (-30.0, 0.9)] {
+        let mut deck = presets::load("deck-30m").expect("ships");
+        let Motion::Sine(shaking) = &mut deck.motion else { panic!("a sine shakes it") };
+        (shaking.angle_deg, deck.duration) = (angle, until);
+        let history = History::of(&deck).expect("runs");
+        let hits = history.poundings().iter().flat_map(|of| of.hits.iter().map(|hit| (of.pair, hit)));
+        assert!(hits.clone().count() > 0, "it hits");
+        for (pair, hit) in hits {
+            let at = |look: u32| hit.start + (hit.end - hit.start) * f64::from(look) / 2000.0;
+            let highest = (0..2000).map(|look| history.resultant(pair, at(look)).length()).fold(0.0, f64::max);
+            assert!(
+                highest <= hit.peak.value * (1.0 + 1e-9),
+                "{angle}°, {} s: {highest} N, told {:?}",
+                hit.start,
+                hit.peak
+            );
+        }
+    }
+}
+
+#[test]
 fn the_force_between_two_bodies_does_not_depend_on_how_many_corners_share_it() {
     let totals = [("planar", 0.0), ("planar", 1e-6), ("spatial", 0.0), ("spatial", 1e-6)].map(|(kind, aside)| {
         let history = hit(kind, aside);
