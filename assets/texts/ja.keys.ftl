@@ -309,6 +309,7 @@ default-girder-bearings-kind-post_yield_period_s = 2.0、仮定
 default-girder-bearings-kind-yield_force_per_weight = 0.07、仮定
 default-girder-bearings-kind-stiffness_ratio = 6.5、仮定
 default-girder-bearings-kind-friction = 0.05、仮定
+default-girder-bearings-kind-slider_displacement_m = 0.0005、仮定
 default-girder-bearings-kind-radius_m = 周期から
 default-girder-bearings-each-yield_force_n = なし：線形
 default-girder-bearings-each-yield_displacement_m = yield_force_n とともに必須

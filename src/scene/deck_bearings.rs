@@ -46,7 +46,7 @@ table! {
             "μ of pendulums";
         radius: Option<f64> = "radius_m" as "field-radius", Range::NotNegative, Fallback::Words("of the period"),
             "R of pendulums, 0 of flat sliders, m";
-        slider_displacement: Option<f64> = "slider_displacement_m" as "field-slides-at", Range::Positive, Fallback::Words("0.0005"),
+        slider_displacement: Option<f64> = "slider_displacement_m" as "field-slides-at", Range::Positive, Fallback::Words("0.0005, assumed"),
             "displacement at which the friction of pendulums is fully there, a regularisation; full scale, m";
         vertical_frequency_hz: Option<f64> = "vertical_frequency_hz" as "frequency-z", Range::Positive,
             Fallback::Needed("must be given in a spatial scene (unless z is held)"),

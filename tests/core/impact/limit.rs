@@ -11,7 +11,7 @@ fn thrown(stiffness: f64) -> girderbench::scene::Scene {
     scene(&format!(
         r#"
         name = "thrown"
-        duration_s = 0.02
+        duration_s = 0.03
         [[girder]]
         name = "deck"
         length_m = 0.19
