@@ -1,6 +1,8 @@
 //! Transitions of a closed contact at an event: breakaway, stop, opening, leaving its face (`docs/physics.md#contact-events`).
 
-use crate::contact::{FrictionLaw, Mode};
+use glam::DVec3;
+
+use crate::contact::{FrictionLaw, Mode, locate};
 use crate::dynamics::contact_model::contact_closing::ContactClosing;
 use crate::dynamics::contact_model::contact_states::ContactStates;
 use crate::dynamics::contact_model::least_overlap::ShortestWay;
@@ -96,7 +98,17 @@ impl<'a> Transitions<'_, 'a> {
         self.states.world.contacts[contact].place = closed.place;
         let released = self.states.strain(contact, closed);
         self.states.world.contacts[contact].granted = 0.0;
-        self.states.log(contact, Contact::Open { armed: kind == EventKind::Opened }, kind, released);
+        let armed = kind == EventKind::Opened && !self.is_displaced_behind(contact);
+        self.states.log(contact, Contact::Open { armed }, kind, released);
+    }
+
+    /// Whether a corner that took over displaced along the normal, so that the energy of its spring was that of the node before it, is
+    /// behind the plane of its face by itself. Closed again there it would have energy that no contact has left.
+    fn is_displaced_behind(&self, contact: usize) -> bool {
+        let (site, at) = (self.states.site(contact), self.states.at());
+        let [node, face] = at.sides(contact);
+        let is_displaced = site.edge.is_none() && self.states.world.contacts[contact].place.shift != DVec3::ZERO;
+        is_displaced && locate(&site.home, &node, &face).gap < 0.0
     }
 
     /// Opening of a contact, over an edge with what its vertex hands on; whether there was a node that took it.

@@ -3,6 +3,7 @@
 mod closed_forms;
 mod connections;
 mod invariants;
+mod joint;
 mod reference;
 mod scenes;
 mod space;
