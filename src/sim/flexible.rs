@@ -37,7 +37,7 @@ pub struct Neglected {
     pub coriolis: f64,
     /// Largest displacement of an end against the mean axes over the length.
     pub inertia: f64,
-    /// Greatest thrust over the buckling load, `N a0²/(π² E I)`.
+    /// Largest axial force of all stations over the buckling load, `N a0²/(π² E I)`.
     pub thrust: f64,
 }
 
@@ -203,13 +203,16 @@ impl History {
         let half = 0.5 * flexible.beam.length;
         let times = self.wave_looks(girder, flexible);
         let stress_at = |equilibrium: &Equilibrium, s: f64| self.stress_of(girder, flexible, &equilibrium.at(s));
-        let [axial, moment, stress, spin, bent] = largest_of_each(&times, |t| {
+        let [axial, moment, stress, thrust, spin, bent] = largest_of_each(&times, |t| {
             let state = self.state(girder, t);
             let equilibrium = self.equilibrium_in(girder, made, (t, &state));
             let middle = equilibrium.at(0.0);
             let [spin, bent] = made.spin_and_deflection(&state);
-            let stresses = stations(&equilibrium, half).into_iter().map(|s| stress_at(&equilibrium, s));
-            [middle.axial.abs(), middle.moment.abs(), stresses.fold(0.0, f64::max), spin, bent]
+            let along = stations(&equilibrium, half).into_iter().map(|s| equilibrium.at(s));
+            let [stress, thrust] = along.fold([0.0, 0.0], |[stress, thrust]: [f64; 2], forces| {
+                [stress.max(self.stress_of(girder, flexible, &forces)), thrust.max(forces.axial.abs())]
+            });
+            [middle.axial.abs(), middle.moment.abs(), stress, thrust, spin, bent]
         });
         let in_space = flexible.space.map(|_| {
             largest_of_each(&times, |t| {
@@ -242,7 +245,7 @@ impl History {
                 centrifugal: (spin.value / first).powi(2),
                 coriolis: 2.0 * spin.value / first,
                 inertia: bent.value / flexible.beam.length,
-                thrust: axial.value / buckling,
+                thrust: thrust.value / buckling,
             },
             hit: self.elastic_hit(girder),
         }
