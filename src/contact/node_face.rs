@@ -148,7 +148,7 @@ impl Home {
 
     /// Part of the way from the node to the anchor at which the reaction on the face's body acts, of laws along the stretch \[–\].
     #[inline]
-    pub fn about_anchor(&self) -> f64 {
+    pub fn anchor_part(&self) -> f64 {
         1.0 - self.follow
     }
 
@@ -334,7 +334,7 @@ fn measure_across(
         at: DVec2::new(crossed.along(at), at.y),
         way: (at - from).truncate(),
         rate: rates.truncate(),
-        spin: match home.about_anchor() {
+        spin: match home.anchor_part() {
             0.0 => DVec3::ZERO,
             part => crossed.seen(in_face(face_body.spin)) * part,
         },

@@ -47,7 +47,7 @@ pub fn act_in(home: &Home, closed: &ClosedContact, mode: &Mode, node: &Frame, fa
     let Measured { here, arm, apart, crossed } = measure(home, node, face);
     let forces = closed.forces_in(mode, &here);
     if home.edge != DVec3::ZERO {
-        let offset = closed.law.normal.is_along_stretch().then(|| home.about_anchor());
+        let offset = closed.law.normal.is_along_stretch().then(|| home.anchor_part());
         return act_across((home, offset.unwrap_or(0.0)), face, (here, forces, crossed), [arm, apart]);
     }
     let force = to_world(home, face, forces.tangential_total(), forces.normal_total());
@@ -56,10 +56,10 @@ pub fn act_in(home: &Home, closed: &ClosedContact, mode: &Mode, node: &Frame, fa
     Action { here, forces, force, node_arm: arm, face_arm: apart - offset, couple: DVec3::ZERO, crossed }
 }
 
-/// Forces of two edges across each other: at the node, on the face's body by the part `about_anchor` of the way from there to the anchor,
+/// Forces of two edges across each other: at the node, on the face's body by the part `anchor_part` of the way from there to the anchor,
 /// with the couple by which the normal force acts along the common perpendicular.
 fn act_across(
-    (home, about_anchor): (&Home, f64),
+    (home, anchor_part): (&Home, f64),
     face: &Frame,
     (here, forces, crossed): (Local, Forces, Crossed),
     [node_arm, face_arm]: [DVec3; 2],
@@ -68,7 +68,7 @@ fn act_across(
     let in_world = |v: DVec3| to_world(home, face, v.truncate(), v.z);
     let force = in_world(crossed.in_axes(total));
     let couple = in_world(crossed.couple(here.at.extend(here.gap), total));
-    let face_arm = match about_anchor {
+    let face_arm = match anchor_part {
         0.0 => face_arm,
         part => face_arm - part * in_world(crossed.in_axes(forces.stretch.extend(here.gap))),
     };
