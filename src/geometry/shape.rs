@@ -57,12 +57,12 @@ pub fn block_behind(face: [DVec3; 4], depth: f64) -> [DVec3; 8] {
     [a - back, b - back, c - back, d - back, a, b, c, d]
 }
 
-/// How far apart two parallelograms are along the axis that parts them most, by their sides' normals: negative when they
+/// How far apart two convex quadrilaterals are along the axis that parts them most, by their sides' normals: negative when they
 /// overlap, and then the shortest way out \[m\]. Corners follow one another along the outline.
 pub fn plan_separation(one: &[DVec2; 4], other: &[DVec2; 4]) -> f64 {
-    let normals = [one, other].into_iter().flat_map(|corners| {
-        [corners[1] - corners[0], corners[2] - corners[1]].map(|side| side.perp().normalize_or_zero())
-    });
+    let normals = [one, other]
+        .into_iter()
+        .flat_map(|corners| (0..4).map(|i| (corners[(i + 1) % 4] - corners[i]).perp().normalize_or_zero()));
     let range = |corners: &[DVec2; 4], normal: DVec2| {
         let along = corners.map(|corner| corner.dot(normal));
         along.into_iter().fold([f64::INFINITY, f64::NEG_INFINITY], |[low, high], s| [low.min(s), high.max(s)])
@@ -149,6 +149,12 @@ const PARALLEL: f64 = 1e-9;
 #[derive(Clone, Debug)]
 pub struct Convex {
     hull: ConvexPolyhedron,
+    prism: Hexahedron,
+}
+
+/// The corners of a body between two polygons, with the axes that can part it from another.
+#[derive(Clone, Debug)]
+pub struct Hexahedron {
     corners: [DVec3; 8],
     /// Unit normals of the sides and unit vectors along the edges; of parallel ones the first.
     normals: Vec<DVec3>,
@@ -202,15 +208,46 @@ impl Convex {
     /// to speak of.
     pub fn between(corners: [DVec3; 8]) -> Option<Self> {
         let hull = ConvexPolyhedron::from_convex_mesh(corners.to_vec(), &TRIANGLES)?;
+        Some(Self { hull, prism: Hexahedron::between(corners) })
+    }
+
+    /// [`Hexahedron::separation`].
+    pub fn separation(&self, stand: Stand, other: &Self, other_stand: Stand) -> f64 {
+        self.prism.separation(stand, &other.prism, other_stand)
+    }
+
+    /// Its corners and axes.
+    pub fn prism(&self) -> &Hexahedron {
+        &self.prism
+    }
+
+    /// Shortest distance between two bodies; 0 when they touch or overlap \[m\].
+    pub fn distance(&self, stand: Stand, other: &Self, other_stand: Stand) -> f64 {
+        query::distance(&stand.pose(), &self.hull, &other_stand.pose(), &other.hull).map_or(0.0, |found| found.distance)
+    }
+
+    /// How far along a ray its first point inside the body lies, in lengths of `direction`; 0 from inside.
+    pub fn pick(&self, stand: Stand, origin: DVec3, direction: DVec3) -> Option<f64> {
+        if direction.length_squared() == 0.0 {
+            return None;
+        }
+        self.hull.cast_ray(&stand.pose(), &Ray::new(origin, direction), f64::INFINITY, true)
+    }
+}
+
+impl Hexahedron {
+    /// Between two polygons, both anticlockwise seen from the side of the second. Of a side that is not flat the axis is normal to three
+    /// of its corners.
+    pub fn between(corners: [DVec3; 8]) -> Self {
         let normals = SIDES.map(|[a, b, c]| (corners[b] - corners[a]).cross(corners[c] - corners[a]));
         let edges = EDGES.map(|[from, to]| corners[to] - corners[from]);
-        Some(Self { hull, corners, normals: directions(normals), edges: directions(edges) })
+        Self { corners, normals: directions(normals), edges: directions(edges) }
     }
 
     /// How far apart two bodies are along the axis that parts them most: negative when they overlap, and then the
     /// shortest way out; 0 when they touch \[m\].
     ///
-    /// Apart, it is at most the true [`distance`](Self::distance). By the separating axes (normals of the sides, and
+    /// Apart, it is at most the true [`distance`](Convex::distance). By the separating axes (normals of the sides, and
     /// edges crossed), because parry's EPA answers 0 for aligned overlapping boxes, which every planar scene is full of.
     pub fn separation(&self, stand: Stand, other: &Self, other_stand: Stand) -> f64 {
         // About the other's origin: places round with the distance of the two, not with that from the world's origin.
@@ -235,19 +272,6 @@ impl Convex {
         let crossed = crossed.filter(|cross| cross.length() > 1e-6).map(|cross| cross / cross.length());
         let normals = turned(&self.normals, stand).into_iter().chain(turned(&other.normals, other_stand));
         normals.chain(crossed).map(along).fold(f64::NEG_INFINITY, f64::max)
-    }
-
-    /// Shortest distance between two bodies; 0 when they touch or overlap \[m\].
-    pub fn distance(&self, stand: Stand, other: &Self, other_stand: Stand) -> f64 {
-        query::distance(&stand.pose(), &self.hull, &other_stand.pose(), &other.hull).map_or(0.0, |found| found.distance)
-    }
-
-    /// How far along a ray its first point inside the body lies, in lengths of `direction`; 0 from inside.
-    pub fn pick(&self, stand: Stand, origin: DVec3, direction: DVec3) -> Option<f64> {
-        if direction.length_squared() == 0.0 {
-            return None;
-        }
-        self.hull.cast_ray(&stand.pose(), &Ray::new(origin, direction), f64::INFINITY, true)
     }
 }
 

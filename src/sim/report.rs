@@ -1,6 +1,6 @@
 //! What a run answers with: motion, contacts, events, energy. Plain data at one instant, SI, world frame.
 
-use glam::{DQuat, DVec3};
+use glam::{DMat3, DQuat, DVec3};
 
 use crate::dynamics::Model;
 pub use crate::dynamics::record::event::{Cause, Event, EventKind, Stop};
@@ -23,16 +23,23 @@ pub struct Motion {
 }
 
 impl Motion {
-    /// Of a section of an elastic girder in plan in a state as its integrator holds it: what a rigid girder that moves as the section
-    /// does would do.
+    /// Of a section of an elastic girder in a state as its integrator holds it: what a rigid girder that moves as the section does
+    /// would do.
     pub(super) fn of_section(model: &Model, girder: usize, section: usize, state: &[f64]) -> Self {
         let body = &model.bodies[girder];
         let here = body.frame(section, state);
+        // The frame of a section in space has its rotation as a matrix alone.
+        let (theta, turned) = if here.level {
+            (here.heading, DQuat::from_rotation_z(here.heading))
+        } else {
+            let rotation = here.rotation(&DMat3::IDENTITY);
+            (rotation.x_axis.y.atan2(rotation.x_axis.x), DQuat::from_mat3(&rotation).normalize())
+        };
         Self {
             place: here.origin(),
             displacement: here.shift,
-            theta: here.heading,
-            attitude: DQuat::from_rotation_z(here.heading) * DQuat::from_mat3(&body.axes),
+            theta,
+            attitude: turned * DQuat::from_mat3(&body.axes),
             velocity: here.velocity,
             spin: here.spin,
         }

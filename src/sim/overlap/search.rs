@@ -9,8 +9,7 @@
 //! bodies stand against each other or pass within ε, that would take samples without end: the time is not less than that in
 //! which d changes by [`RESOLVED`], or a part of the present stretch where that is shorter, and nothing deeper than
 //! [`RESOLVED`] lies between. While a contact is closed, samples are taken at the ends and in the middle of the integrator's
-//! steps, which resolve the contact's motion. Of a node that is not watched d is the separation from the other body, and
-//! c is 0.
+//! steps, which resolve the contact's motion. Of a node that is not watched d is the separation from the other body.
 
 use super::motion::bound;
 use super::solid::{Joined, Solids};
@@ -180,7 +179,10 @@ impl Meeting<'_> {
             }
             Followed::Node(contact) => {
                 let [separation, gap] = solids.node(history, self.pair, contact, t);
-                Sample { t, separation, excess: -separation, carried: false, watched: gap > self.least }
+                // A node that has handed on its contact at a shared vertex is in the body no deeper than the one that took over.
+                let carried = if separation < 0.0 { self.carried(t) } else { None };
+                let excess = -separation - carried.unwrap_or(0.0);
+                Sample { t, separation, excess, carried: carried.is_some(), watched: gap > self.least }
             }
         }
     }

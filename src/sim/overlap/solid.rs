@@ -2,11 +2,13 @@
 
 use std::collections::BTreeMap;
 
-use glam::{DQuat, DVec2, DVec3};
+use glam::{DMat3, DQuat, DVec2, DVec3};
 
 use crate::contact::node_face;
 use crate::dynamics::Model;
-use crate::geometry::shape::{AlignedBox, Convex, Stand, block_behind, common_centre, plan_distance, plan_separation};
+use crate::geometry::shape::{
+    AlignedBox, Convex, Hexahedron, Stand, block_behind, common_centre, plan_distance, plan_separation,
+};
 use crate::geometry::{End, Prism};
 use crate::scene::facing::Side;
 use crate::scene::{Kind, Scene, placed};
@@ -58,11 +60,11 @@ impl Joined {
 }
 
 /// Where two bodies are, and how deep they overlap.
-#[derive(Clone, Copy, Debug)]
+#[derive(Clone, Debug)]
 pub(super) struct Placed {
     stands: [Stand; 2],
-    /// Corners in plan of what is not rigid, in the world \[m\].
-    bent: [Option<[DVec2; 4]>; 2],
+    /// Corners of what is not rigid, about G in girder axes \[m\].
+    bent: [Option<[DVec3; 8]>; 2],
 }
 
 impl Solids {
@@ -139,22 +141,23 @@ impl Solids {
 
     /// Two bodies at `t`.
     pub(super) fn placed(&self, history: &History, pair: [usize; 2], t: f64) -> Placed {
-        let bent = pair.map(|number| self.bent(history, number, t));
-        Placed { stands: pair.map(|number| self.stand(history, number, t)), bent }
+        let stands = pair.map(|number| self.stand(history, number, t));
+        let bent = [0, 1].map(|i| self.bent(history, (pair[i], stands[i]), t));
+        Placed { stands, bent }
     }
 
-    /// Corners in plan of a body whose ends move on their own.
-    fn bent(&self, history: &History, number: usize, t: f64) -> Option<[DVec2; 4]> {
+    /// Corners of a body whose ends move on their own, about its G in its axes \[m\].
+    fn bent(&self, history: &History, (number, stand): (usize, Stand), t: f64) -> Option<[DVec3; 8]> {
         let body = self.body(number).filter(|&body| history.model().bodies[body].sections() > 1)?;
-        let ends = End::BOTH.map(|end| history.end_motion(body, end, t));
-        let mut outline = self.all[number].plan(Stand { place: ends[0].place, attitude: ends[0].attitude });
-        for (end, motion) in End::BOTH.into_iter().zip(ends) {
-            let own = self.all[number].plan(Stand { place: motion.place, attitude: motion.attitude });
-            for corner in Prism::end_corners(end) {
-                outline[corner] = own[corner];
+        let mut corners = self.all[number].corners;
+        let back = stand.attitude.inverse();
+        for end in End::BOTH {
+            let motion = history.end_motion(body, end, t);
+            for corner in Prism::end_corners(end).into_iter().flat_map(|corner| [corner, corner + 4]) {
+                corners[corner] = back * (motion.place - stand.place + motion.attitude * corners[corner]);
             }
         }
-        Some(outline)
+        Some(corners)
     }
 
     fn stand(&self, history: &History, number: usize, t: f64) -> Stand {
@@ -170,27 +173,31 @@ impl Solids {
     pub(super) fn separation(&self, pair: [usize; 2], placed: &Placed) -> f64 {
         let [one, other] = pair.map(|number| &self.all[number]);
         let [here, there] = placed.stands;
-        if let (Kind::Spatial, Some(a), Some(b)) = (self.kind, &one.convex, &other.convex) {
-            return a.separation(here, b, there);
+        let [a, b] = &placed.bent;
+        if let (Kind::Spatial, Some(own), Some(others)) = (self.kind, &one.convex, &other.convex) {
+            let [a, b] = [a, b].map(|bent| bent.map(Hexahedron::between));
+            return a.as_ref().unwrap_or(own.prism()).separation(here, b.as_ref().unwrap_or(others.prism()), there);
         }
-        let [a, b] = placed.bent;
-        plan_separation(&a.unwrap_or_else(|| one.plan(here)), &b.unwrap_or_else(|| other.plan(there)))
+        plan_separation(&one.plan(here, a.as_ref()), &other.plan(there, b.as_ref()))
     }
 
     /// Where a contact's node is in plan at `t`: its distance from the body of its face, along the side that parts them most,
     /// negative inside; and its distance before the plane of its face \[m\].
     pub(super) fn node(&self, history: &History, pair: [usize; 2], contact: usize, t: f64) -> [f64; 2] {
-        let site = &history.model().contacts[contact];
+        let model = history.model();
+        let site = &model.contacts[contact];
         let [node, face] = history.sides(contact, t);
+        let axes = |body: Option<usize>| body.map_or(DMat3::IDENTITY, |body| model.bodies[body].axes);
+        let (own, others) = (axes(site.node_body), axes(site.face_body));
         let owner = |&number: &usize| self.body(number) == site.face_body;
         let Some(other) = pair.into_iter().find(owner).map(|number| &self.all[number]) else {
             return [f64::INFINITY; 2];
         };
         let polygon = match site.face_body {
-            Some(_) => other.outline().map(|corner| (face.origin() + face.turn(corner)).truncate()),
-            None => other.outline().map(DVec3::truncate),
+            Some(_) => other.outline(None).map(|corner| (face.origin() + face.turn(others * corner)).truncate()),
+            None => other.outline(None).map(DVec3::truncate),
         };
-        let point = (node.origin() + node.turn(site.point)).truncate();
+        let point = (node.origin() + node.turn(own * site.point)).truncate();
         [plan_distance(&polygon, point), node_face::gap(&site.home, &node, &face)[0]]
     }
 
@@ -200,7 +207,7 @@ impl Solids {
             [0, 1].map(|i| self.all[pair[i]].corners.map(|c| placed.stands[i].place + placed.stands[i].attitude * c));
         let [a, b] = corners.map(|corners| self.flat(AlignedBox::around(&corners)));
         let middle = 0.5 * (a.min.max(b.min) + a.max.min(b.max));
-        let [one, other] = [0, 1].map(|i| self.all[pair[i]].plan(placed.stands[i]));
+        let [one, other] = [0, 1].map(|i| self.all[pair[i]].plan(placed.stands[i], placed.bent[i].as_ref()));
         common_centre(&one, &other).map_or(middle, |plan| plan.extend(middle.z))
     }
 }
@@ -241,19 +248,19 @@ impl Solid {
         Self { id, body, corners, convex, radius, least_side }
     }
 
-    /// Corners in plan, in the world, one after another along the outline \[m\].
-    fn plan(&self, stand: Stand) -> [DVec2; 4] {
+    /// Corners in plan, in the world, one after another along the outline \[m\]; of a `bent` body its own.
+    fn plan(&self, stand: Stand, bent: Option<&[DVec3; 8]>) -> [DVec2; 4] {
         let turn = |corner: DVec3| if stand.attitude == DQuat::IDENTITY { corner } else { stand.attitude * corner };
-        self.outline().map(|corner| (stand.place + turn(corner)).truncate())
+        self.outline(bent).map(|corner| (stand.place + turn(corner)).truncate())
     }
 
     /// Corners one after another along the outline in plan, in the axes of its body, or the world for an abutment that stands \[m\].
-    fn outline(&self) -> [DVec3; 4] {
+    fn outline(&self, bent: Option<&[DVec3; 8]>) -> [DVec3; 4] {
         let outline = match self.id {
             SolidId::Girder(_) => [0, 1, 2, 3],
             // The lower edge of the face and, behind it, that of the back.
             SolidId::Abutment(_) => [4, 5, 1, 0],
         };
-        outline.map(|i| self.corners[i])
+        outline.map(|i| bent.unwrap_or(&self.corners)[i])
     }
 }

@@ -5,6 +5,7 @@ use std::f64::consts::PI;
 use super::force_on_first;
 use crate::support::{momenta_in_space, run, scene, within};
 use girderbench::dynamics::elastic::legendre::integrals_to_end;
+use girderbench::geometry::End;
 use girderbench::scene::{Kind, Scene};
 use girderbench::sim::History;
 use glam::DVec3;
@@ -157,6 +158,9 @@ fn a_level_hit_in_space_is_that_in_plan() {
             places = places.max((a.displacement - b.displacement).length()).max((a.theta - b.theta).abs());
             let [a, b] = [&plan, &space].map(|history| history.deformation(0, 15.0, t));
             bent = bent.max((a.moved - b.moved).length()).max((a.turned - b.turned).length());
+            let [a, b] = [&plan, &space].map(|history| history.end_motion(0, End::Plus, t));
+            bent = bent.max((a.displacement - b.displacement).length()).max((a.theta - b.theta).abs());
+            bent = bent.max((a.attitude * DVec3::X - b.attitude * DVec3::X).length());
             force = force.max((force_on_first(&plan, t) - force_on_first(&space, t)).length());
         }
         let most = (0..=500).map(|i| plan.deformation(0, 15.0, end * f64::from(i) / 500.0).moved.length());
