@@ -19,6 +19,7 @@ use crate::dynamics::model::motion_bounds::MotionBounds;
 use crate::dynamics::penalty3d::contact_state::Contact;
 use crate::dynamics::world::World;
 use crate::dynamics::world::site_geometry::SiteGeometry;
+use crate::dynamics::world::tracks::PairTrack;
 
 /// An open contact under search.
 struct OpenContact<'a> {
@@ -27,6 +28,8 @@ struct OpenContact<'a> {
     geometry: SiteGeometry,
     /// Side of the pair that owns the node, and side that owns the face; `None` for an abutment.
     sides: [Option<usize>; 2],
+    /// Sections of the pair's bodies that node and face are of.
+    sections: [usize; 2],
     advancement: Advancement,
 }
 
@@ -53,7 +56,7 @@ pub(in crate::dynamics) fn search(world: &mut World, pair: usize, t: f64, shared
     let mut evaluations = 1;
     let first = shared.flight_sample(present, pair, [t, duration]);
     let until = if in_block(present, pair) { until.min(t + first.between.window) } else { until };
-    let mut open_contacts = open(present, pair, t, &first);
+    let mut open_contacts = open(present, pair, [t, duration], &first);
     // Contacts armed at `t`; the search can arm others later.
     let armed: Vec<usize> = open_contacts.iter().filter(|q| q.advancement.armed()).map(|q| q.contact).collect();
     let never_closes =
@@ -82,8 +85,8 @@ pub(in crate::dynamics) fn search(world: &mut World, pair: usize, t: f64, shared
 }
 
 /// The open corners of a pair (edge nodes are of spatial girders, which have no flight in closed form); a disarmed one whose gap is positive is armed again.
-fn open<'a>(world: &'a World, pair: usize, t: f64, sample: &FlightSample) -> Vec<OpenContact<'a>> {
-    let slots = world.pairs[pair].slots;
+fn open<'a>(world: &'a World, pair: usize, [t, until]: [f64; 2], sample: &FlightSample) -> Vec<OpenContact<'a>> {
+    let PairTrack { slots, sections: own, .. } = world.pairs[pair];
     let moved: f64 = sample.frames.iter().map(|frame| frame.shift.length()).sum();
     let open_contact = |contact: usize| {
         let track = &world.contacts[contact];
@@ -95,7 +98,14 @@ fn open<'a>(world: &'a World, pair: usize, t: f64, sample: &FlightSample) -> Vec
         let (site, geometry) = (&world.model.contacts[track.site], track.geometry);
         let unsampled = BoundedGap { gap: 0.0, rate: 0.0, curvature: 0.0, window: 0.0, out_of_reach: false };
         let advancement = Advancement::begin(unsampled, false, 0.0);
-        let mut open_contact = OpenContact { contact, site, geometry, sides: track.slots.map(side), advancement };
+        let mut sections = own;
+        for (slot, section) in track.slots.into_iter().zip(track.sections).filter(|(slot, _)| slot.is_some()) {
+            sections[usize::from(slot == slots[1])] = section;
+        }
+        let sides = track.slots.map(side);
+        let mut open_contact = OpenContact { contact, site, geometry, sides, sections, advancement };
+        let of_corner = (sections != own).then(|| FlightSample::of(world, slots, sections, t, until));
+        let sample = of_corner.as_ref().unwrap_or(sample);
         let (here, resolution) = (open_contact.bounded_gap(sample), RESOLUTION * (geometry.size + moved));
         let armed = armed || is_positive_again(here.gap, here.rate, t, resolution);
         open_contact.advancement = Advancement::begin(here, armed, resolution);
@@ -134,9 +144,8 @@ fn advance_all(
             return (t, if contact_at.advancement.armed() { vec![(contact_at.contact, t)] } else { Vec::new() });
         }
         samples.taken.clear();
-        let there = samples.at(next);
         let closed: Vec<(usize, f64)> =
-            open_contacts.iter_mut().filter_map(|q| closing_at(q, &there, [t, next], &mut samples)).collect();
+            open_contacts.iter_mut().filter_map(|q| closing_at(q, [t, next], &mut samples)).collect();
         *evaluations += samples.taken.len() as u64;
         if let Some(first) = closed.iter().map(|(_, at)| *at).min_by(f64::total_cmp) {
             return (first, with_simultaneous(world, pair, open_contacts, closed, first));
@@ -151,16 +160,16 @@ struct FlightSamples<'a> {
     world: &'a World,
     pair: usize,
     until: f64,
-    taken: Vec<(f64, FlightSample)>,
+    taken: Vec<(f64, [usize; 2], FlightSample)>,
 }
 
 impl FlightSamples<'_> {
-    fn at(&mut self, t: f64) -> FlightSample {
-        if let Some((_, sample)) = self.taken.iter().find(|(at, _)| *at == t) {
+    fn at(&mut self, t: f64, sections: [usize; 2]) -> FlightSample {
+        if let Some((.., sample)) = self.taken.iter().find(|(at, of, _)| *at == t && *of == sections) {
             return *sample;
         }
-        let sample = FlightSample::of_pair(self.world, self.pair, t, self.until);
-        self.taken.push((t, sample));
+        let sample = FlightSample::of(self.world, self.world.pairs[self.pair].slots, sections, t, self.until);
+        self.taken.push((t, sections, sample));
         sample
     }
 }
@@ -168,14 +177,14 @@ impl FlightSamples<'_> {
 /// Closing of a contact if its sample at `next` shows one: number of the contact and time \[s\].
 fn closing_at(
     open_contact: &mut OpenContact<'_>,
-    there: &FlightSample,
     [t, next]: [f64; 2],
     samples: &mut FlightSamples<'_>,
 ) -> Option<(usize, f64)> {
-    let gap_there = open_contact.bounded_gap(there);
+    let sections = open_contact.sections;
+    let gap_there = open_contact.bounded_gap(&samples.at(next, sections));
     let outcome = open_contact.advancement.advance(gap_there, next);
     let (open_contact, until) = (&*open_contact, samples.until);
-    let mut bounded_gap_at = |at: f64| open_contact.bounded_gap(&samples.at(at));
+    let mut bounded_gap_at = |at: f64| open_contact.bounded_gap(&samples.at(at, sections));
     match outcome {
         AdvanceOutcome::Open => None,
         AdvanceOutcome::Closed => {
@@ -196,10 +205,10 @@ fn with_simultaneous(
 ) -> Vec<(usize, f64)> {
     if closed.len() < open_contacts.len() {
         let at = first + world.pairs[pair].simultaneity;
-        let sample = FlightSample::of_pair(world, pair, at, at);
+        let mut samples = FlightSamples { world, pair, until: at, taken: Vec::new() };
         for open_contact in open_contacts.iter().filter(|q| q.advancement.armed()) {
             if closed.iter().all(|(contact, _)| *contact != open_contact.contact)
-                && open_contact.local(&sample).gap < 0.0
+                && open_contact.local(&samples.at(at, open_contact.sections)).gap < 0.0
             {
                 closed.push((open_contact.contact, at));
             }

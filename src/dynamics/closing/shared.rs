@@ -5,9 +5,14 @@
 //! touch, and nodes are armed or disarmed then by the side of the plane on which they are. The distance of the bodies changes by at
 //! most their relative displacement plus the displacement of their corners by rotation.
 
+use glam::DVec3;
+use smallvec::smallvec;
+
+use crate::contact::Frame;
 use crate::dynamics::closing::constants::{NEAR, PARTED_ADVANCES};
 use crate::dynamics::closing::flight_view::{FlightSample, horizon, remember};
 use crate::dynamics::closing::step_samples::{StepSamples, excursion};
+use crate::dynamics::model::meeting::Meeting;
 use crate::dynamics::penalty3d::contact_state::Contact;
 use crate::dynamics::world::World;
 use crate::dynamics::world::tracks::{Apart, PairTrack};
@@ -87,7 +92,7 @@ fn in_step(world: &World, meeting: usize, samples: &StepSamples) -> Parted {
     let [t, until] = [samples.times[0], samples.times[samples.times.len() - 1]];
     let reach =
         |side: usize| slots[side].map_or(0.0, |slot| excursion(world, slot, meeting.solids[side].radius, t, until));
-    let apart = meeting.apart(slots.map(|slot| samples.side(slot, 0)));
+    let apart = meeting.apart(&samples.met(world, meeting));
     if apart > reach(0) + reach(1) { Parted::Throughout(f64::INFINITY) } else { Parted::Near }
 }
 
@@ -100,11 +105,14 @@ fn in_flight(world: &mut World, (number, pair): (usize, usize), t: f64) -> Parte
     remember(world, world.pairs[pair].slots, until);
     let in_block = in_block(world, pair);
     let meeting = &world.model.meetings[number];
+    if meeting.solids.iter().any(|solid| solid.sections().len() > 1) {
+        return in_flight_by_sections(world, (meeting, pair), [t, until]);
+    }
     let near = NEAR * meeting.least_side;
     let mut from = t;
     for _ in 0..PARTED_ADVANCES {
         let sample = FlightSample::of_pair(world, pair, from, until);
-        let apart = meeting.apart([&sample.frames[0], &sample.frames[1]]);
+        let apart = meeting.apart(&sample.frames.map(|frame| smallvec![frame]));
         if apart <= 2.0 * near {
             break;
         }
@@ -124,6 +132,22 @@ fn in_flight(world: &mut World, (number, pair): (usize, usize), t: f64) -> Parte
         }
     }
     if from > t { Parted::Until(from) } else { Parted::Near }
+}
+
+/// The same of girders that bend, by the poses of all sections now and a bound on the way of all corners until the end of the search.
+fn in_flight_by_sections(world: &World, (meeting, pair): (&Meeting, usize), [t, until]: [f64; 2]) -> Parted {
+    let slots = world.pairs[pair].slots;
+    let still = Frame::fixed(DVec3::ZERO);
+    let poses = |side: usize| {
+        meeting.solids[side].poses(|section| slots[side].map_or(still, |slot| world.frame(slot, section, t)))
+    };
+    let reach =
+        |side: usize| slots[side].map_or(0.0, |slot| excursion(world, slot, meeting.solids[side].radius, t, until));
+    if meeting.apart(&[poses(0), poses(1)]) > reach(0) + reach(1) {
+        Parted::Throughout(if until >= world.model.duration { f64::INFINITY } else { until })
+    } else {
+        Parted::Near
+    }
 }
 
 /// The time within which nothing goes a way that has this speed now, which grows at this rate at most \[s\].

@@ -2,12 +2,15 @@
 
 use std::cell::OnceCell;
 
+use smallvec::SmallVec;
+
 use crate::contact::{Frame, Local, gap, locate};
 use crate::dynamics::closing::constants::{SPEED_ROUNDING, STEP_SAMPLES};
 use crate::dynamics::closing::gap_curvature::GapCurvature;
 use crate::dynamics::locate::constants::RESOLUTION;
 use crate::dynamics::locate::subdivision::GapSample;
 use crate::dynamics::model::edge_node::{Edge, EdgeEnds};
+use crate::dynamics::model::meeting::{Meeting, Poses};
 use crate::dynamics::world::World;
 use crate::dynamics::world::site_geometry::SiteGeometry;
 use crate::dynamics::world::tracks::{PairTrack, Trajectory};
@@ -27,12 +30,14 @@ pub(super) fn resolution(world: &World, contact: usize, t: f64) -> f64 {
 /// Poses of a pair's bodies at the sample times of a planned step, shared by its contacts.
 pub(super) struct StepSamples {
     pub times: [f64; STEP_SAMPLES],
-    /// Poses at the first sample time.
-    first: [Frame; 2],
+    /// Poses at the first sample time: of both sides, then of the sections of corners.
+    first: SmallVec<[Frame; 2]>,
     /// Poses at the other sample times; empty until they are asked for.
-    others: Vec<[Frame; 2]>,
+    others: Vec<SmallVec<[Frame; 2]>>,
     pub slots: [Option<usize>; 2],
     sections: [usize; 2],
+    /// Slots and sections of corners that are of other sections than their sides.
+    of_corners: Vec<(usize, usize)>,
     turned: OnceCell<f64>,
     bounds: OnceCell<GapCurvature>,
     /// Corners of one pair relative to their faces, which several edges share: number of the first contact of the pair, then by contact
@@ -43,12 +48,13 @@ pub(super) struct StepSamples {
 impl StepSamples {
     /// With the poses of the first sample time.
     pub(super) fn begin(world: &World, pair: usize, t: f64, until: f64) -> Self {
-        let PairTrack { slots, sections, .. } = world.pairs[pair];
+        let PairTrack { slots, sections, ref corner_sections, .. } = world.pairs[pair];
         let part = |i: usize| (until - t) * i as f64 / (STEP_SAMPLES - 1) as f64;
         let times = std::array::from_fn(|i| if i == STEP_SAMPLES - 1 { until } else { t + part(i) });
-        let first = Self::frames(world, slots, sections, t);
+        let first = Self::frames(world, (slots, sections), corner_sections, t);
         let (turned, bounds, others) = (OnceCell::new(), OnceCell::new(), Vec::new());
-        Self { times, first, others, slots, sections, turned, bounds, corners: (usize::MAX, Vec::new()) }
+        let (of_corners, corners) = (corner_sections.clone(), (usize::MAX, Vec::new()));
+        Self { times, first, others, slots, sections, of_corners, turned, bounds, corners }
     }
 
     /// Whether these are the poses of a pair's bodies in the planned step from `t` to `until`.
@@ -63,26 +69,55 @@ impl StepSamples {
         if !self.others.is_empty() {
             return;
         }
-        let frames = |&t: &f64| Self::frames(world, self.slots, self.sections, t);
+        let frames = |&t: &f64| Self::frames(world, (self.slots, self.sections), &self.of_corners, t);
         self.others.extend(self.times[1..].iter().map(frames));
     }
 
-    fn frames(world: &World, slots: [Option<usize>; 2], sections: [usize; 2], t: f64) -> [Frame; 2] {
+    fn frames(
+        world: &World,
+        (slots, sections): ([Option<usize>; 2], [usize; 2]),
+        of_corners: &[(usize, usize)],
+        t: f64,
+    ) -> SmallVec<[Frame; 2]> {
         let still = Frame::fixed(glam::DVec3::ZERO);
-        [0, 1].map(|side| slots[side].map_or(still, |slot| world.frame(slot, sections[side], t)))
+        let sides = [0, 1].map(|side| slots[side].map_or(still, |slot| world.frame(slot, sections[side], t)));
+        let corners = of_corners.iter().map(|&(slot, section)| world.frame(slot, section, t));
+        sides.into_iter().chain(corners).collect()
     }
 
-    /// Pose of one of the pair's bodies at sample `i`.
+    /// Pose of one of the pair's bodies at sample `i`, of the section that faces the other.
     pub(super) fn side(&self, slot: Option<usize>, i: usize) -> &Frame {
-        let frames = i.checked_sub(1).map_or(&self.first, |other| &self.others[other]);
-        &frames[usize::from(slot == self.slots[1])]
+        &self.at(i)[usize::from(slot == self.slots[1])]
+    }
+
+    fn at(&self, i: usize) -> &[Frame] {
+        i.checked_sub(1).map_or(&self.first, |other| &self.others[other])
+    }
+
+    /// Pose of a section of the pair's bodies at sample `i`.
+    fn section(&self, slot: usize, section: usize, i: usize) -> &Frame {
+        let side = usize::from(Some(slot) == self.slots[1]);
+        let of_corner = || self.of_corners.iter().position(|own| *own == (slot, section));
+        let place = if self.sections[side] == section { side } else { of_corner().map_or(side, |own| 2 + own) };
+        &self.at(i)[place]
+    }
+
+    /// Poses at the first sample time of the sections of the bodies of the pair, which have met.
+    pub(super) fn met(&self, world: &World, meeting: &Meeting) -> [Poses; 2] {
+        [0, 1].map(|side| {
+            let pose = |section: usize| match self.slots[side] {
+                Some(slot) if section != self.sections[side] => world.frame(slot, section, self.times[0]),
+                slot => *self.side(slot, 0),
+            };
+            meeting.solids[side].poses(pose)
+        })
     }
 
     /// Poses of node's and face's body of a contact at sample `i`.
     pub(super) fn sides<'a>(&'a self, world: &'a World, contact: usize, i: usize) -> [&'a Frame; 2] {
         let track = &world.contacts[contact];
         let site = &world.model.contacts[track.site];
-        track.slots.map(|slot| if slot.is_some() { self.side(slot, i) } else { &site.stand })
+        [0, 1].map(|which| track.slots[which].map_or(&site.stand, |slot| self.section(slot, track.sections[which], i)))
     }
 
     /// Bounds on the motion of the two bodies over the step, the same for all their contacts.

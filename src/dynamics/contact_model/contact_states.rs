@@ -58,7 +58,11 @@ impl ContactStates<'_> {
 
     /// Enters a contact's state from the time of the event on in its track and its log, with the origin of its anchor:
     /// the displacement of the node along the face from the placed to the reference poses.
-    pub(super) fn enter_state(&mut self, contact: usize, state: Contact) {
+    pub(super) fn enter_state(&mut self, contact: usize, mut state: Contact) {
+        if let (Contact::Closed(now), None) = (&mut state, self.world.contacts[contact].state.closed()) {
+            let site = self.site(contact);
+            now.solver.inside_edges = site.around.is_some() && site.over_edge(&self.at().local(contact)) < 0.0;
+        }
         let track = &mut self.world.contacts[contact];
         let way = match state {
             // The origin is kept as long as the node is the same.

@@ -10,6 +10,7 @@ use crate::dynamics::ContactSite;
 use crate::dynamics::contact_model::at_instant::AtInstant;
 use crate::dynamics::model::edge_node::Edge;
 use crate::dynamics::model::edge_node::node_place::NodePlace;
+use crate::dynamics::model::meeting::{Meeting, Poses};
 use crate::dynamics::penalty3d::constants::UNCARRIED;
 use crate::dynamics::world::contact_points;
 use crate::scene::facing::{Side, SolidId};
@@ -83,10 +84,18 @@ impl AtInstant<'_> {
         let track = &self.world.contacts[contact];
         let pair = &self.world.pairs[track.pair];
         let meeting = &self.world.model.meetings[pair.meeting?];
-        let [node, face] = self.sides(contact);
-        let of_first = track.slots[0] == pair.slots[0];
-        let (out, poses) = if of_first { (1, [&node, &face]) } else { (0, [&face, &node]) };
-        Some(meeting.overlap_along(normal, out, poses))
+        let out = usize::from(track.slots[0] == pair.slots[0]);
+        Some(meeting.overlap_along(normal, out, &self.poses(contact, meeting)))
+    }
+
+    /// Poses of the sections of the two bodies of a contact, which have met.
+    fn poses(&self, contact: usize, meeting: &Meeting) -> [Poses; 2] {
+        let stand = self.site(contact).stand;
+        let slots = self.world.pairs[self.world.contacts[contact].pair].slots;
+        [0, 1].map(|side| {
+            let pose = |section: usize| slots[side].and_then(|slot| self.now.pose(slot, section)).unwrap_or(stand);
+            meeting.solids[side].poses(pose)
+        })
     }
 
     /// Whether two edges that are `depth` \[m\] across each other at a place are where the bodies part along their normal: they overlap
@@ -123,10 +132,7 @@ impl AtInstant<'_> {
         // The contact may be of ends that face each other as placed.
         let ids = self.world.model.pairs[pair.pair].solids();
         let meeting = self.world.model.meetings.iter().find(|meeting| meeting.ids == ids)?;
-        let [node, face] = self.sides(contact);
-        let of_first = self.world.contacts[contact].slots[0] == pair.slots[0];
-        let poses = if of_first { [&node, &face] } else { [&face, &node] };
-        let least = meeting.least_overlap(poses);
+        let least = meeting.least_overlap(&self.poses(contact, meeting));
         let counts = UNCARRIED * meeting.least_side;
         let by_face = self.overlaps(contact).first().copied();
         let all = by_face.into_iter().chain(self.across_edges(contact));

@@ -147,7 +147,8 @@ fn logged_states(world: &World, island: &Island) -> Option<Vec<LoggedState>> {
         let track = &world.contacts[contact];
         let entry = track.log.latest()?;
         let mut logged = active.closed;
-        logged.solver.retries = 0;
+        // What these decide are events, not the forces of a step.
+        (logged.solver.retries, logged.solver.inside_edges) = (0, false);
         let same = track.log.closed(entry) == Some(logged);
         same.then_some(LoggedState { site: u32::try_from(track.site).ok()?, entry })
     };

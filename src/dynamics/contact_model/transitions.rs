@@ -35,6 +35,7 @@ impl<'a> Transitions<'_, 'a> {
                 self.open(contact, &closed, EventKind::Opened);
             }
             Reason::Edge if self.vertices().follow(contact, closed) => {}
+            Reason::Edge if closed.solver.inside_edges => self.pass_edge(contact, closed),
             Reason::Edge => self.leave(contact, closed),
             Reason::Overlap => self.hand_over(contact, &closed),
             Reason::Switching => self.switch(contact, closed),
@@ -42,6 +43,22 @@ impl<'a> Transitions<'_, 'a> {
                 let here = self.states.here(contact);
                 self.states.enter_without_event(contact, Contact::Closed(closed.after_kink(&here)));
             }
+        }
+    }
+
+    /// The projection of a corner of bodies that have met leaves the polygon of its face. What shares its vertex takes over; without such,
+    /// the contact lasts until the corner comes out of the body.
+    fn pass_edge(&mut self, contact: usize, mut closed: ClosedContact) {
+        if self.vertices().has_heirs(contact) {
+            self.open(contact, &closed, EventKind::LeftFace);
+            return;
+        }
+        closed.solver.inside_edges = false;
+        let site = self.states.site(contact);
+        if site.beyond(&closed.place, &self.states.at().local(contact)) < closed.solver.kept {
+            self.states.enter_without_event(contact, Contact::Closed(closed));
+        } else {
+            self.leave(contact, closed);
         }
     }
 

@@ -57,29 +57,35 @@ impl VertexNodes<'_, '_> {
         true
     }
 
-    /// Hands the part of a vertex in K and C that a node has left over an edge, in state `closed`, to the nodes that
-    /// are there now; other nodes of the vertex that are there no more leave with it. Whether there is such a node.
-    pub(super) fn pass_on(&mut self, contact: usize, closed: &ClosedContact) -> bool {
+    /// Whether there are nodes to which a node that leaves its face over an edge hands its part of a vertex.
+    pub(super) fn has_heirs(&mut self, contact: usize) -> bool {
+        self.heirs(contact).is_some()
+    }
+
+    /// The nodes that are at the vertex which a node has left, closed ones that are there no more, and how far the first may be beside
+    /// their faces \[m\]; `None` without such nodes.
+    fn heirs(&mut self, contact: usize) -> Option<([Vec<usize>; 2], f64)> {
         let pair = self.states.world.pairs[self.states.world.contacts[contact].pair].pair;
         if !self.states.world.model.pairs[pair].passes_on {
-            return false;
+            return None;
         }
         // Faces of bodies that have met may stand at any angle. Those that are not flush have no vertex in common: every node has a
         // penetration of its own.
         let tilt = self.tilt(contact);
         let have_met = self.states.world.pairs[self.states.world.contacts[contact].pair].meeting.is_some();
         if have_met && tilt > FLUSH {
-            return false;
+            return None;
         }
         // Faces that are not parallel see a vertex at places that differ by the depth times the sine of their angle.
         let apart = self.states.here(contact).penetration().max(0.0) * tilt;
         let reaches = [[0.0, 0.0], [apart, 0.0], [apart, apart]].into_iter();
-        let Some(([nodes, gone], beside)) = reaches
-            .map(|reach| (self.at_vertex_of(contact, reach), reach[1]))
-            .find(|([nodes, _], _)| !nodes.is_empty())
-        else {
-            return false;
-        };
+        reaches.map(|reach| (self.at_vertex_of(contact, reach), reach[1])).find(|([nodes, _], _)| !nodes.is_empty())
+    }
+
+    /// Hands the part of a vertex in K and C that a node has left over an edge, in state `closed`, to the nodes that
+    /// are there now; other nodes of the vertex that are there no more leave with it. Whether there is such a node.
+    pub(super) fn pass_on(&mut self, contact: usize, closed: &ClosedContact) -> bool {
+        let Some(([nodes, gone], beside)) = self.heirs(contact) else { return false };
         let sharers = self.states.world.contacts[contact].sharers;
         let kept = nodes.iter().filter_map(|&node| Some((node, *self.states.world.contacts[node].state.closed()?)));
         let left = gone.iter().filter_map(|&node| Some((node, *self.states.world.contacts[node].state.closed()?)));

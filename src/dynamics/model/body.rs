@@ -22,6 +22,7 @@ use crate::dynamics::model::wrench::Wrench;
 use crate::geometry::End;
 use crate::geometry::Prism;
 use crate::motion::Ground;
+use crate::scene::facing::Flank;
 
 /// A body of the model: a girder, a backwall that moves, a pier, or ground of given motion.
 #[derive(Clone, Debug)]
@@ -106,6 +107,11 @@ pub trait Coordinates: Debug + Send + Sync {
 
     /// The section of the nodes and the face of an end.
     fn section(&self, _end: End) -> usize {
+        0
+    }
+
+    /// The section of a face along the girder.
+    fn flank(&self, _flank: Flank) -> usize {
         0
     }
 

@@ -141,10 +141,8 @@ impl Model {
 
     /// The sections of their bodies that carry a contact's node and face.
     pub fn sections(&self, site: usize) -> [usize; 2] {
-        let ContactSite { node_body, face_body, ends, .. } = &self.contacts[site];
-        [(node_body, ends[0]), (face_body, ends[1])].map(|(body, end)| match (body, end) {
-            (Some(body), Some(end)) => self.bodies[*body].section(end),
-            _ => 0,
-        })
+        let ContactSite { node_body, face_body, carriers, .. } = &self.contacts[site];
+        let section = |body: &Option<usize>, carrier| body.map_or(0, |b| self.bodies[b].section_of(carrier));
+        [section(node_body, carriers[0]), section(face_body, carriers[1])]
     }
 }

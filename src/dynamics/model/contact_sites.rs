@@ -9,7 +9,7 @@ use crate::contact::{Frame, Home};
 use crate::dynamics::model::backwall;
 use crate::dynamics::model::body::Body;
 use crate::dynamics::model::face_choice::FaceChoice;
-use crate::dynamics::model::pair::ContactSite;
+use crate::dynamics::model::pair::{Carrier, ContactSite};
 use crate::geometry::shape::block_behind;
 use crate::geometry::{End, Face, Prism};
 use crate::language::{Message, Text};
@@ -43,11 +43,9 @@ pub(super) struct PairSide {
 }
 
 impl PairSide {
-    pub(super) fn end(&self) -> Option<End> {
-        match self.side {
-            Side::Girder(_, end) => Some(end),
-            _ => None,
-        }
+    /// What carries the face.
+    pub(super) fn carrier(&self) -> Carrier {
+        Carrier::of_face(self.side)
     }
 }
 
@@ -80,7 +78,7 @@ pub(in crate::dynamics) fn contacts(
                 node: name,
                 face_name: Arc::clone(&face.name),
                 pair,
-                ends: [own.end(), face.end()],
+                carriers: [Carrier::of_corner(own.side.solid(), corner), face.carrier()],
                 around: met.then(|| around(scene, bodies, face)).transpose()?,
                 corner: met.then(|| corner_faces(scene, bodies, own, corner)).transpose()?,
                 node_body: own.body,

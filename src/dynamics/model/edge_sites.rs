@@ -87,7 +87,7 @@ fn node(
         node: format!("{}.{}-edge-at-{}", own.name, EDGES[i], EDGES[j]),
         face_name: Arc::clone(&facing.name),
         pair,
-        ends: [own.end(), facing.end()],
+        carriers: [own.carrier(), facing.carrier()],
         around: None,
         corner: None,
         node_body: own.body,

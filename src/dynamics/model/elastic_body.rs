@@ -74,6 +74,14 @@ impl ElasticBody {
         }
     }
 
+    /// Gives the faces along the girder sections of their own.
+    pub(in crate::dynamics) fn add_flanks(&mut self) {
+        match self {
+            Self::Plan(girder) => Arc::make_mut(girder).add_flanks(),
+            Self::Space(girder) => Arc::make_mut(girder).add_flanks(),
+        }
+    }
+
     /// What acts in a state since the girder was placed, under wrenches on its sections about the origins of their frames, and the
     /// ground.
     pub fn equilibrium(&self, state: &[f64], wrenches: &[Wrench], ground: DVec3) -> Equilibrium {

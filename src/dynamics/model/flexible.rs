@@ -71,8 +71,8 @@ fn one(scene: &Scene, elastic: &Elastic, (number, facings): (usize, &[Facing]), 
     let section = elastic.resolve(girder);
     let beam = beam(girder, &section);
     let space = (scene.kind == Kind::Spatial).then(|| space_beam(girder, &section));
-    let of_contacts = facings.iter().filter(|facing| !facing.met);
-    let of_contacts = of_contacts.filter(|f| [f.first, f.second].into_iter().any(|side| side.girder() == Some(number)));
+    let is_own = |facing: &&Facing| [facing.first, facing.second].iter().any(|side| side.girder() == Some(number));
+    let of_contacts = facings.iter().filter(is_own).filter(|facing| !facing.met);
     let stiffest = of_contacts.map(|facing| facing.contact.stiffness).fold(of_devices(scene, number, &beam), f64::max);
     let stiffness = if stiffest > 0.0 { stiffest } else { of_bearings(scene, girder, &beam) };
     let half = 0.5 * girder.width;
@@ -86,13 +86,17 @@ fn one(scene: &Scene, elastic: &Elastic, (number, facings): (usize, &[Facing]), 
         |rayleigh| ModalDamping::Rayleigh { mass: rayleigh.mass, stiffness: rayleigh.stiffness },
         ModalDamping::Ratio,
     );
-    let made = degree.map(|degree| match space {
+    let has_met = facings.iter().filter(is_own).any(|facing| facing.met);
+    let mut made = degree.map(|degree| match space {
         None => ElasticBody::Plan(Arc::new(ElasticGirder::new(body, Modes::of(beam, degree), damping))),
         Some(space) => {
             ElasticBody::Space(Arc::new(SpatialElasticGirder::new(body, SpaceModes::of(space, degree), damping)))
         }
     });
-    if let Some(made) = &made {
+    if let Some(made) = &mut made {
+        if has_met {
+            made.add_flanks();
+        }
         body.rate_bounds.mobility = made.mobility();
         // No closed form of motion along an axis in space.
         body.straight = body.straight.map(|straight| straight && matches!(made, ElasticBody::Plan(_)));

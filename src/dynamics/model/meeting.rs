@@ -2,6 +2,7 @@
 //! stand apart.
 
 use glam::DVec3;
+use smallvec::SmallVec;
 
 use crate::contact::Frame;
 use crate::scene::facing::SolidId;
@@ -20,21 +21,37 @@ pub struct Meeting {
     pub least_side: f64,
 }
 
-/// A convex body, about its G (an abutment's corner a) in the world's axes as placed.
+/// A convex body, about its G (an abutment's corner a) in the world's axes as placed. Corners, faces and edges are of sections, each
+/// with a pose of its own: of a rigid body of one, of a girder that bends corners of the end sections, and faces along the girder of
+/// sections that follow them.
 #[derive(Clone, Debug)]
 pub struct Solid {
     /// Where that stands as placed \[m\].
     home: DVec3,
-    /// Corners \[m\].
-    corners: Vec<DVec3>,
+    /// Numbers of its sections, in the order in which their poses are given.
+    sections: SmallVec<[usize; 1]>,
+    /// Corners \[m\], by their place in `sections`.
+    corners: Vec<(usize, DVec3)>,
     /// Outward unit normal of each face, and its distance from the origin \[m\].
-    faces: Vec<(DVec3, f64)>,
-    /// Unit vectors along its edges, one of parallel ones; none in plan.
-    edges: Vec<DVec3>,
+    faces: Vec<(usize, DVec3, f64)>,
+    /// Unit vectors along its edges, of parallel ones of a section one; none in plan.
+    edges: Vec<(usize, DVec3)>,
     /// Largest distance of a corner from the origin \[m\].
     pub radius: f64,
     /// Shortest side of a face \[m\]; in plan, of those along it.
     least_side: f64,
+}
+
+/// Poses of a body's sections.
+pub type Poses = SmallVec<[Frame; 1]>;
+
+/// What a solid is made from: a corner \[m\], a face's outward unit normal and distance from the origin \[m\], the unit vectors along its
+/// sides; each with the number of its section.
+#[derive(Clone, Debug, Default)]
+pub(in crate::dynamics) struct Parts {
+    pub corners: Vec<(usize, DVec3)>,
+    pub faces: Vec<(usize, DVec3, f64)>,
+    pub sides: Vec<(usize, DVec3)>,
 }
 
 impl Meeting {
@@ -46,36 +63,38 @@ impl Meeting {
 
     /// Largest distance by which all of one body is before the plane of a face of the other \[m\]; negative where there is no such
     /// face. The bodies are at least as far apart.
-    pub fn apart(&self, poses: [&Frame; 2]) -> f64 {
+    pub fn apart(&self, [here, there]: &[Poses; 2]) -> f64 {
         let [one, other] = &self.solids;
-        let behind = |face: &Solid, node: &Solid, [at, from]: [&Frame; 2]| {
-            let seen = node.seen_from(at, (face, from));
-            let before = |&(normal, level): &(DVec3, f64)| {
-                seen.iter().map(|corner| corner.dot(normal)).fold(f64::INFINITY, f64::min) - level
+        let behind = |face: &Solid, node: &Solid, [at, from]: [&Poses; 2]| {
+            let seen: SmallVec<[_; 1]> = from.iter().map(|from| node.seen_from(at, (face, from))).collect();
+            let before = |&(section, normal, level): &(usize, DVec3, f64)| {
+                seen[section].iter().map(|corner| corner.dot(normal)).fold(f64::INFINITY, f64::min) - level
             };
             face.faces.iter().map(before).fold(f64::NEG_INFINITY, f64::max)
         };
-        let [here, there] = poses;
         behind(one, other, [there, here]).max(behind(other, one, [here, there]))
     }
 
     /// How far the two overlap along a unit vector that points out of body `out`; negative apart \[m\].
-    pub fn overlap_along(&self, axis: DVec3, out: usize, poses: [&Frame; 2]) -> f64 {
+    pub fn overlap_along(&self, axis: DVec3, out: usize, poses: &[Poses; 2]) -> f64 {
         let reach = |which: usize, sign: f64| {
-            let (solid, pose) = (&self.solids[which], poses[which]);
-            let along = solid.corners.iter().map(|&corner| sign * axis.dot(pose.turn(corner)));
-            along.fold(f64::NEG_INFINITY, f64::max) + sign * axis.dot(solid.home + pose.shift)
+            let (solid, poses) = (&self.solids[which], &poses[which]);
+            let along = solid.corners.iter().map(|&(section, corner)| {
+                let pose = &poses[section];
+                sign * axis.dot(pose.turn(corner)) + sign * axis.dot(solid.home + pose.shift)
+            });
+            along.fold(f64::NEG_INFINITY, f64::max)
         };
         reach(out, 1.0) + reach(1 - out, -1.0)
     }
 
     /// How far the two overlap along the direction along which they do the least, the shortest way by which they part; negative apart
     /// \[m\]. Of convex polyhedra that direction is normal to a face of either or to an edge of each (separating axes).
-    pub fn least_overlap(&self, poses: [&Frame; 2]) -> f64 {
-        let [one, other] = [0, 1].map(|which| self.solids[which].at(poses[which]));
+    pub fn least_overlap(&self, poses: &[Poses; 2]) -> f64 {
+        let [one, other] = [0, 1].map(|which| self.solids[which].at(&poses[which]));
         let normals = [0, 1].map(|which| {
             let solid = &self.solids[which];
-            solid.faces.iter().map(move |&(normal, _)| poses[which].turn(normal))
+            solid.faces.iter().map(move |&(section, normal, _)| poses[which][section].turn(normal))
         });
         let reach = |corners: &[DVec3], axis: DVec3| {
             let along = corners.iter().map(|corner| axis.dot(*corner));
@@ -84,7 +103,10 @@ impl Meeting {
         let [of_one, of_other] = normals;
         let by_one = of_one.map(|axis| reach(&one, axis)[1] - reach(&other, axis)[0]);
         let by_other = of_other.map(|axis| reach(&other, axis)[1] - reach(&one, axis)[0]);
-        let along = |which: usize| self.solids[which].edges.iter().map(move |&edge| poses[which].turn(edge));
+        let along = |which: usize| {
+            let edges = self.solids[which].edges.iter();
+            edges.map(move |&(section, edge)| poses[which][section].turn(edge))
+        };
         let across = along(0).flat_map(|a| along(1).map(move |b| a.cross(b)));
         let by_edges = across.filter_map(DVec3::try_normalize).map(|axis| {
             let [[a, b], [c, d]] = [reach(&one, axis), reach(&other, axis)];
@@ -95,40 +117,59 @@ impl Meeting {
 }
 
 impl Solid {
-    /// A body that stands at `home` \[m\], by its faces' corners \[m\] and planes, the unit vectors along their sides, and the shortest
-    /// of these \[m\].
-    pub(in crate::dynamics) fn of(
-        home: DVec3,
-        mut corners: Vec<DVec3>,
-        faces: Vec<(DVec3, f64)>,
-        sides: &[DVec3],
-        least_side: f64,
-    ) -> Self {
-        let mut edges: Vec<DVec3> = Vec::new();
-        for &side in sides {
-            if edges.iter().all(|edge| edge.cross(side).length() > PARALLEL) {
-                edges.push(side);
+    /// A body that stands at `home` \[m\], by its faces and the shortest of their sides \[m\].
+    pub(in crate::dynamics) fn of(home: DVec3, parts: Parts, least_side: f64) -> Self {
+        let Parts { mut corners, mut faces, sides } = parts;
+        let mut edges: Vec<(usize, DVec3)> = Vec::new();
+        for (section, side) in sides {
+            let is_other = |(own, edge): &(usize, DVec3)| *own != section || edge.cross(side).length() > PARALLEL;
+            if edges.iter().all(is_other) {
+                edges.push((section, side));
             }
         }
         // Each corner is one of three faces, in plan of two.
-        corners.sort_by(|a, b| a.x.total_cmp(&b.x).then(a.y.total_cmp(&b.y)).then(a.z.total_cmp(&b.z)));
+        corners.sort_by(|(_, a), (_, b)| a.x.total_cmp(&b.x).then(a.y.total_cmp(&b.y)).then(a.z.total_cmp(&b.z)));
         corners.dedup();
-        let radius = corners.iter().map(|corner| corner.length()).fold(0.0, f64::max);
-        Self { home, corners, faces, edges, radius, least_side }
+        let radius = corners.iter().map(|(_, corner)| corner.length()).fold(0.0, f64::max);
+        let numbers = corners.iter().map(|corner| corner.0).chain(faces.iter().map(|face| face.0));
+        let mut sections: SmallVec<[usize; 1]> = numbers.collect();
+        sections.sort_unstable();
+        sections.dedup();
+        let corner_sections = corners.iter_mut().map(|corner| &mut corner.0);
+        let face_sections = faces.iter_mut().map(|face| &mut face.0);
+        for section in corner_sections.chain(face_sections).chain(edges.iter_mut().map(|edge| &mut edge.0)) {
+            *section = sections.binary_search(section).unwrap_or(0);
+        }
+        Self { home, sections, corners, faces, edges, radius, least_side }
     }
 
-    /// Its corners in a pose \[m\].
-    fn at(&self, pose: &Frame) -> Vec<DVec3> {
-        self.corners.iter().map(|&corner| self.home + pose.shift + pose.turn(corner)).collect()
+    /// The poses of its sections by those of its body's.
+    pub(in crate::dynamics) fn poses(&self, of_section: impl Fn(usize) -> Frame) -> Poses {
+        self.sections.iter().map(|&section| of_section(section)).collect()
     }
 
-    /// Corners about the origin of another body, in the axes that this one had as placed \[m\].
-    fn seen_from(&self, own: &Frame, (other, from): (&Self, &Frame)) -> Vec<DVec3> {
-        let apart = (self.home + own.shift) - (other.home + from.shift);
+    /// Numbers of its sections.
+    pub(in crate::dynamics) fn sections(&self) -> &[usize] {
+        &self.sections
+    }
+
+    /// Its corners with these poses of its sections \[m\].
+    fn at(&self, poses: &Poses) -> Vec<DVec3> {
+        let place = |&(section, corner): &(usize, DVec3)| {
+            let pose = &poses[section];
+            self.home + pose.shift + pose.turn(corner)
+        };
+        self.corners.iter().map(place).collect()
+    }
+
+    /// Corners about the origin of another body, in the axes that a section of this had as placed \[m\].
+    fn seen_from(&self, own: &Poses, (other, from): (&Self, &Frame)) -> Vec<DVec3> {
         let back = from.turned.transpose();
         self.corners
             .iter()
-            .map(|&corner| {
+            .map(|&(section, corner)| {
+                let own = &own[section];
+                let apart = (self.home + own.shift) - (other.home + from.shift);
                 let at = apart + own.turn(corner);
                 at + back * at
             })
@@ -141,20 +182,28 @@ mod tests {
     use super::*;
     use crate::contact::turned_by;
     use glam::DQuat;
+    use smallvec::smallvec;
     use std::f64::consts::{FRAC_1_SQRT_2, FRAC_PI_4, SQRT_2};
 
     /// A cube with sides of 1 m about the origin.
     fn cube() -> Solid {
         let corner = |i: u32| DVec3::from([0, 1, 2].map(|axis| if i >> axis & 1 == 0 { -0.5 } else { 0.5 }));
-        let faces = DVec3::AXES.iter().flat_map(|&axis| [(axis, 0.5), (-axis, 0.5)]).collect();
-        Solid::of(DVec3::ZERO, (0..8).map(corner).collect(), faces, &DVec3::AXES, 1.0)
+        let parts = Parts {
+            corners: (0..8).map(|i| (0, corner(i))).collect(),
+            faces: DVec3::AXES.iter().flat_map(|&axis| [(0, axis, 0.5), (0, -axis, 0.5)]).collect(),
+            sides: DVec3::AXES.map(|axis| (0, axis)).into(),
+        };
+        Solid::of(DVec3::ZERO, parts, 1.0)
     }
 
     fn overlap(shift: DVec3, turns: [DQuat; 2]) -> f64 {
         let meeting = Meeting::of([SolidId::Girder(0), SolidId::Girder(1)], [cube(), cube()]);
-        let pose = |shift, turn| Frame { shift, turned: turned_by(turn), level: false, ..Frame::fixed(DVec3::ZERO) };
+        let pose = |shift, turn| -> Poses {
+            smallvec![Frame { shift, turned: turned_by(turn), level: false, ..Frame::fixed(DVec3::ZERO) }]
+        };
         let [one, other] = [pose(DVec3::ZERO, turns[0]), pose(shift, turns[1])];
-        let [there, back] = [meeting.least_overlap([&one, &other]), meeting.least_overlap([&other, &one])];
+        let there = meeting.least_overlap(&[one.clone(), other.clone()]);
+        let back = meeting.least_overlap(&[other, one]);
         assert!((there - back).abs() < 1e-15, "whichever is the first: {there} and {back} m");
         there
     }

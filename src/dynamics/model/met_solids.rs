@@ -4,42 +4,49 @@ use glam::{DMat3, DVec3};
 
 use crate::dynamics::model::body::Body;
 use crate::dynamics::model::contact_sites::{facade, placed_at};
-use crate::dynamics::model::meeting::{Meeting, Solid};
+use crate::dynamics::model::meeting::{Meeting, Parts, Solid};
+use crate::dynamics::model::pair::Carrier;
 use crate::scene::facing::{Side, SolidId};
 use crate::scene::{Kind, Scene, SceneErrors};
 
-/// The meetings of bodies that have met, but of flexible girders, which are no convex solids of one pose.
+/// The meetings of bodies that have met. In space none of a girder that bends: twisted, its sides are no planes, and corners and edges
+/// do not lie in the faces that they bound.
 ///
 /// # Errors
 /// When an abutment's four corners are no face.
 pub(super) fn meetings(scene: &Scene, bodies: &[Body], met: &[[SolidId; 2]]) -> Result<Vec<Meeting>, SceneErrors> {
-    let is_rigid = |id: &SolidId| !matches!(id, SolidId::Girder(number) if bodies[*number].sections() > 1);
-    let rigid = met.iter().filter(|ids| ids.iter().all(is_rigid));
+    let is_solid = |id: &SolidId| match id {
+        SolidId::Girder(number) => scene.kind == Kind::Planar || bodies[*number].sections() == 1,
+        SolidId::Abutment(_) => true,
+    };
     let meeting = |&ids: &[SolidId; 2]| {
         let [one, other] = ids.map(|id| solid(scene, bodies, id));
         Ok(Meeting::of(ids, [one?, other?]))
     };
-    rigid.map(meeting).collect()
+    met.iter().filter(|ids| ids.iter().all(is_solid)).map(meeting).collect()
 }
 
 /// A body by its faces, in plan by those that stand upright.
 fn solid(scene: &Scene, bodies: &[Body], id: SolidId) -> Result<Solid, SceneErrors> {
-    let (mut corners, mut faces, mut home) = (Vec::new(), Vec::new(), DVec3::ZERO);
-    let (mut least_side, mut sides) = (f64::INFINITY, Vec::new());
-    for side in Side::of(scene.kind, id) {
-        let side = facade(scene, bodies, side)?;
+    let (mut parts, mut home, mut least_side) = (Parts::default(), DVec3::ZERO, f64::INFINITY);
+    for face in Side::of(scene.kind, id) {
+        let side = facade(scene, bodies, face)?;
+        let section = |carrier| side.body.map_or(0, |body| bodies[body].section_of(carrier));
+        let of_face = section(side.carrier());
         let (stands, axes): (DVec3, DMat3) = placed_at(bodies, &side);
         home = stands;
         let normal = axes * side.face.normal;
-        faces.push((normal, normal.dot(axes * side.face.corners[0])));
-        corners.extend(side.face.corners.map(|corner| axes * corner));
+        parts.faces.push((of_face, normal, normal.dot(axes * side.face.corners[0])));
+        let of_corner = |number: usize| section(Carrier::of_corner(id, number));
+        let corners = face.corners().into_iter().zip(side.face.corners);
+        parts.corners.extend(corners.map(|(number, corner)| (of_corner(number), axes * corner)));
         let [a, b, _, d] = side.face.corners;
         let upright = if scene.kind == Kind::Planar { f64::INFINITY } else { (d - a).length() };
         if scene.kind == Kind::Spatial {
             let ends = side.face.corners.iter().zip(side.face.corners.iter().cycle().skip(1));
-            sides.extend(ends.map(|(from, to)| axes * (to - from).normalize_or_zero()));
+            parts.sides.extend(ends.map(|(from, to)| (of_face, axes * (to - from).normalize_or_zero())));
         }
         least_side = least_side.min((b - a).length()).min(upright);
     }
-    Ok(Solid::of(home, corners, faces, &sides, least_side))
+    Ok(Solid::of(home, parts, least_side))
 }

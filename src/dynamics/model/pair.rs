@@ -9,8 +9,8 @@ use crate::contact::{Frame, Home, Law, Local, returned_restitution};
 use crate::dynamics::model::edge_node::Edge;
 use crate::dynamics::model::edge_node::node_place::NodePlace;
 use crate::dynamics::model::face_choice::FaceChoice;
-use crate::geometry::{End, Face};
-use crate::scene::facing::{PairContact, Side, SolidId};
+use crate::geometry::{End, Face, Prism};
+use crate::scene::facing::{Flank, PairContact, Side, SolidId};
 
 /// A facing pair, compiled.
 #[derive(Clone, Debug)]
@@ -57,9 +57,43 @@ impl Pair {
         solids
     }
 
+    /// Its two sides.
+    pub fn sides(&self) -> [Side; 2] {
+        [self.first, self.second]
+    }
+
     /// Numbers of all its contact sites: corners, then edge nodes.
     pub fn nodes(&self) -> impl Iterator<Item = usize> + use<> {
         self.contacts.clone().chain(self.edges.clone())
+    }
+}
+
+/// What of a body carries a node or a face: of a girder that bends these move apart.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Carrier {
+    /// An end of a girder.
+    End(End),
+    /// A face along it.
+    Flank(Flank),
+    /// An abutment.
+    Abutment,
+}
+
+impl Carrier {
+    /// Of a face.
+    pub fn of_face(side: Side) -> Self {
+        match side {
+            Side::Girder(_, end) => Self::End(end),
+            Side::Flank(_, flank) => Self::Flank(flank),
+            Side::Abutment(_) | Side::Rear(..) => Self::Abutment,
+        }
+    }
+
+    /// Of a corner of a body, by its number among the eight: of a girder its end.
+    pub fn of_corner(solid: SolidId, corner: usize) -> Self {
+        let is_of = |end: &End| Prism::end_corners(*end).contains(&(corner % 4));
+        let end = End::BOTH.into_iter().find(is_of).filter(|_| matches!(solid, SolidId::Girder(_)));
+        end.map_or(Self::Abutment, Self::End)
     }
 }
 
@@ -72,8 +106,8 @@ pub struct ContactSite {
     pub face_name: Arc<str>,
     /// Its pair.
     pub pair: usize,
-    /// The ends of their bodies that node and face are of; nothing for other faces.
-    pub ends: [Option<End>; 2],
+    /// What carries node and face.
+    pub carriers: [Carrier; 2],
     /// The faces around the face, where contact lasts until the node comes out of its body; else it ends where the projection
     /// leaves the polygon.
     pub around: Option<[DVec3; 4]>,
@@ -139,6 +173,11 @@ impl ContactSite {
         };
         let farthest = normals.iter().zip(self.face.corners).map(beyond).fold(f64::NEG_INFINITY, f64::max);
         (farthest - edge_slack(&self.face)).max(here.penetration() - self.face.depth)
+    }
+
+    /// How far the projection of a corner is outside of the polygon; negative inside \[m\].
+    pub fn over_edge(&self, here: &Local) -> f64 {
+        outside(&self.face, here.at)
     }
 
     /// Size that the node's coordinates on the face round with: of the face, and of either lever from G \[m\].

@@ -8,6 +8,7 @@
 use crate::contact::Frame;
 use crate::dynamics::Model;
 use crate::dynamics::model::coordinates::state_layout::StateLayout;
+use crate::dynamics::model::meeting::{Poses, Solid};
 use crate::dynamics::model::reference_pose::ReferencePose;
 use crate::dynamics::penalty3d::active_contact::ActiveContact;
 use crate::dynamics::penalty3d::constants::UNCARRIED;
@@ -76,19 +77,17 @@ impl MetContacts {
     /// Overlap that no contact carries.
     pub(in crate::dynamics) fn excess(&self, model: &Model, bodies: BodiesAt<'_>) -> Excess {
         let (deepest, penetration) = self.deepest(model, bodies);
-        let poses = [0, 1].map(|side| self.pose(side, bodies));
-        let overlap = model.meetings[self.meeting].least_overlap([&poses[0], &poses[1]]);
+        let overlap = model.meetings[self.meeting].least_overlap(&self.poses(model, bodies));
         Excess { value: overlap - penetration - self.granted, deepest }
     }
 
     /// Whether the deepest contact carries the overlap along its own normal, which is not less than the least.
     pub(in crate::dynamics) fn is_carried(&self, model: &Model, bodies: BodiesAt<'_>) -> bool {
         let (deepest, penetration) = self.deepest(model, bodies);
-        let poses = [0, 1].map(|side| self.pose(side, bodies));
         let contact = &bodies.active[deepest];
         let out = usize::from(contact.face != self.sides[0].0);
         let normal = contact.normal(model, bodies.frames);
-        let along = model.meetings[self.meeting].overlap_along(normal, out, [&poses[0], &poses[1]]);
+        let along = model.meetings[self.meeting].overlap_along(normal, out, &self.poses(model, bodies));
         along - penetration - self.granted < 0.0
     }
 
@@ -99,9 +98,21 @@ impl MetContacts {
         self.contacts.iter().map(depth).fold((self.contacts[0], f64::NEG_INFINITY), deeper)
     }
 
-    /// Pose of one of the two relative to its placed pose.
-    fn pose(&self, side: usize, BodiesAt { layout, bases, frames, .. }: BodiesAt<'_>) -> Frame {
-        let (index, stand) = &self.sides[side];
-        index.map_or(*stand, |index| bases[index].whole(&frames[layout.sections(index).start]))
+    /// Poses of the sections of both relative to their placed poses.
+    fn poses(&self, model: &Model, BodiesAt { layout, bases, frames, .. }: BodiesAt<'_>) -> [Poses; 2] {
+        [0, 1].map(|side| {
+            let (index, stand) = &self.sides[side];
+            let of_body =
+                |index: usize, section: usize| bases[index].whole(&frames[layout.sections(index).start + section]);
+            model.meetings[self.meeting].solids[side]
+                .poses(|section| index.map_or(*stand, |index| of_body(index, section)))
+        })
+    }
+
+    /// Sections of the two, each with the index of its body in the island.
+    pub(in crate::dynamics) fn sections<'a>(&'a self, model: &'a Model) -> impl Iterator<Item = [usize; 2]> + 'a {
+        let bodies = self.sides.iter().map(|(index, _)| *index).zip(&model.meetings[self.meeting].solids);
+        let of_body = |(index, solid): (usize, &'a Solid)| solid.sections().iter().map(move |&own| [index, own]);
+        bodies.filter_map(|(index, solid)| Some((index?, solid))).flat_map(of_body)
     }
 }

@@ -67,12 +67,19 @@ impl CoupledSystem {
             a.depth = a.expected_depth(model, &frames);
         }
         let radii = bodies.iter().map(|&b| model.bodies[b].radius).collect();
-        Self {
-            met: MetContacts::of(model, &bodies, &active),
+        let met = MetContacts::of(model, &bodies, &active);
+        let of_met: Vec<usize> =
+            met.iter().flat_map(|met| met.sections(model)).map(|[i, own]| layout.sections(i).start + own).collect();
+        let mut system = Self {
+            met,
             omega: fastest(model, &bodies, &active, &links),
             quickest: quickest(model, &active, &links),
             ..Self::without_rates((bodies, layout, bases), active, links, radii)
+        };
+        for section in of_met {
+            system.acted_on[section] = true;
         }
+        system
     }
 
     /// Without bounds on rates and without the bodies that have met, which a step of known length does not need.

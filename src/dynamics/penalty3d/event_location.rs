@@ -38,7 +38,14 @@ pub(in crate::dynamics) fn function(
     let active = &island.system.active[number];
     match reason {
         Reason::Opening => here.gap,
-        Reason::Edge => model.contacts[active.site].beyond(&active.closed.place, here) - active.closed.solver.kept,
+        Reason::Edge => {
+            let (site, solver) = (&model.contacts[active.site], &active.closed.solver);
+            if solver.inside_edges {
+                site.over_edge(here)
+            } else {
+                site.beyond(&active.closed.place, here) - solver.kept
+            }
+        }
         Reason::Switching | Reason::Kink => {
             // A slip direction that turns is taken at `t`.
             let turned = active.angle.map(|_| island.closed_at(number, t));

@@ -4,6 +4,7 @@ use std::collections::BTreeMap;
 use std::sync::Arc;
 
 use crate::dynamics::model::edge_node::node_place::NodePlace;
+use crate::dynamics::model::pair::Carrier;
 
 use crate::contact::{Home, NormalLaw};
 use crate::dynamics::free_flight::body_motion::BodyMotion;
@@ -90,16 +91,26 @@ impl World {
         let contacts = from..self.contacts.len();
         let sites: Vec<_> = self.contacts[from..].iter().map(|track| (track.site, track.geometry)).collect();
         let axial = AxialGap::of(model, number, &sites);
-        let sections = [pair.first, pair.second].map(|side| match side {
-            Side::Girder(body, end) => model.bodies[body].section(end),
-            Side::Abutment(_) | Side::Flank(..) | Side::Rear(..) => 0,
-        });
-        let ids = [pair.first, pair.second].map(Side::solid);
+        let section =
+            |i: usize| pair.bodies[i].map_or(0, |b| model.bodies[b].section_of(Carrier::of_face(pair.sides()[i])));
+        let sections = [section(0), section(1)];
+        let mut corner_sections: Vec<(usize, usize)> = Vec::new();
+        for track in &self.contacts[from..] {
+            for (slot, section) in track.slots.into_iter().zip(track.sections) {
+                let Some(slot) = slot else { continue };
+                let own = sections[usize::from(Some(slot) == slots[1])];
+                if section != own && !corner_sections.contains(&(slot, section)) {
+                    corner_sections.push((slot, section));
+                }
+            }
+        }
+        let ids = pair.sides().map(Side::solid);
         let meeting = model.meetings.iter().position(|meeting| pair.met && meeting.ids == ids);
         self.pairs.push(PairTrack {
             pair: number,
             slots,
             sections,
+            corner_sections,
             contacts,
             sharers: 0,
             simultaneity,
@@ -137,7 +148,8 @@ impl World {
             let Some(edge) = &model.contacts[self.contacts[contact].site].edge else { continue };
             let corner = |home: &Home| {
                 let is_there = |site: &ContactSite| site.edge.is_none() && site.home == *home;
-                (from..contact).find(|&other| is_there(&model.contacts[self.contacts[other].site]))
+                let rides = |other: usize| self.contacts[other].sections == self.contacts[contact].sections;
+                (from..contact).find(|&other| is_there(&model.contacts[self.contacts[other].site]) && rides(other))
             };
             let [first, second] = edge.homes().map(corner);
             self.contacts[contact].corners = first.zip(second).map(|(first, second)| [first, second]);

@@ -77,6 +77,8 @@ pub(in crate::dynamics) struct PairTrack {
     pub slots: [Option<usize>; 2],
     /// Sections of these bodies that face each other.
     pub sections: [usize; 2],
+    /// Slots and sections that carry its corners where these are others: the corners of a face along a girder that bends.
+    pub corner_sections: Vec<(usize, usize)>,
     /// Numbers of its contacts in the group, corners before edge nodes.
     pub contacts: std::ops::Range<usize>,
     /// Number of nodes, in space of vertices, that share K and C while a contact of the pair is closed; 0 while all are

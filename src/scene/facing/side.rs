@@ -2,8 +2,8 @@
 
 use glam::DVec3;
 
-use crate::geometry::End;
 use crate::geometry::shape::block_behind;
+use crate::geometry::{End, Prism};
 use crate::language::{Message, Text, message};
 use crate::scene::{Kind, Scene, placed};
 
@@ -37,6 +37,19 @@ pub enum Flank {
     Bottom,
     /// Upper side.
     Top,
+}
+
+impl Flank {
+    /// From the centre of an oblique section of a girder to the middle of its edge in the face, girder axes \[m\].
+    pub fn offset(self, prism: &Prism) -> DVec3 {
+        let across = |y: f64| DVec3::new(prism.shear() * y, y, 0.0);
+        match self {
+            Self::Right => across(-0.5 * prism.width),
+            Self::Left => across(0.5 * prism.width),
+            Self::Bottom => DVec3::Z * (-0.5 * prism.thickness),
+            Self::Top => DVec3::Z * (0.5 * prism.thickness),
+        }
+    }
 }
 
 /// A face of an abutment other than its front, seen from the girder before the front.

@@ -3,6 +3,7 @@
 
 mod crossing;
 mod edges;
+mod flush_corners;
 mod offset;
 mod passing;
 mod ramp;

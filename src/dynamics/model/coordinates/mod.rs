@@ -26,6 +26,7 @@ use crate::dynamics::model::body::{Body, BodyCoordinates, Coordinates, Counted, 
 use crate::dynamics::model::ground_now::GroundNow;
 use crate::dynamics::model::linear_block::part::LinearPart;
 use crate::dynamics::model::motion_bounds::MotionBounds;
+use crate::dynamics::model::pair::Carrier;
 use crate::dynamics::model::reference_pose::ReferencePose;
 use crate::dynamics::model::wrench::Wrench;
 use crate::geometry::End;
@@ -75,6 +76,15 @@ impl Body {
     /// [`Coordinates::section`].
     pub fn section(&self, end: End) -> usize {
         of_each!(self, c => c.section(end))
+    }
+
+    /// The section of an end or of a face along the girder.
+    pub fn section_of(&self, carrier: Carrier) -> usize {
+        match carrier {
+            Carrier::End(end) => self.section(end),
+            Carrier::Flank(flank) => of_each!(self, c => c.flank(flank)),
+            Carrier::Abutment => 0,
+        }
     }
 
     /// [`Coordinates::displacements`].

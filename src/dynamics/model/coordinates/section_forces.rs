@@ -1,6 +1,7 @@
 //! Section forces of an elastic girder from equilibrium, (F10), and from strain, in plan and in space.
 
 use glam::{DMat3, DVec3};
+use smallvec::{SmallVec, smallvec};
 
 use crate::dynamics::elastic::Fields;
 use crate::dynamics::elastic::legendre::{integrals_to_end, moments_to_end, slopes, values};
@@ -31,6 +32,47 @@ pub(in crate::dynamics) struct Load {
     pub force: DVec3,
     /// Moment \[N·m\].
     pub moment: DVec3,
+}
+
+/// What of a girder carries the forces on a section of its own.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub(in crate::dynamics) enum Bearer {
+    /// The section at this station \[m\].
+    Station(f64),
+    /// Both end sections: a face along the girder, plane between the corners of both.
+    Flank {
+        /// Half of the girder's length \[m\].
+        half: f64,
+        /// From the centre of an end section to the middle of the face's edge there, girder axes \[m\].
+        offset: DVec3,
+    },
+}
+
+impl Bearer {
+    /// Motion of a face along the girder by those of the sections at −x and +x, girder axes: of its centre, and of the line between the
+    /// middles of its edges, with the mean of both rotations about x.
+    pub(in crate::dynamics) fn between([minus, plus]: [Fields; 2], half: f64, offset: DVec3) -> Fields {
+        let [from, to] = [minus, plus].map(|end| end.displacement(offset));
+        let along = (to - from) / (2.0 * half);
+        let twist = 0.5 * (minus.turned.x + plus.turned.x);
+        Fields { moved: 0.5 * (from + to), turned: DVec3::new(twist, -along.z, along.y) }
+    }
+
+    /// The loads of a force on the section and a moment about its centre, girder axes: those that do the same work.
+    pub(in crate::dynamics) fn loads(&self, force: DVec3, moment: DVec3) -> SmallVec<[Load; 2]> {
+        match *self {
+            Self::Station(station) => smallvec![Load { station, force, moment }],
+            Self::Flank { half, offset } => {
+                let couple = DVec3::new(0.0, moment.z, -moment.y) / (2.0 * half);
+                let at = |sign: f64| {
+                    let own = 0.5 * force + sign * couple;
+                    let moment = offset.cross(own) + DVec3::X * (0.5 * moment.x);
+                    Load { station: sign * half, force: own, moment }
+                };
+                smallvec![at(-1.0), at(1.0)]
+            }
+        }
+    }
 }
 
 /// Stiffness of a section: of N, Q, `Q_z`, and of T, `M_y`, M; 0 where a girder has no such strain.
@@ -126,5 +168,31 @@ impl SectionForces {
             vertical_moment: moment.y,
             torque: moment.x,
         }
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn loads_of_a_side_do_the_work_of_its_motion() {
+        let (half, offset) = (7.0, DVec3::new(0.8, -2.0, 0.3));
+        let ends = [0.3f64, 1.1].map(|seed| Fields {
+            moved: DVec3::new(seed.sin(), (2.0 * seed).cos(), (3.0 * seed).sin()),
+            turned: DVec3::new((5.0 * seed).cos(), (7.0 * seed).sin(), (11.0 * seed).cos()),
+        });
+        let side = Bearer::between(ends, half, offset);
+        let (force, moment) = (DVec3::new(2.0, -3.0, 5.0), DVec3::new(-7.0, 11.0, 13.0));
+        let loads = Bearer::Flank { half, offset }.loads(force, moment);
+        let by_ends: f64 =
+            loads.iter().zip(ends).map(|(load, end)| load.force.dot(end.moved) + load.moment.dot(end.turned)).sum();
+        let by_side = force.dot(side.moved) + moment.dot(side.turned);
+        assert!((by_ends - by_side).abs() < 1e-13 * by_side.abs(), "{by_ends} and {by_side} J");
+        let about_middle =
+            loads.iter().map(|load| (DVec3::X * load.station).cross(load.force) + load.moment).sum::<DVec3>();
+        let all = loads.iter().map(|load| load.force).sum::<DVec3>();
+        assert!((all - force).length() < 1e-14 * force.length(), "the same force");
+        assert!((about_middle - offset.cross(force) - moment).length() < 1e-13 * moment.length(), "the same moment");
     }
 }

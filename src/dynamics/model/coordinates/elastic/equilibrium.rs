@@ -1,6 +1,7 @@
 //! What acts on an elastic girder in plan, for its section forces, (F10).
 
 use glam::{DMat2, DMat3, DVec2, DVec3};
+use smallvec::smallvec;
 
 use super::girder::ElasticGirder;
 use super::section::Turns;
@@ -56,13 +57,14 @@ impl ElasticGirder {
             let (force, moment) = (wrench.force.truncate(), wrench.moment.z);
             let Some(end) = self.deforming(section) else {
                 let back = DMat2::from_angle(-place[2]) * force;
-                return in_plan(0.0, self.girder_axes(back), moment);
+                return smallvec![in_plan(0.0, self.girder_axes(back), moment)];
             };
             let turns = Turns::of(place[2], end.deformation(&place[RIGID..], &rate[RIGID..]).of.z);
             let load = end.load(&turns, force, moment);
-            in_plan(end.station, self.girder_axes(load.force), load.moment)
+            end.bearer.loads(self.girder_axes(load.force).extend(0.0), DVec3::Z * load.moment)
         };
-        wrenches.iter().enumerate().filter(|(_, w)| w.force != DVec3::ZERO || w.moment != DVec3::ZERO).map(of).collect()
+        let acting = wrenches.iter().enumerate().filter(|(_, w)| w.force != DVec3::ZERO || w.moment != DVec3::ZERO);
+        acting.flat_map(of).collect()
     }
 
     fn girder_axes(&self, world: DVec2) -> DVec2 {

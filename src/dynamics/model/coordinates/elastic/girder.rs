@@ -11,7 +11,9 @@ use crate::dynamics::elastic::Modes;
 use crate::dynamics::model::axial_motion::{AxialModes, AxialParts};
 use crate::dynamics::model::body::Body;
 use crate::dynamics::model::coordinates::modal_springs::{ModalDamping, ModalSprings, widen};
+use crate::dynamics::model::coordinates::section_forces::Bearer;
 use crate::dynamics::model::linear_block::part::RIGID;
+use crate::scene::facing::Flank;
 
 /// Part of the distance of an end from G that the end's frame is taken to be displaced by at most, where bounds need it: far beyond what
 /// a linear beam stands for.
@@ -20,8 +22,8 @@ pub(in crate::dynamics) const DEFORMED: f64 = 0.1;
 /// Stations that differ by less than this part of half the length are one \[–\]: rounding of places, far below what a beam tells apart.
 pub(in crate::dynamics) const SAME_STATION: f64 = 1e-12;
 
-/// An elastic girder: x, y, θ of its mean axes, modal coordinates, and their rates. Sections: G, the −x end, the +x end, then those
-/// of its links.
+/// An elastic girder: x, y, θ of its mean axes, modal coordinates, and their rates. Sections: G, the −x end, the +x end, the faces
+/// along it of a girder that has met another body, then those of its links.
 #[derive(Clone, Debug)]
 pub struct ElasticGirder {
     /// Its modes.
@@ -30,7 +32,7 @@ pub struct ElasticGirder {
     pub damping: ModalDamping,
     /// Springs and dashpots of the modes.
     pub(super) springs: ModalSprings,
-    /// Sections that move against the mean axes: of the ends, −x first, then of links.
+    /// Sections that move against the mean axes: of the ends, −x first, of faces along the girder, then of links.
     pub(super) deforming: Vec<Section>,
     /// Bearings, axis by axis.
     pub(in crate::dynamics) bearings: Vec<BearingAxis>,
@@ -108,7 +110,8 @@ impl ElasticGirder {
         let half = self.lever();
         let (station, _) = station_and_offset(place.truncate(), self.rigid.prism.shear(), half);
         let frame = if kinematics == Kinematics::Linear { SectionFrame::Linear } else { SectionFrame::Rigid };
-        let same = |own: &Section| own.frame == frame && (own.station - station).abs() <= SAME_STATION * half;
+        let is_there = |bearer| matches!(bearer, Bearer::Station(own) if (own - station).abs() <= SAME_STATION * half);
+        let same = |own: &Section| own.frame == frame && is_there(own.bearer);
         if let Some(known) = self.deforming.iter().position(same) {
             return known + 1;
         }
@@ -116,6 +119,16 @@ impl ElasticGirder {
         widen(&mut self.most, added.amplitudes());
         self.deforming.push(added);
         self.deforming.len()
+    }
+
+    /// Gives the faces along the girder sections of their own.
+    pub(in crate::dynamics) fn add_flanks(&mut self) {
+        let (prism, axes) = (&self.rigid.prism, &self.rigid.axes);
+        let flanks = [Flank::Right, Flank::Left].map(|flank| Section::flank(&self.modes, axes, flank.offset(prism)));
+        for flank in flanks {
+            widen(&mut self.most, flank.amplitudes());
+            self.deforming.push(flank);
+        }
     }
 
     /// u, v and φ of the section at a station \[m\] in a state, girder axes \[m, rad\].
@@ -154,7 +167,8 @@ impl ElasticGirder {
             x.x + y.y
         };
         // The trace of a symmetric positive matrix is not below its largest eigenvalue.
-        let most = corners.iter().flat_map(|&arm| self.deforming.iter().map(move |end| (end, arm)));
+        let ends = &self.deforming[..2];
+        let most = corners.iter().flat_map(|&arm| ends.iter().map(move |end| (end, arm)));
         let nearest = most.filter(|(end, arm)| (*arm - end.lever).length() < (*arm + end.lever).length());
         self.rigid.rate_bounds.mobility + nearest.map(|(end, arm)| of(end, arm)).fold(0.0, f64::max)
     }

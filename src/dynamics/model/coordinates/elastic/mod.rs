@@ -21,6 +21,7 @@ use crate::dynamics::model::axial_motion::AxialMotion;
 use crate::dynamics::model::body::{Body, Coordinates, Counted, Point};
 use crate::dynamics::model::closed_form::ClosedForm;
 use crate::dynamics::model::coordinates::planar;
+use crate::dynamics::model::coordinates::section_forces::Bearer;
 use crate::dynamics::model::ground_now::GroundNow;
 use crate::dynamics::model::linear_block::part::{LinearPart, RIGID};
 use crate::dynamics::model::linear_block::{BlockMember, LinearBlock};
@@ -31,6 +32,7 @@ use crate::dynamics::model::section_bounds::SectionBounds;
 use crate::dynamics::model::wrench::Wrench;
 use crate::geometry::End;
 use crate::motion::Ground;
+use crate::scene::facing::Flank;
 pub(in crate::dynamics) use bearings::BearingAxis;
 use girder::DEFORMED;
 pub use girder::ElasticGirder;
@@ -160,6 +162,11 @@ impl Coordinates for ElasticGirder {
             End::Minus => 1,
             End::Plus => 2,
         }
+    }
+
+    fn flank(&self, flank: Flank) -> usize {
+        let has_flanks = self.deforming.get(2).is_some_and(|section| matches!(section.bearer, Bearer::Flank { .. }));
+        if has_flanks { 3 + flank as usize } else { 0 }
     }
 
     fn displacements(&self) -> Option<Range<usize>> {

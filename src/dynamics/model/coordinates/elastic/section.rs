@@ -7,7 +7,8 @@
 use glam::{DMat2, DMat3, DVec2, DVec3};
 
 use super::turn::{composed, planar_turn};
-use crate::dynamics::elastic::Modes;
+use crate::dynamics::elastic::{Fields, Modes};
+use crate::dynamics::model::coordinates::section_forces::Bearer;
 
 /// Station of the oblique section that carries a point \[m\], and the point's offset from its centre, girder axes \[m\]; points beyond the
 /// ends, at ±`half`, are carried by the end sections. `shear` is cot β.
@@ -26,13 +27,13 @@ pub(in crate::dynamics) enum SectionFrame {
     Linear,
 }
 
-/// A rigid section of the girder: its station, and its motion in every mode.
+/// A rigid section of the girder, or a face along it: where it is, and its motion in every mode.
 #[derive(Clone, Debug)]
 pub(in crate::dynamics) struct Section {
     /// Its frame.
     pub frame: SectionFrame,
-    /// Its station s \[m\].
-    pub station: f64,
+    /// What carries the forces on it.
+    pub bearer: Bearer,
     /// From G to its centre, world axes as placed \[m\].
     pub lever: DVec2,
     /// u, v in the world's axes as placed, φ, of every mode \[1/√kg, 1/(m√kg)\].
@@ -79,7 +80,17 @@ impl Section {
         let turned = |field: DVec3| (along * field.x + across * field.y).extend(field.z);
         let xi = 2.0 * station / modes.beam.length;
         let fields = modes.section(xi).into_iter().map(turned).collect();
-        Self { frame, station, lever: along * station, fields }
+        Self { frame, bearer: Bearer::Station(station), lever: along * station, fields }
+    }
+
+    /// A face along a girder, at `offset` from its axis as placed, girder axes \[m\].
+    pub(in crate::dynamics) fn flank(modes: &Modes, axes: &DMat3, offset: DVec3) -> Self {
+        let half = 0.5 * modes.beam.length;
+        let [minus, plus] = [-1.0, 1.0].map(|xi| modes.section(xi).into_iter().map(Fields::plane));
+        let moved = minus.zip(plus).map(|(minus, plus)| Bearer::between([minus, plus], half, offset).in_axes(axes));
+        let fields = moved.map(|fields| fields.moved.truncate().extend(fields.turned.z)).collect();
+        let lever = (*axes * offset).truncate();
+        Self { frame: SectionFrame::Rigid, bearer: Bearer::Flank { half, offset }, lever, fields }
     }
 
     /// Amplitudes of each mode: |(u, v)| and |φ|.

@@ -43,8 +43,6 @@ impl SpatialElasticGirder {
     fn loads(&self, state: &[f64], wrenches: &[Wrench]) -> Vec<Load> {
         let (here, modal) = (self.mean_axes(state), self.modal(state));
         let girder_axes = |placed: DVec3| self.rigid.axes.mul_transpose_vec3(placed);
-        let load =
-            |station: f64, on: Fields| Load { station, force: girder_axes(on.moved), moment: girder_axes(on.turned) };
         let mut loads = Vec::new();
         let on_sections = wrenches.iter().enumerate().map(|(number, wrench)| (self.deforming(number), wrench));
         let pushed = self.pushed.as_ref().map(|(section, push)| (Some(section), push));
@@ -54,10 +52,12 @@ impl SpatialElasticGirder {
             }
             if let Some(section) = section {
                 let turns = Self::turns(section, here.turned, modal);
-                loads.push(load(section.station, section.load(&turns, wrench.force, wrench.moment)));
+                let on = section.load(&turns, wrench.force, wrench.moment);
+                loads.extend(section.bearer.loads(girder_axes(on.moved), girder_axes(on.turned)));
             } else {
-                let [moved, turned] = [wrench.force, wrench.moment].map(|v| v + here.turned.transpose() * v);
-                loads.push(load(0.0, Fields { moved, turned }));
+                let [force, moment] =
+                    [wrench.force, wrench.moment].map(|v| girder_axes(v + here.turned.transpose() * v));
+                loads.push(Load { station: 0.0, force, moment });
             }
         }
         for point in &self.bearings {

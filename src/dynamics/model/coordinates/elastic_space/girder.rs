@@ -9,7 +9,9 @@ use crate::dynamics::model::body::Body;
 use crate::dynamics::model::coordinates::elastic::girder::SAME_STATION;
 use crate::dynamics::model::coordinates::elastic::section::station_and_offset;
 use crate::dynamics::model::coordinates::modal_springs::{ModalDamping, ModalSprings, widen};
+use crate::dynamics::model::coordinates::section_forces::Bearer;
 use crate::dynamics::model::wrench::Wrench;
+use crate::scene::facing::Flank;
 
 /// Places of the mean axes that come before those of the modes: displacement and quaternion.
 pub(super) const PLACES: usize = 7;
@@ -17,7 +19,7 @@ pub(super) const PLACES: usize = 7;
 pub(super) const RATES: usize = 6;
 
 /// An elastic girder in space: displacement and quaternion of its mean axes, modal coordinates; velocity and angular velocity of the
-/// mean axes, rates of the modal coordinates. Sections: G, the −x end, the +x end, then those of its links.
+/// mean axes, rates of the modal coordinates. Sections: G, the −x end, the +x end, the faces along it of a girder that has met another body, then those of its links.
 #[derive(Clone, Debug)]
 pub struct SpatialElasticGirder {
     /// Its modes.
@@ -26,7 +28,7 @@ pub struct SpatialElasticGirder {
     pub damping: ModalDamping,
     /// Springs and dashpots of the modes.
     pub(super) springs: ModalSprings,
-    /// Sections that move against the mean axes: of the ends, −x first, then of links.
+    /// Sections that move against the mean axes: of the ends, −x first, of faces along the girder, then of links.
     pub(super) deforming: Vec<Section>,
     /// The section through G, and the given push on it; nothing without one.
     pub(super) pushed: Option<(Section, Wrench)>,
@@ -98,7 +100,8 @@ impl SpatialElasticGirder {
         let place = self.rigid.axes.mul_transpose_vec3(arm);
         let half = self.lever();
         let (station, _) = station_and_offset(place.truncate(), self.rigid.prism.shear(), half);
-        let same = |own: &Section| (own.station - station).abs() <= SAME_STATION * half;
+        let is_there = |bearer| matches!(bearer, Bearer::Station(own) if (own - station).abs() <= SAME_STATION * half);
+        let same = |own: &Section| is_there(own.bearer);
         if let Some(known) = self.deforming.iter().position(same) {
             return known + 1;
         }
@@ -106,6 +109,16 @@ impl SpatialElasticGirder {
         widen(&mut self.most, added.amplitudes());
         self.deforming.push(added);
         self.deforming.len()
+    }
+
+    /// Gives the faces along the girder sections of their own.
+    pub(in crate::dynamics) fn add_flanks(&mut self) {
+        let (prism, axes) = (&self.rigid.prism, &self.rigid.axes);
+        let all = [Flank::Right, Flank::Left, Flank::Bottom, Flank::Top];
+        for flank in all.map(|flank| Section::flank(&self.modes, axes, flank.offset(prism))) {
+            widen(&mut self.most, flank.amplitudes());
+            self.deforming.push(flank);
+        }
     }
 
     /// Motion of the section at a station \[m\] against the mean axes in a state, girder axes.
@@ -144,7 +157,8 @@ impl SpatialElasticGirder {
             let along = |unit: DVec3| section.compliance(&DMat3::ZERO, arm, unit).dot(unit);
             DVec3::AXES.into_iter().map(along).sum::<f64>()
         };
-        let most = corners.iter().flat_map(|&arm| self.deforming.iter().map(move |end| (end, arm)));
+        let ends = &self.deforming[..2];
+        let most = corners.iter().flat_map(|&arm| ends.iter().map(move |end| (end, arm)));
         let nearest = most.filter(|(end, arm)| (*arm - end.lever).length() < (*arm + end.lever).length());
         self.rigid.rate_bounds.mobility + nearest.map(|(end, arm)| of(end, arm)).fold(0.0, f64::max)
     }

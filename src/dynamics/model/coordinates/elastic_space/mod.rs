@@ -17,6 +17,7 @@ use crate::contact::{Frame, turned_by};
 use crate::dynamics::connection::Connection;
 use crate::dynamics::model::body::{Body, Coordinates, Counted, Point};
 use crate::dynamics::model::coordinates::elastic::girder::DEFORMED;
+use crate::dynamics::model::coordinates::section_forces::Bearer;
 use crate::dynamics::model::coordinates::spatial::{self, Spatial};
 use crate::dynamics::model::ground_now::GroundNow;
 use crate::dynamics::model::motion_bounds::MotionBounds;
@@ -25,6 +26,7 @@ use crate::dynamics::model::rigid_body;
 use crate::dynamics::model::section_bounds::SectionBounds;
 use crate::dynamics::model::wrench::Wrench;
 use crate::geometry::End;
+use crate::scene::facing::Flank;
 pub use girder::SpatialElasticGirder;
 use girder::{PLACES, RATES};
 use section::{Section, Turns};
@@ -127,6 +129,11 @@ impl Coordinates for SpatialElasticGirder {
             End::Minus => 1,
             End::Plus => 2,
         }
+    }
+
+    fn flank(&self, flank: Flank) -> usize {
+        let has_flanks = self.deforming.get(2).is_some_and(|section| matches!(section.bearer, Bearer::Flank { .. }));
+        if has_flanks { 3 + flank as usize } else { 0 }
     }
 
     fn displacements(&self) -> Option<Range<usize>> {

@@ -7,12 +7,13 @@ use glam::{DMat3, DVec3};
 
 use super::turn::SectionTurn;
 use crate::dynamics::elastic::{Fields, SpaceModes};
+use crate::dynamics::model::coordinates::section_forces::Bearer;
 
-/// A rigid section of the girder: its station, and its motion in every mode.
+/// A rigid section of the girder, or a face along it: where it is, and its motion in every mode.
 #[derive(Clone, Debug)]
 pub(in crate::dynamics) struct Section {
-    /// Its station s \[m\].
-    pub(super) station: f64,
+    /// What carries the forces on it.
+    pub(super) bearer: Bearer,
     /// From G to its centre, world axes as placed \[m\].
     pub(super) lever: DVec3,
     /// Motion in every mode, in the world's axes as placed \[1/√kg, 1/(m√kg)\].
@@ -62,7 +63,15 @@ impl Section {
     pub(super) fn at(modes: &SpaceModes, axes: &DMat3, station: f64) -> Self {
         let xi = 2.0 * station / modes.beam.plan.length;
         let fields = modes.section(xi).into_iter().map(|fields| fields.in_axes(axes)).collect();
-        Self { station, lever: axes.x_axis * station, fields }
+        Self { bearer: Bearer::Station(station), lever: axes.x_axis * station, fields }
+    }
+
+    /// A face along a girder, at `offset` from its axis as placed, girder axes \[m\].
+    pub(super) fn flank(modes: &SpaceModes, axes: &DMat3, offset: DVec3) -> Self {
+        let half = 0.5 * modes.beam.plan.length;
+        let [minus, plus] = [-1.0, 1.0].map(|xi| modes.section(xi).into_iter());
+        let moved = minus.zip(plus).map(|(minus, plus)| Bearer::between([minus, plus], half, offset).in_axes(axes));
+        Self { bearer: Bearer::Flank { half, offset }, lever: *axes * offset, fields: moved.collect() }
     }
 
     /// Amplitudes of each mode: |(u, v, w)| and |φ|.
