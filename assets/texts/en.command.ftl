@@ -35,7 +35,7 @@ run-pier-yields = ; it yields from { $t } s on, ductility { $ductility }; unload
 run-pier-numbers = alone T { $along } s along, { $across } s across; drift { $drift } mm at { $td } s, base shear { $shear } at { $ts } s{ $yielded }
 run-pier = pier { $name }
 run-bearings = bearings of { $girder }
-run-bearings-of = move up to { $moved } mm in plan (bearing { $bearing }, { $t } s), force of one up to { $force } (bearing { $which }, { $tf } s)
+run-bearings-of = move up to { $moved } mm in plan (bearing { $bearing }, { $t } s), force of one in plan up to { $force } (bearing { $which }, { $tf } s)
 run-overlap-of = { $one } and { $other }, without contact: from { $t } s, { $depth } mm deep at { $td } s
 run-overlap-more = { $more } more
 run-too-deep-of = { $node } in { $face }: { $depth } mm at { $t } s, more than a tenth of the shortest side ({ $allowed } mm)
@@ -84,12 +84,12 @@ run-left-out = left out
 run-warning = warning
 run-hardest = hardest hit
 run-not-negligible = not negligible: { $names }
-run-returned = , returned e = { $e }
-run-hit-of = at { $t } s for { $time } ms{ $restitution }; { $ringing } J left ringing
+run-returned = , the mass centres returned e = { $e }
+run-hit-of = at { $t } s for { $time } ms{ $restitution }; { $ringing } J in the modes after it
 run-hit-goes-on = from { $t } s on, { $time } ms until the end of the run; it has not ended; { $ringing } J in the modes
-run-section-forces = mid-span |N| to { $axial } MN at { $t } s (strain differs by { $difference }), |M| to { $moment } MN·m; fibre to { $stress } MPa at s = { $s } m
-run-section-forces-space = |M_y| to { $moment } MN·m, |T| to { $torque } MN·m
-run-degrees = degree { $one } against { $other }: force { $force }, impulse { $impulse }, ends { $ends }, N at mid-span { $section }
+run-section-forces = mid-span |N| to { $axial } MN at { $t } s (strain differs by { $difference }), |M| to { $moment } MN·m{ $in_space }; fibre to { $stress } MPa at s = { $s } m
+run-section-forces-space = , |M_y| to { $moment } MN·m, |T| to { $torque } MN·m
+run-degrees = degree { $one } against { $other }: force { $force }, impulse { $impulse }, ends { $ends }, N at mid-span { $section }, moments there { $moments }
 warning = warning: { $what }
 warning-more-outside = warning: { $more } more quantities outside the domain
 note = note: { $words }

@@ -458,5 +458,6 @@ neglected-centrifugal = centrifugal force
 neglected-coriolis = Coriolis force
 neglected-inertia = change of inertia
 neglected-thrust = softening by thrust
+neglected-side-load = load on a side between the ends
 record-format-of = { $name } ({ $extensions }): { $contents }
 record-formats = { $one }; { $more }

@@ -972,7 +972,7 @@ report-bends-strength = strength [MPa]
 report-stress-at = { $stress } MPa at s = { $s } m, { $t } s
 report-strength-passed = { $girder }: the extreme fibre passes its strength of { $strength } MPa with { $stress }; the girder is no longer elastic there
 report-not-negligible = { $girder }: not negligible in what the model of bending leaves out: { $names }
-report-degrees = Polynomials of degree { $one } against { $other }: the largest contact force differs by { $force } of itself, impulses by { $impulse }, places of the ends by { $ends }, N at mid-span by { $section }.
+report-degrees = Polynomials of degree { $one } against { $other }: the largest contact force differs by { $force } of itself, impulses by { $impulse }, places of the ends by { $ends }, N at mid-span by { $section }, moments there by { $moments }.
 report-device = device
 report-of-strength = of its strength
 report-moves = movement along its axis [mm]

@@ -35,7 +35,7 @@ run-pier-yields = 。{ $t } s から降伏、塑性率 { $ductility }。最後�
 run-pier-numbers = 単独で T 橋軸 { $along } s、直角 { $across } s。変位 { $drift } mm（{ $td } s）、基部せん断力 { $shear }（{ $ts } s）{ $yielded }
 run-pier = 橋脚 { $name }
 run-bearings = 支承 { $girder }
-run-bearings-of = 水平変位 { $moved } mm（支承 { $bearing }、{ $t } s）、一つの力 { $force }（支承 { $which }、{ $tf } s）
+run-bearings-of = 水平変位 { $moved } mm（支承 { $bearing }、{ $t } s）、一つの水平力 { $force }（支承 { $which }、{ $tf } s）
 run-overlap-of = { $one } と { $other }、接触なし：{ $t } s から、最大 { $depth } mm（{ $td } s）
 run-overlap-more = ほか { $more } 件
 run-too-deep-of = { $face } への { $node }：{ $t } s に { $depth } mm、最短辺の十分の一（{ $allowed } mm）を超える
@@ -81,12 +81,12 @@ run-left-out = 省略した項
 run-warning = 警告
 run-hardest = 最大の衝突
 run-not-negligible = 無視できない：{ $names }
-run-returned = 、反発係数 e = { $e }
-run-hit-of = { $t } s、接触 { $time } ms{ $restitution }。残留振動 { $ringing } J
+run-returned = 、重心の反発係数 e = { $e }
+run-hit-of = { $t } s、接触 { $time } ms{ $restitution }。直後のモードのエネルギー { $ringing } J
 run-hit-goes-on = { $t } s から計算の終わりまで { $time } ms：まだ終わっていない。モードのエネルギー { $ringing } J
-run-section-forces = 中央の |N| 最大 { $axial } MN（{ $t } s、ひずみの差 { $difference }）、|M| 最大 { $moment } MN·m。縁応力 最大 { $stress } MPa（s = { $s } m）
-run-section-forces-space = |M_y| 最大 { $moment } MN·m、|T| 最大 { $torque } MN·m
-run-degrees = 次数 { $one } と { $other }：力 { $force }、力積 { $impulse }、端 { $ends }、中央の N { $section }
+run-section-forces = 中央の |N| 最大 { $axial } MN（{ $t } s、ひずみの差 { $difference }）、|M| 最大 { $moment } MN·m{ $in_space }。縁応力 最大 { $stress } MPa（s = { $s } m）
+run-section-forces-space = 、|M_y| 最大 { $moment } MN·m、|T| 最大 { $torque } MN·m
+run-degrees = 次数 { $one } と { $other }：力 { $force }、力積 { $impulse }、端 { $ends }、中央の N { $section }、モーメント { $moments }
 warning = 警告：{ $what }
 warning-more-outside = 警告：ほか { $more } 件が検証範囲外
 note = 注記：{ $words }

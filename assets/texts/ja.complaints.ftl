@@ -458,5 +458,6 @@ neglected-centrifugal = 遠心力
 neglected-coriolis = コリオリ力
 neglected-inertia = 慣性モーメントの変化
 neglected-thrust = 軸圧縮による軟化
+neglected-side-load = 両端の間の側面への荷重
 record-format-of = { $name }（{ $extensions }）：{ $contents }
 record-formats = { $one }; { $more }

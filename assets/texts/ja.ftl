@@ -955,7 +955,7 @@ report-bends-strength = 強度 [MPa]
 report-stress-at = { $stress } MPa（s = { $s } m、{ $t } s）
 report-strength-passed = { $girder }：縁応力が強度 { $strength } MPa を超える：{ $stress }。そこではもう弾性ではない
 report-not-negligible = { $girder }：曲げのモデルに含まれず、小さくない項：{ $names }
-report-degrees = 次数 { $one } と { $other }：それぞれの最大に対する差：接触力 { $force }、力積 { $impulse }、端の位置 { $ends }、中央の N { $section }。
+report-degrees = 次数 { $one } と { $other }：それぞれの最大に対する差：接触力 { $force }、力積 { $impulse }、端の位置 { $ends }、中央の N { $section }、モーメント { $moments }。
 report-device = 装置
 report-of-strength = 耐力比
 report-moves = 軸方向の相対変位 [mm]

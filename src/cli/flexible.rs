@@ -64,23 +64,22 @@ fn hit(run: &FlexibleRun) -> Option<(String, String)> {
 
 fn forces(run: &FlexibleRun) -> String {
     let in_space = run.vertical_moment.zip(run.torque).map_or_else(String::new, |(moment, torque)| {
-        let text = said!(
+        said!(
             "run-section-forces-space",
             "moment" => six(moment[0] * 1e-6),
             "torque" => six(torque[0] * 1e-6)
-        );
-        format!("; {text}")
+        )
     });
-    let plan = said!(
+    said!(
         "run-section-forces",
         "axial" => six(run.axial[0] * 1e-6),
         "t" => format!("{:.4}", run.axial[1]),
         "difference" => format!("{:.1e}", run.local_error),
         "moment" => six(run.moment[0] * 1e-6),
+        "in_space" => in_space,
         "stress" => six(run.stress[0] * 1e-6),
         "s" => six(run.stress[2])
-    );
-    format!("{plan}{in_space}")
+    )
 }
 
 fn checked(check: &DegreeCheck) -> String {
@@ -91,6 +90,7 @@ fn checked(check: &DegreeCheck) -> String {
         "force" => format!("{:.1e}", check.force),
         "impulse" => format!("{:.1e}", check.impulse),
         "ends" => format!("{:.1e}", check.ends),
-        "section" => format!("{:.1e}", check.section)
+        "section" => format!("{:.1e}", check.section),
+        "moments" => format!("{:.1e}", check.moments)
     )
 }

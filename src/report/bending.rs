@@ -71,7 +71,8 @@ fn checked(check: &DegreeCheck) -> String {
         "force" => part(check.force),
         "impulse" => part(check.impulse),
         "ends" => part(check.ends),
-        "section" => part(check.section)
+        "section" => part(check.section),
+        "moments" => part(check.moments)
     )
 }
 

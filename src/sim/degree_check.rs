@@ -24,6 +24,8 @@ pub struct DegreeCheck {
     pub ends: f64,
     /// Of the largest normal force at mid-span.
     pub section: f64,
+    /// Of the largest moments at mid-span, in space of both ways of bending and of torsion, in parts of the largest of them.
+    pub moments: f64,
 }
 
 impl History {
@@ -35,7 +37,7 @@ impl History {
         let against = session.finish();
         let [force, other] = [self, &against].map(Self::largest_force);
         let [impulse, other_impulse] = [self, &against].map(Self::impulse);
-        let [section, other_section] = [self, &against].map(Self::largest_axial);
+        let [[section, own @ ..], [other_section, others @ ..]] = [self, &against].map(Self::largest_at_mid_span);
         let part = |a: f64, b: f64| if b == 0.0 { 0.0 } else { (a - b).abs() / b };
         Some(DegreeCheck {
             degree,
@@ -43,6 +45,11 @@ impl History {
             impulse: part(impulse, other_impulse),
             ends: self.ends_apart(&against),
             section: part(section, other_section),
+            moments: {
+                let apart = own.iter().zip(others).map(|(a, b)| (a - b).abs()).fold(0.0, f64::max);
+                let largest = others.into_iter().fold(0.0, f64::max);
+                if largest == 0.0 { 0.0 } else { apart / largest }
+            },
         })
     }
 

@@ -9,7 +9,7 @@ use crate::dynamics::elastic::Fields;
 use crate::dynamics::model::coordinates::section_forces::{Equilibrium, SectionForces};
 use crate::dynamics::model::elastic_body::ElasticBody;
 use crate::dynamics::model::flexible::Flexible;
-use crate::dynamics::model::pair::Pair;
+use crate::dynamics::model::pair::{Carrier, Pair};
 use crate::dynamics::model::wrench::Wrench;
 use crate::language::Text;
 
@@ -39,16 +39,19 @@ pub struct Neglected {
     pub inertia: f64,
     /// Largest axial force of all stations over the buckling load, `N a0²/(π² E I)`.
     pub thrust: f64,
+    /// Largest distance of a load on a side of the girder from the nearer end, over the length: both ends carry it.
+    pub side_load: f64,
 }
 
 impl Neglected {
     /// Each with its name.
-    pub fn named(&self) -> [(Text, f64); 4] {
+    pub fn named(&self) -> [(Text, f64); 5] {
         [
             (Text::new("neglected-centrifugal"), self.centrifugal),
             (Text::new("neglected-coriolis"), self.coriolis),
             (Text::new("neglected-inertia"), self.inertia),
             (Text::new("neglected-thrust"), self.thrust),
+            (Text::new("neglected-side-load"), self.side_load),
         ]
     }
 }
@@ -190,13 +193,18 @@ impl History {
         bending.map(|(girder, flexible, made)| self.flexible_reading(girder, flexible, made)).collect()
     }
 
-    /// Largest |N| at mid-span of all elastic girders that bend \[N\].
-    pub(super) fn largest_axial(&self) -> f64 {
+    /// Largest |N| \[N\], |M|, |`M_y`| and |T| \[N·m\] at mid-span of all elastic girders that bend.
+    pub(super) fn largest_at_mid_span(&self) -> [f64; 4] {
         let of = |girder: usize| {
             let times = self.wave_looks(girder, self.flexible(girder)?);
-            Some(largest(&times, |t| self.section_forces(girder, 0.0, t).axial.abs()).value)
+            let most = largest_of_each(&times, |t| {
+                let forces = self.section_forces(girder, 0.0, t);
+                [forces.axial, forces.moment, forces.vertical_moment, forces.torque].map(f64::abs)
+            });
+            Some(most.map(|most| most.value))
         };
-        (0..self.model().girders().len()).filter_map(of).fold(0.0, f64::max)
+        let all = (0..self.model().girders().len()).filter_map(of);
+        all.fold([0.0; 4], |most, own| std::array::from_fn(|i| most[i].max(own[i])))
     }
 
     fn flexible_reading(&self, girder: usize, flexible: &Flexible, made: &ElasticBody) -> FlexibleReading {
@@ -246,9 +254,26 @@ impl History {
                 coriolis: 2.0 * spin.value / first,
                 inertia: bent.value / flexible.beam.length,
                 thrust: thrust.value / buckling,
+                side_load: self.side_load(girder) / flexible.beam.length,
             },
             hit: self.elastic_hit(girder),
         }
+    }
+
+    /// Largest distance from the nearer end of a contact with a face along the girder, where its force is largest \[m\].
+    fn side_load(&self, girder: usize) -> f64 {
+        let model = self.model();
+        let is_on_side = |touch: &&Touch| {
+            let site = &model.contacts[touch.contact];
+            site.face_body == Some(girder) && matches!(site.carriers[1], Carrier::Flank(_))
+        };
+        let prism = &model.bodies[girder].prism;
+        let from_end = |touch: &Touch| {
+            let here = self.motion(girder, touch.peak_time);
+            let place = here.attitude.inverse() * (self.contact(touch.contact, touch.peak_time)?.anchor - here.place);
+            Some(0.5 * prism.length - (place.x - place.y * prism.shear()).abs())
+        };
+        self.touches().iter().filter(is_on_side).filter_map(from_end).fold(0.0, f64::max)
     }
 
     /// Times at which section forces are looked at: within steps, and after them as long as waves run.

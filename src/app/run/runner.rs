@@ -360,7 +360,7 @@ mod tests {
         let mut runner = Runner::default();
         for revision in 1..=3 {
             // Each a little longer: which answer is whose is seen by its end.
-            let scene = Scene { duration: 4.0 + revision as f64, ..scene.clone() };
+            let scene = Scene { duration: 40.0 + revision as f64, ..scene.clone() };
             runner.start(&scene, revision);
             assert!(runner.is_stale(), "its answer is not there yet");
         }
@@ -369,7 +369,7 @@ mod tests {
             if runner.poll() {
                 let answered = runner.answered().expect("an answer");
                 seen.push(answered);
-                assert_eq!(runner.end(), 4.0 + answered as f64, "the run of its own scene");
+                assert_eq!(runner.end(), 40.0 + answered as f64, "the run of its own scene");
                 assert_eq!(runner.full_answer().is_none(), runner.is_coarse(), "a coarse one is kept for nothing");
             }
             std::thread::sleep(Duration::from_millis(1));

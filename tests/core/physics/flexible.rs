@@ -6,6 +6,7 @@ mod invariants;
 mod joint;
 mod reference;
 mod scenes;
+mod side_hit;
 mod space;
 mod space_connections;
 
