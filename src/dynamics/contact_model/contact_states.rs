@@ -61,7 +61,8 @@ impl ContactStates<'_> {
     pub(super) fn enter_state(&mut self, contact: usize, mut state: Contact) {
         if let (Contact::Closed(now), None) = (&mut state, self.world.contacts[contact].state.closed()) {
             let site = self.site(contact);
-            now.solver.inside_edges = site.around.is_some() && site.over_edge(&self.at().local(contact)) < 0.0;
+            let (beyond, over) = (now.solver.passes_at.unwrap_or(0.0), site.over_edge(&self.at().local(contact)));
+            now.solver.passes_at = (site.around.is_some() && over < beyond).then_some(beyond);
         }
         let track = &mut self.world.contacts[contact];
         let way = match state {

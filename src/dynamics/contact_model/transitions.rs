@@ -35,7 +35,7 @@ impl<'a> Transitions<'_, 'a> {
                 self.open(contact, &closed, EventKind::Opened);
             }
             Reason::Edge if self.vertices().follow(contact, closed) => {}
-            Reason::Edge if closed.solver.inside_edges => self.pass_edge(contact, closed),
+            Reason::Edge if closed.solver.passes_at.is_some() => self.pass_edge(contact, closed),
             Reason::Edge => self.leave(contact, closed),
             Reason::Overlap => self.hand_over(contact, &closed),
             Reason::Switching => self.switch(contact, closed),
@@ -53,7 +53,7 @@ impl<'a> Transitions<'_, 'a> {
             self.open(contact, &closed, EventKind::LeftFace);
             return;
         }
-        closed.solver.inside_edges = false;
+        closed.solver.passes_at = None;
         let site = self.states.site(contact);
         if site.beyond(&closed.place, &self.states.at().local(contact)) < closed.solver.kept {
             self.states.enter_without_event(contact, Contact::Closed(closed));

@@ -215,6 +215,8 @@ impl VertexNodes<'_, '_> {
         let regularisation = self.states.at().regularisation_length(node, &law, &self.states.here(node));
         let mut closed = ClosedContact::new(law, mode, regularisation);
         closed.solver.kept = if self.states.at().edge(node).is_some() { 0.0 } else { carried.kept };
+        // It may be beside its face by as much as the faces' angle has it seen there.
+        closed.solver.passes_at = Some(carried.kept);
         self.states.world.contacts[node].closing = None;
         let place = self.states.world.contacts[node].place;
         self.enter(node, (closed, kind), (place, carried.depth, at(along)), 0.0);

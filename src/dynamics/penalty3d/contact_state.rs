@@ -49,9 +49,9 @@ pub struct SolverState {
     /// Distance beyond the edges of its face up to which the contact is kept, where it alone carries an overlap of two bodies
     /// that have met \[m\].
     pub kept: f64,
-    /// Between bodies that have met, whether a corner's projection has been inside the polygon of its face since it closed. Once it leaves
-    /// that, the planes of the faces around bound the contact.
-    pub inside_edges: bool,
+    /// Between bodies that have met, how far beyond the polygon of its face a corner's projection passes its vertex on \[m\]; `None` for one
+    /// that has, or that closed beyond: the planes of the faces around bound the contact.
+    pub passes_at: Option<f64>,
 }
 
 impl ClosedContact {

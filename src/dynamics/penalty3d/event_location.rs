@@ -40,10 +40,9 @@ pub(in crate::dynamics) fn function(
         Reason::Opening => here.gap,
         Reason::Edge => {
             let (site, solver) = (&model.contacts[active.site], &active.closed.solver);
-            if solver.inside_edges {
-                site.over_edge(here)
-            } else {
-                site.beyond(&active.closed.place, here) - solver.kept
+            match solver.passes_at {
+                Some(beyond) => site.over_edge(here) - beyond,
+                None => site.beyond(&active.closed.place, here) - solver.kept,
             }
         }
         Reason::Switching | Reason::Kink => {

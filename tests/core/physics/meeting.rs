@@ -8,6 +8,7 @@ mod offset;
 mod passing;
 mod ramp;
 mod round_a_corner;
+mod shaken_joint;
 mod sliding_joint;
 mod stacked;
 mod thrown_in_space;

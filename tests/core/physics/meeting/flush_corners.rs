@@ -18,11 +18,11 @@ fn deck(skew: f64, velocity: [f64; 2], rest: &str) -> Scene {
     ))
 }
 
-/// A deck of 24 m, as wide, 10 mm before the other, `beside` \[m\].
-fn joint(velocity: [f64; 2], beside: f64) -> Scene {
+/// A deck of 24 m, as wide, at this place \[m\]: 10 mm before the other where that is (27.01, 0).
+fn joint(velocity: [f64; 2], [ahead, beside]: [f64; 2]) -> Scene {
     let other = format!(
         "[[girder]]\nname = \"b\"\nlength_m = 24.0\nwidth_m = 10.0\nthickness_m = 1.5\nskew_deg = 70.0\nmass_kg = 4.2e5\n\
-         position_m = [27.01, {beside:?}, 0.0]\n"
+         position_m = [{ahead:?}, {beside:?}, 0.0]\n"
     );
     deck(70.0, velocity, &other)
 }
@@ -38,8 +38,8 @@ fn backwall(skew: f64, velocity: [f64; 2], offset: f64) -> Scene {
 
 fn scenes() -> [(&'static str, Scene); 4] {
     [
-        ("a joint, obliquely", joint([0.4, 0.1], 0.005)),
-        ("a joint, head-on", joint([0.4, 0.0], 0.0)),
+        ("a joint, obliquely", joint([0.4, 0.1], [27.01, 0.005])),
+        ("a joint, head-on", joint([0.4, 0.0], [27.01, 0.0])),
         ("a backwall of 70°", backwall(70.0, [0.4, 0.1], -0.003)),
         ("a backwall of 60°", backwall(60.0, [0.4, -0.1], 0.0)),
     ]
@@ -54,29 +54,72 @@ fn answer(history: &History) -> Vec<f64> {
     std::iter::once(turned).chain(speeds).collect()
 }
 
+/// The scene in space, held flat.
+fn held_flat(flat: &Scene) -> Scene {
+    let mut upright = flat.clone();
+    (upright.kind, upright.gravity) = (Kind::Spatial, 0.0);
+    for girder in &mut upright.girders {
+        girder.held = vec![Direction::Z, Direction::Roll, Direction::Pitch];
+    }
+    upright
+}
+
+/// The scene turned in plan by this angle \[degrees\].
+fn turned(flat: &Scene, angle: f64) -> Scene {
+    let mut turned = flat.clone();
+    let turn = DMat2::from_angle(angle.to_radians());
+    for girder in &mut turned.girders {
+        for vector in [&mut girder.position, &mut girder.initial.velocity] {
+            let [x, y] = (turn * DVec2::new(vector[0], vector[1])).to_array();
+            (vector[0], vector[1]) = (x, y);
+        }
+        girder.heading_deg = angle;
+    }
+    turned
+}
+
 #[test]
 fn however_the_scene_lies_corners_pass_as_they_do_in_space() {
     for (name, flat) in scenes() {
-        let mut upright = flat.clone();
-        (upright.kind, upright.gravity) = (Kind::Spatial, 0.0);
-        for girder in &mut upright.girders {
-            girder.held = vec![Direction::Z, Direction::Roll, Direction::Pitch];
-        }
-        let in_space = answer(&run(&upright));
+        let in_space = answer(&run(&held_flat(&flat)));
         assert!(in_space[0] > 5e-5, "{name}: it turns by {} rad", in_space[0]);
         for angle in [0.0, 15.0, 37.0, 180.0] {
-            let mut turned = flat.clone();
-            let turn = DMat2::from_angle(f64::to_radians(angle));
-            for girder in &mut turned.girders {
-                for vector in [&mut girder.position, &mut girder.initial.velocity] {
-                    let [x, y] = (turn * DVec2::new(vector[0], vector[1])).to_array();
-                    (vector[0], vector[1]) = (x, y);
-                }
-                girder.heading_deg = angle;
-            }
-            for (plan, space) in answer(&run(&turned)).into_iter().zip(&in_space) {
+            for (plan, space) in answer(&run(&turned(&flat, angle))).into_iter().zip(&in_space) {
                 within(&format!("{name}, turned by {angle}°"), plan - space, 1e-5 * space);
             }
+        }
+    }
+}
+
+/// A number from 0 to 1 of a seed.
+fn part(seed: u32, which: u32) -> f64 {
+    ((f64::from(seed * 37 + which * 101 + 1) * 12.9898).sin() * 43758.5453).rem_euclid(1.0)
+}
+
+/// A hit of two decks, or of one against a backwall, by a seed.
+fn random(seed: u32) -> Scene {
+    let between = |which: u32, from: f64, to: f64| from + (to - from) * part(seed, which);
+    let velocity = [between(0, 0.2, 0.8), between(1, -0.3, 0.3)];
+    let beside = [0.0, between(2, -0.02, 0.02), between(2, -2.0, 2.0)][seed as usize % 3];
+    let mut scene = if seed.is_multiple_of(2) {
+        joint(velocity, [27.01 + beside / 70f64.to_radians().tan(), beside])
+    } else {
+        backwall(between(3, 50.0, 130.0), velocity, beside)
+    };
+    scene.girders[0].initial.spin_deg_s = between(4, -1.0, 1.0);
+    scene.contact.stiffness = Some(10f64.powf(between(5, 8.5, 9.7)));
+    (scene.contact.mu_static, scene.contact.mu_kinetic) = (between(6, 0.1, 0.6), 0.8 * between(6, 0.1, 0.6));
+    scene
+}
+
+#[test]
+fn hits_of_random_decks_are_the_same_in_plan_turned_and_in_space() {
+    for seed in 0..24 {
+        let flat = random(seed);
+        let answers = [answer(&run(&flat)), answer(&run(&turned(&flat, 37.0)))];
+        for (n, space) in answer(&run(&held_flat(&flat))).into_iter().enumerate() {
+            within(&format!("seed {seed}, in space"), answers[0][n] - space, 1e-3 * space.max(0.01));
+            within(&format!("seed {seed}, turned"), answers[0][n] - answers[1][n], 1e-9);
         }
     }
 }
@@ -84,9 +127,9 @@ fn however_the_scene_lies_corners_pass_as_they_do_in_space() {
 /// What an independent integration gives that takes the corners of both ends as one (relative offset of the corners 5e-4 of the width).
 #[test]
 fn a_joint_turns_as_an_independent_integration_says() {
-    let oblique = answer(&run(&joint([0.4, 0.1], 0.005)));
+    let oblique = answer(&run(&joint([0.4, 0.1], [27.01, 0.005])));
     within("rotation [rad]", oblique[0] - 1.564e-4, 3e-7);
-    let (history, masses) = (run(&joint([0.4, 0.1], 0.005)), [6e5, 4.2e5]);
+    let (history, masses) = (run(&joint([0.4, 0.1], [27.01, 0.005])), [6e5, 4.2e5]);
     let kinetic: f64 = masses
         .into_iter()
         .enumerate()
