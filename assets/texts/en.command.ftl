@@ -143,7 +143,7 @@ check-angle = angle { $angle }°{ $vertical }
 check-up = up
 check-from-x = { $angle }° from x
 check-nowhere = nowhere
-check-assumed-stiffness = K of pairs without a number of their own: E A / L of their girders with A = width_m × thickness_m (assumed)
+check-assumed-stiffness = K of pairs without a number of their own: E A / L of their girders with A = width_m × thickness_m and L = a₀, of one that bends with its own E and A and L = a₀/10 (assumed)
 check-components = { $count } components: { $all }
 check-record = record of { $count } samples × { $dt } s ({ $length } s), { $peak } g, scale { $scale }, { $direction }{ $steps }
 check-pair = pair { $pair }: gap { $gap } mm along the axis, law { $law }, sharing { $sharing }, tension { $tension }

@@ -140,7 +140,7 @@ check-angle = 入力角 { $angle }°{ $vertical }
 check-up = 上向き
 check-from-x = x から { $angle }°
 check-nowhere = 方向なし
-check-assumed-stiffness = 数値が与えられない組の K：桁の E A / L、A = width_m × thickness_m（仮定）
+check-assumed-stiffness = 数値が与えられない組の K：桁の E A / L、A = width_m × thickness_m、L = a₀。弾性桁では桁自身の E と A、L = a₀/10（仮定）
 check-components = { $count } 成分：{ $all }
 check-record = 記録 { $count } 点 × { $dt } s（{ $length } s）、{ $peak } g、倍率 { $scale }、{ $direction }{ $steps }
 check-pair = 組 { $pair }：遊間 { $gap } mm（橋軸方向）、摩擦則は{ $law }、剛性は{ $sharing }、引張は{ $tension }

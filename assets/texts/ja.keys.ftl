@@ -167,8 +167,8 @@ meaning-stopper-break_force_n = 脆性の側が破断する F_u, N
 meaning-stopper-yield_force_n = 延性の側が降伏する F_y, N
 meaning-stopper-break_displacement_m = 延性の側が破断する塑性変位 w_u, m
 meaning-contact-stiffness_n_per_m = 組の K (54), N/m。次の3つとは併用しない
-meaning-contact-young_modulus_pa = K = E A / L (64) の E, Pa。桁同士では小さい方の K
-meaning-contact-area_m2 = (64) の A, m²
+meaning-contact-young_modulus_pa = K = E A / L (64) の E, Pa。弾性桁では桁自身の E。桁同士では小さい方の K
+meaning-contact-area_m2 = (64) の A, m²。弾性桁では桁自身の A
 meaning-contact-contact_length_m = K = E A / L (64) の L, m。a₀ は桁長
 meaning-contact-hertz_stiffness_n_per_m1_5 = ヘルツばねの k_h, N/m^1.5。stiffness_n_per_m がなければ接線ばねの K もこれで決まる
 meaning-contact-law_parameter = kelvin-voigt と approach の減衰定数 ζ、hertz-viscous と jankowski の ξ、hertz-damp の a

@@ -78,8 +78,8 @@ contact_tables! {
         stiffness = "stiffness_n_per_m" as "field-contact-k", Range::Positive, Fallback::Words("E A / L"),
             "K of a pair (54), N/m; not together with the next three";
         young_modulus = "young_modulus_pa" as "field-contact-e", Range::Positive, Fallback::Number(CONCRETE_MODULUS),
-            "E of K = E A / L (64), Pa; of two girders the smaller K counts";
-        area = "area_m2" as "field-contact-a", Range::Positive, Fallback::Words("width × thickness of the girder"), "A of (64), m²";
+            "E of K = E A / L (64), Pa, of a girder that bends its own; of two girders the smaller K counts";
+        area = "area_m2" as "field-contact-a", Range::Positive, Fallback::Words("width × thickness of the girder"), "A of (64), m², of a girder that bends its own";
         contact_length = "contact_length_m" as "field-contact-l", Range::Positive,
             Fallback::Words("a₀; a₀/10 if elastic"), "L of K = E A / L (64), m; a₀ is the length of the girder";
     }
