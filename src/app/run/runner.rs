@@ -359,7 +359,7 @@ mod tests {
         let scene = presets::load("deck-30m").expect("ships");
         let mut runner = Runner::default();
         for revision in 1..=3 {
-            // Each a little longer: which answer is whose is seen by its end.
+            // Each a little longer: which answer is whose is seen by its end. None is computed within a frame.
             let scene = Scene { duration: 40.0 + revision as f64, ..scene.clone() };
             runner.start(&scene, revision);
             assert!(runner.is_stale(), "its answer is not there yet");

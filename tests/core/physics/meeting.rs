@@ -13,7 +13,7 @@ mod sliding_joint;
 mod stacked;
 mod thrown_in_space;
 
-use girderbench::scene::{Between, ModelKind, STANDARD_GRAVITY, Scene};
+use girderbench::scene::{Between, Direction, Kind, ModelKind, STANDARD_GRAVITY, Scene};
 use girderbench::sim::History;
 use girderbench::study::stability::family;
 use glam::DVec3;
@@ -30,6 +30,16 @@ fn girders(keys: &[&str], duration: f64) -> Scene {
         "name = \"met\"\nduration_s = {duration}\n[contact]\nstiffness_n_per_m = 1e6\nrestitution_normal = 0.6\nmu_static = 0.0\n\
          mu_kinetic = 0.0\n{girders}"
     ))
+}
+
+/// The scene in space, held flat.
+fn held_flat(flat: &Scene) -> Scene {
+    let mut upright = flat.clone();
+    (upright.kind, upright.gravity) = (Kind::Spatial, 0.0);
+    for girder in &mut upright.girders {
+        girder.held = vec![Direction::Z, Direction::Roll, Direction::Pitch];
+    }
+    upright
 }
 
 /// Every overlap is carried by a contact, and the ledger balances.

@@ -5,6 +5,7 @@ use smallvec::{SmallVec, smallvec};
 
 use crate::dynamics::elastic::Fields;
 use crate::dynamics::elastic::legendre::{integrals_to_end, moments_to_end, slopes, values};
+use crate::scene::facing::Flank;
 
 /// Forces and moments of a section, of the part beyond it on the part before it, girder axes.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
@@ -56,6 +57,18 @@ impl Bearer {
         let along = (to - from) / (2.0 * half);
         let twist = 0.5 * (minus.turned.x + plus.turned.x);
         Fields { moved: 0.5 * (from + to), turned: DVec3::new(twist, -along.z, along.y) }
+    }
+
+    /// Number of the section of a face along a girder with these sections beside that of G, of which those of such faces follow one another
+    /// in the order of [`Flank`]; that of G where there are none.
+    pub(in crate::dynamics) fn section_of(flank: Flank, mut deforming: impl Iterator<Item = Self>) -> usize {
+        let first = deforming.position(|bearer| matches!(bearer, Self::Flank { .. }));
+        first.map_or(0, |first| first + 1 + flank as usize)
+    }
+
+    /// Whether it is the section at a station, up to `within` \[m\].
+    pub(in crate::dynamics) fn is_at(&self, station: f64, within: f64) -> bool {
+        matches!(self, Self::Station(own) if (own - station).abs() <= within)
     }
 
     /// The loads of a force on the section and a moment about its centre, girder axes: those that do the same work.

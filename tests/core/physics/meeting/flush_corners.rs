@@ -1,10 +1,11 @@
 //! Skewed decks whose corners slide past one another during a hit, at a joint and at a backwall as wide as the deck: in plan, however the
 //! scene lies, as in space held flat, where edge nodes pass the vertices on.
 
-use girderbench::scene::{Direction, Kind, Scene};
+use girderbench::scene::Scene;
 use girderbench::sim::History;
 use glam::{DMat2, DVec2};
 
+use super::held_flat;
 use crate::support::{run, scene, within};
 
 const CONTACT: &str = "[contact]\nstiffness_n_per_m = 2e9\nrestitution_normal = 0.6\nrestitution_tangential = 0.8\n\
@@ -54,16 +55,6 @@ fn answer(history: &History) -> Vec<f64> {
     std::iter::once(turned).chain(speeds).collect()
 }
 
-/// The scene in space, held flat.
-fn held_flat(flat: &Scene) -> Scene {
-    let mut upright = flat.clone();
-    (upright.kind, upright.gravity) = (Kind::Spatial, 0.0);
-    for girder in &mut upright.girders {
-        girder.held = vec![Direction::Z, Direction::Roll, Direction::Pitch];
-    }
-    upright
-}
-
 /// The scene turned in plan by this angle \[degrees\].
 fn turned(flat: &Scene, angle: f64) -> Scene {
     let mut turned = flat.clone();
@@ -85,6 +76,7 @@ fn however_the_scene_lies_corners_pass_as_they_do_in_space() {
         assert!(in_space[0] > 5e-5, "{name}: it turns by {} rad", in_space[0]);
         for angle in [0.0, 15.0, 37.0, 180.0] {
             for (plan, space) in answer(&run(&turned(&flat, angle))).into_iter().zip(&in_space) {
+                // Edge nodes and corners take a vertex at places apart by the depth times the faces' angle.
                 within(&format!("{name}, turned by {angle}°"), plan - space, 1e-5 * space);
             }
         }
@@ -118,6 +110,7 @@ fn hits_of_random_decks_are_the_same_in_plan_turned_and_in_space() {
         let flat = random(seed);
         let answers = [answer(&run(&flat)), answer(&run(&turned(&flat, 37.0)))];
         for (n, space) in answer(&run(&held_flat(&flat))).into_iter().enumerate() {
+            // As above: 1.4e-4 were seen.
             within(&format!("seed {seed}, in space"), answers[0][n] - space, 1e-3 * space.max(0.01));
             within(&format!("seed {seed}, turned"), answers[0][n] - answers[1][n], 1e-9);
         }

@@ -1,12 +1,11 @@
 //! Two decks of 70° on bearings between abutments, shaken for 1.5 s: their corners pass one another at the joint while the faces are
 //! not quite parallel.
 
-use girderbench::scene::{Direction, Kind};
-
+use super::held_flat;
 use crate::support::{run, scene, within};
 
 const DECKS: &str = r#"
-name = "b25"
+name = "shaken-joint"
 kind = "planar"
 duration_s = 1.5
 [[girder]]
@@ -60,17 +59,13 @@ angle_deg = -11.119409
 #[test]
 fn a_vertex_that_is_seen_beside_a_face_by_the_angle_between_the_faces_stays_in_contact() {
     let flat = scene(DECKS);
-    let mut upright = flat.clone();
-    (upright.kind, upright.gravity) = (Kind::Spatial, 0.0);
-    for girder in &mut upright.girders {
-        girder.held = vec![Direction::Z, Direction::Roll, Direction::Pitch];
-    }
-    let [plan, space] = [run(&flat), run(&upright)];
+    let [plan, space] = [run(&flat), run(&held_flat(&flat))];
     assert!(plan.model().pairs.iter().any(|pair| pair.met), "corners pass");
     assert_eq!(plan.overlaps(), []);
     let left = plan.dropped().map_or(0.0, |dropped| dropped.share);
     assert!(left < 1e-3, "{left} of the largest energy left over an edge");
-    // Bearings are linear in plan, and turn with the deck in space: θ²/2 of their arms.
+    // Bearings are linear in plan and turn with the deck in space, θ²/2 of their arms, which hits magnify: 2.8e-4 were seen, 6.3e-3 where the
+    // corner left at once.
     let apart = |t: f64| (plan.motion(0, t).displacement - space.motion(0, t).displacement).length();
     within("place [m]", (0..=150).map(|i| apart(0.01 * f64::from(i))).fold(0.0, f64::max), 1e-3);
 }

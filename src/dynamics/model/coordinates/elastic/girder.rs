@@ -11,7 +11,6 @@ use crate::dynamics::elastic::Modes;
 use crate::dynamics::model::axial_motion::{AxialModes, AxialParts};
 use crate::dynamics::model::body::Body;
 use crate::dynamics::model::coordinates::modal_springs::{ModalDamping, ModalSprings, widen};
-use crate::dynamics::model::coordinates::section_forces::Bearer;
 use crate::dynamics::model::linear_block::part::RIGID;
 use crate::scene::facing::Flank;
 
@@ -110,8 +109,7 @@ impl ElasticGirder {
         let half = self.lever();
         let (station, _) = station_and_offset(place.truncate(), self.rigid.prism.shear(), half);
         let frame = if kinematics == Kinematics::Linear { SectionFrame::Linear } else { SectionFrame::Rigid };
-        let is_there = |bearer| matches!(bearer, Bearer::Station(own) if (own - station).abs() <= SAME_STATION * half);
-        let same = |own: &Section| own.frame == frame && is_there(own.bearer);
+        let same = |own: &Section| own.frame == frame && own.bearer.is_at(station, SAME_STATION * half);
         if let Some(known) = self.deforming.iter().position(same) {
             return known + 1;
         }

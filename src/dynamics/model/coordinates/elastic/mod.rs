@@ -165,8 +165,7 @@ impl Coordinates for ElasticGirder {
     }
 
     fn flank(&self, flank: Flank) -> usize {
-        let has_flanks = self.deforming.get(2).is_some_and(|section| matches!(section.bearer, Bearer::Flank { .. }));
-        if has_flanks { 3 + flank as usize } else { 0 }
+        Bearer::section_of(flank, self.deforming.iter().map(|section| section.bearer))
     }
 
     fn displacements(&self) -> Option<Range<usize>> {

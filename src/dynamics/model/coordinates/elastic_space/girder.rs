@@ -9,7 +9,6 @@ use crate::dynamics::model::body::Body;
 use crate::dynamics::model::coordinates::elastic::girder::SAME_STATION;
 use crate::dynamics::model::coordinates::elastic::section::station_and_offset;
 use crate::dynamics::model::coordinates::modal_springs::{ModalDamping, ModalSprings, widen};
-use crate::dynamics::model::coordinates::section_forces::Bearer;
 use crate::dynamics::model::wrench::Wrench;
 use crate::scene::facing::Flank;
 
@@ -19,7 +18,8 @@ pub(super) const PLACES: usize = 7;
 pub(super) const RATES: usize = 6;
 
 /// An elastic girder in space: displacement and quaternion of its mean axes, modal coordinates; velocity and angular velocity of the
-/// mean axes, rates of the modal coordinates. Sections: G, the −x end, the +x end, the faces along it of a girder that has met another body, then those of its links.
+/// mean axes, rates of the modal coordinates. Sections: G, the −x end, the +x end, the faces along it of a girder that has met another
+/// body, then those of its links.
 #[derive(Clone, Debug)]
 pub struct SpatialElasticGirder {
     /// Its modes.
@@ -100,8 +100,7 @@ impl SpatialElasticGirder {
         let place = self.rigid.axes.mul_transpose_vec3(arm);
         let half = self.lever();
         let (station, _) = station_and_offset(place.truncate(), self.rigid.prism.shear(), half);
-        let is_there = |bearer| matches!(bearer, Bearer::Station(own) if (own - station).abs() <= SAME_STATION * half);
-        let same = |own: &Section| is_there(own.bearer);
+        let same = |own: &Section| own.bearer.is_at(station, SAME_STATION * half);
         if let Some(known) = self.deforming.iter().position(same) {
             return known + 1;
         }
