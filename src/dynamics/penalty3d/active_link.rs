@@ -128,15 +128,17 @@ impl ActiveLink {
     }
 
     /// Upper bound of the relative acceleration of its points per unit force, summed over its bodies \[1/kg\]. A point at a
-    /// distance p beyond the corners' r has at most `(p/r)²` times their mobility: `1 + p²/i² ≤ (1 + r²/i²) (p/r)²`.
+    /// distance p beyond the corners' r has at most `(p/r)²` times their mobility: `1 + p²/i² ≤ (1 + r²/i²) (p/r)²`. Ground of given
+    /// motion, whose r is 0 under a bearing, no force moves.
     pub(in crate::dynamics) fn mobility(&self, model: &Model) -> f64 {
         let link = self.of(model);
-        link.bodies.iter().zip(link.arms).filter_map(|(body, arm)| Some((&model.bodies[(*body)?], arm))).fold(
-            0.0,
-            |sum, (body, arm)| {
-                let beyond = (arm.length() / body.radius).max(1.0);
-                sum + body.rate_bounds.mobility * (beyond * beyond)
-            },
-        )
+        let moved = |(body, arm): (&Option<usize>, DVec3)| {
+            let body = &model.bodies[(*body)?];
+            (body.rate_bounds.mobility > 0.0).then_some((body, arm))
+        };
+        link.bodies.iter().zip(link.arms).filter_map(moved).fold(0.0, |sum, (body, arm)| {
+            let beyond = (arm.length() / body.radius).max(1.0);
+            sum + body.rate_bounds.mobility * (beyond * beyond)
+        })
     }
 }
