@@ -49,7 +49,7 @@ impl<'a> Transitions<'_, 'a> {
     /// The projection of a corner of bodies that have met leaves the polygon of its face. What shares its vertex takes over; without such,
     /// the contact lasts until the corner comes out of the body.
     fn pass_edge(&mut self, contact: usize, mut closed: ClosedContact) {
-        if self.vertices().has_heirs(contact) {
+        if self.vertices().has_heirs(contact, &closed) {
             self.open(contact, &closed, EventKind::LeftFace);
             return;
         }

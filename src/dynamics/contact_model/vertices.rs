@@ -57,14 +57,14 @@ impl VertexNodes<'_, '_> {
         true
     }
 
-    /// Whether there are nodes to which a node that leaves its face over an edge hands its part of a vertex.
-    pub(super) fn has_heirs(&mut self, contact: usize) -> bool {
-        self.heirs(contact).is_some()
+    /// Whether there are nodes to which a node in state `closed` that leaves its face over an edge hands its part of a vertex.
+    pub(super) fn has_heirs(&mut self, contact: usize, closed: &ClosedContact) -> bool {
+        self.heirs(contact, closed).is_some()
     }
 
     /// The nodes that are at the vertex which a node has left, closed ones that are there no more, and how far the first may be beside
     /// their faces \[m\]; `None` without such nodes.
-    fn heirs(&mut self, contact: usize) -> Option<([Vec<usize>; 2], f64)> {
+    fn heirs(&mut self, contact: usize, closed: &ClosedContact) -> Option<([Vec<usize>; 2], f64)> {
         let pair = self.states.world.pairs[self.states.world.contacts[contact].pair].pair;
         if !self.states.world.model.pairs[pair].passes_on {
             return None;
@@ -76,8 +76,9 @@ impl VertexNodes<'_, '_> {
         if have_met && tilt > FLUSH {
             return None;
         }
-        // Faces that are not parallel see a vertex at places that differ by the depth times the sine of their angle.
-        let apart = self.states.here(contact).penetration().max(0.0) * tilt;
+        // Faces that are not parallel see a vertex at places that differ by the depth times the sine of their angle; a node that took over
+        // when that was more has gone on as far beside its face.
+        let apart = self.states.here(contact).penetration().max(0.0) * tilt + closed.solver.passes_at.unwrap_or(0.0);
         let reaches = [[0.0, 0.0], [apart, 0.0], [apart, apart]].into_iter();
         reaches.map(|reach| (self.at_vertex_of(contact, reach), reach[1])).find(|([nodes, _], _)| !nodes.is_empty())
     }
@@ -85,7 +86,7 @@ impl VertexNodes<'_, '_> {
     /// Hands the part of a vertex in K and C that a node has left over an edge, in state `closed`, to the nodes that
     /// are there now; other nodes of the vertex that are there no more leave with it. Whether there is such a node.
     pub(super) fn pass_on(&mut self, contact: usize, closed: &ClosedContact) -> bool {
-        let Some(([nodes, gone], beside)) = self.heirs(contact) else { return false };
+        let Some(([nodes, gone], beside)) = self.heirs(contact, closed) else { return false };
         let sharers = self.states.world.contacts[contact].sharers;
         let kept = nodes.iter().filter_map(|&node| Some((node, *self.states.world.contacts[node].state.closed()?)));
         let left = gone.iter().filter_map(|&node| Some((node, *self.states.world.contacts[node].state.closed()?)));
@@ -99,6 +100,8 @@ impl VertexNodes<'_, '_> {
             (Sharing::Tributary, Kind::Planar) => {
                 let tracks = &self.states.world.contacts;
                 let open = nodes.iter().filter(|&&node| tracks[node].state.closed().is_none() && tracks[node].has_part);
+                // A node that closed without a part of its own, since its place came over the face only later, has that of an open one.
+                let open = open.skip(before.iter().filter(|(node, _)| !tracks[*node].has_part).count());
                 let at_vertex = before.iter().map(|(node, _)| node).chain(open);
                 count / at_vertex.map(|&node| 1.0 / tracks[node].sharers).sum::<f64>()
             }

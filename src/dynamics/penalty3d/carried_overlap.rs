@@ -60,7 +60,9 @@ impl MetContacts {
             let pair = &model.pairs[site.pair];
             let ids = [pair.first.solid(), pair.second.solid()];
             let Some(meeting) = model.meetings.iter().position(|meeting| meeting.ids == ids) else { continue };
-            let own = contact.granted.max(UNCARRIED * model.meetings[meeting].least_side);
+            // A corner that took over displaced along its normal is behind its face by its penetration and that displacement.
+            let displaced = if site.edge.is_none() { contact.closed.place.shift.length() } else { 0.0 };
+            let own = contact.granted.max(UNCARRIED * model.meetings[meeting].least_side) + displaced;
             if let Some(known) = all.iter_mut().find(|known| known.meeting == meeting) {
                 known.contacts.push(number);
                 known.granted = known.granted.max(own);
