@@ -4,7 +4,7 @@ use super::digits::six;
 use crate::language::{Text, said, values};
 use crate::scene::shown::escaped;
 use crate::sim::DegreeCheck;
-use crate::tables::{FlexibleReport, FlexibleRun};
+use crate::tables::{FlexibleReport, FlexibleRun, Report};
 
 /// Lines, each with its label.
 pub(super) fn lines(girders: &[FlexibleReport], check: Option<&DegreeCheck>) -> Vec<(String, String)> {
@@ -83,7 +83,7 @@ fn forces(run: &FlexibleRun) -> String {
 }
 
 fn checked(check: &DegreeCheck) -> String {
-    said!(
+    let differences = said!(
         "run-degrees",
         "one" => check.degree[0],
         "other" => check.degree[1],
@@ -92,5 +92,6 @@ fn checked(check: &DegreeCheck) -> String {
         "ends" => format!("{:.1e}", check.ends),
         "section" => format!("{:.1e}", check.section),
         "moments" => format!("{:.1e}", check.moments)
-    )
+    );
+    differences + &Report::as_far_as(check.until)
 }

@@ -328,7 +328,8 @@ fn accuracy(report: &Report) -> Vec<Line> {
     let unbalanced = if report.balances { String::new() } else { Text::new("run-unbalanced").into() };
     let error = match report.estimated_error {
         Some(error) => {
-            said!("run-error-of", "error" => format!("{error:.2e}"), "tolerance" => format!("{:e}", report.tolerance))
+            let of = said!("run-error-of", "error" => format!("{error:.2e}"), "tolerance" => format!("{:e}", report.tolerance));
+            of + &Report::as_far_as(report.estimated_until)
         }
         None => Text::new("run-error-not").into(),
     };

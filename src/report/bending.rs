@@ -64,7 +64,7 @@ fn stress(run: &FlexibleRun) -> String {
 
 fn checked(check: &DegreeCheck) -> String {
     let part = |difference: f64| format!("{difference:.1e}");
-    said!(
+    let differences = said!(
         "report-degrees",
         "one" => check.degree[0],
         "other" => check.degree[1],
@@ -73,7 +73,8 @@ fn checked(check: &DegreeCheck) -> String {
         "ends" => part(check.ends),
         "section" => part(check.section),
         "moments" => part(check.moments)
-    )
+    );
+    differences + &Report::as_far_as(check.until)
 }
 
 /// Strengths that are passed, and terms left out that are not small, a line each.

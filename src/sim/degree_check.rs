@@ -1,8 +1,8 @@
 //! Whether the polynomials of elastic girders suffice: the same run with half as many again, or with two thirds of them where there can
 //! be no more.
 
+use super::History;
 use super::quadrature::integrate;
-use super::{History, Session};
 use crate::dynamics::elastic::degree::{LARGEST_DEGREE, SMALLEST_DEGREE};
 use crate::geometry::End;
 use crate::scene::{Degree, Scene};
@@ -16,6 +16,9 @@ const COMPARED: u32 = 400;
 pub struct DegreeCheck {
     /// Largest degree of a girder, and what it was compared with.
     pub degree: [usize; 2],
+    /// Where the other run gave up before the end of this one: until when both were compared \[s\].
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub until: Option<f64>,
     /// Of the largest force of a contact.
     pub force: f64,
     /// Of the impulses of all contacts.
@@ -29,28 +32,41 @@ pub struct DegreeCheck {
 }
 
 impl History {
-    /// Runs the scene again with other degrees; nothing where no girder bends, or the run does not come to its end.
+    /// Runs the scene again with other degrees; nothing where no girder bends.
     pub fn check_degree(&self) -> Option<DegreeCheck> {
         let (scene, degree) = self.of_other_degree()?;
-        let mut session = Session::new(&scene).ok()?;
-        session.advance(scene.duration, &mut |_| true);
-        let against = session.finish();
-        let [force, other] = [self, &against].map(Self::largest_force);
-        let [impulse, other_impulse] = [self, &against].map(Self::impulse);
-        let [[section, own @ ..], [other_section, others @ ..]] = [self, &against].map(Self::largest_at_mid_span);
+        let against = Self::of(&scene).ok()?;
+        match against.ends_before(self) {
+            None => Some(self.compare(degree, &against)),
+            // Largest values and impulses are compared of runs of one length.
+            Some(until) => {
+                let mut scene = self.scene().clone();
+                scene.duration = until;
+                let check = Self::of(&scene).ok()?.compare(degree, &against);
+                Some(DegreeCheck { until: Some(until), ..check })
+            }
+        }
+    }
+
+    /// The differences from a run of another degree that is as long.
+    fn compare(&self, degree: [usize; 2], against: &Self) -> DegreeCheck {
+        let [force, other] = [self, against].map(Self::largest_force);
+        let [impulse, other_impulse] = [self, against].map(Self::impulse);
+        let [[section, own @ ..], [other_section, others @ ..]] = [self, against].map(Self::largest_at_mid_span);
         let part = |a: f64, b: f64| if b == 0.0 { 0.0 } else { (a - b).abs() / b };
-        Some(DegreeCheck {
+        DegreeCheck {
             degree,
+            until: None,
             force: part(force, other),
             impulse: part(impulse, other_impulse),
-            ends: self.ends_apart(&against),
+            ends: self.ends_apart(against),
             section: part(section, other_section),
             moments: {
                 let apart = own.iter().zip(others).map(|(a, b)| (a - b).abs()).fold(0.0, f64::max);
                 let largest = others.into_iter().fold(0.0, f64::max);
                 if largest == 0.0 { 0.0 } else { apart / largest }
             },
-        })
+        }
     }
 
     /// The scene with girders of other degrees, and that of its finest girder before and after.

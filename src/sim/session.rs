@@ -8,7 +8,7 @@ use super::{History, Motion, Stop};
 use crate::dynamics::Model;
 use crate::dynamics::run::{self, Run};
 use crate::scene::facing::{self, SolidId};
-use crate::scene::{Between, FINEST_TOLERANCE, ModelKind, Scene, SceneErrors};
+use crate::scene::{Between, ModelKind, Scene, SceneErrors};
 
 /// Portions in which a run reports how far it is.
 const PORTIONS: u32 = 200;
@@ -58,7 +58,7 @@ impl Session {
     ///
     /// # Errors
     /// Every complaint about the scene.
-    fn with_met(scene: &Scene, met: Vec<[SolidId; 2]>) -> Result<Self, SceneErrors> {
+    pub(super) fn with_met(scene: &Scene, met: Vec<[SolidId; 2]>) -> Result<Self, SceneErrors> {
         let model = model(scene, &met)?;
         Ok(Self { met, ..Self::of_model(scene, model) })
     }
@@ -209,7 +209,7 @@ impl Session {
     }
 
     /// Computes to the end of the duration.
-    fn complete(mut self) -> History {
+    pub(super) fn complete(mut self) -> History {
         self.work(self.scene.duration);
         while self.join_met() {
             self.work(self.scene.duration);
@@ -225,22 +225,6 @@ impl History {
     /// Every complaint about the scene, each naming field, value and remedy.
     pub fn of(scene: &Scene) -> Result<Self, SceneErrors> {
         Session::run(scene)
-    }
-
-    /// Largest displacement difference from a run at a hundredth of the tolerance \[m\].
-    pub fn estimate_error(&self) -> f64 {
-        let mut finer = self.scene().clone();
-        finer.model.kind = if self.impact().is_some() { ModelKind::Impact } else { ModelKind::Contact };
-        finer.solver.tolerance = (self.scene().solver.tolerance / 100.0).max(FINEST_TOLERANCE);
-        if self.scene().solver.tolerance <= FINEST_TOLERANCE {
-            // There is no finer tolerance: the difference from a run at ten times as much estimates the error of that run.
-            finer.solver.tolerance = 10.0 * FINEST_TOLERANCE;
-        }
-        match Session::with_met(&finer, self.model().bodies_met()) {
-            Ok(session) => self.difference(&session.complete()),
-            // The scene has been run before.
-            Err(_) => f64::NAN,
-        }
     }
 }
 

@@ -36,7 +36,7 @@ pub use verdicts::VerdictReport;
 
 use std::io::Write;
 
-use crate::sim::{DegreeCheck, History};
+use crate::sim::{DegreeCheck, ErrorEstimate, History};
 
 /// Samples per second unless told otherwise \[Hz\].
 pub const DEFAULT_SAMPLE_HZ: f64 = 100.0;
@@ -46,8 +46,8 @@ pub const DEFAULT_SAMPLE_HZ: f64 = 100.0;
 pub struct TableOptions {
     /// Rows per second in `trajectory.csv` and `contacts.csv` \[Hz\].
     pub sample_hz: f64,
-    /// [`History::estimate_error`], when it was asked for \[m\].
-    pub estimated_error: Option<f64>,
+    /// [`History::estimate_error`], when it was asked for.
+    pub estimated_error: Option<ErrorEstimate>,
     /// [`History::check_degree`], when it was asked for.
     pub degree_check: Option<DegreeCheck>,
     /// How long the run took to compute, when it was timed \[s\].

@@ -89,6 +89,9 @@ pub struct Report {
     pub tolerance: f64,
     /// Largest displacement difference from a run at a hundredth of the tolerance, when asked for \[m\].
     pub estimated_error: Option<f64>,
+    /// Until when that is known, where the finer run gave up before the end of this one \[s\].
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub estimated_until: Option<f64>,
     /// Whether that is more than `LARGE_ERROR` of the largest displacement.
     pub error_is_large: bool,
     /// The energy ledger at the end \[J\].
@@ -146,7 +149,7 @@ impl Report {
         let (scene, ledger, balance) = (history.scene(), history.ledger(history.end()), history.balance());
         let (upright, numbers) = (history.uprights(), history.summary());
         let large = LARGE_ERROR * numbers.max_displacement;
-        let error_is_large = options.estimated_error.is_some_and(|error| error > large);
+        let error_is_large = options.estimated_error.is_some_and(|estimate| estimate.error > large);
         Self {
             scene: scene.name.clone(),
             kind: scene.kind,
@@ -175,7 +178,8 @@ impl Report {
             outside_domain: departures::outside(scene),
             assumed: scene.assumed_numbers().into_iter().map(|(path, _)| path).chain(scene.chosen_numbers()).collect(),
             tolerance: scene.solver.tolerance,
-            estimated_error: options.estimated_error,
+            estimated_error: options.estimated_error.map(|estimate| estimate.error),
+            estimated_until: options.estimated_error.and_then(|estimate| estimate.until),
             error_is_large,
             ledger,
             residual_bound: balance.bound * ledger.scale,
@@ -186,6 +190,11 @@ impl Report {
             versions: Versions { girderbench: env!("CARGO_PKG_VERSION"), scene_format: scene.format },
             files: Vec::new(),
         }
+    }
+
+    /// In words, that a comparison with another run goes no further than `until` \[s\]; nothing where it goes to the end.
+    pub fn as_far_as(until: Option<f64>) -> String {
+        until.map_or_else(String::new, |t| said!("compared-until", "t" => format!("{t:.4}")))
     }
 
     /// In words, that the estimated error is large; none where it is not, or not known.

@@ -3,11 +3,12 @@
 use std::path::{Path, PathBuf};
 use std::sync::Arc;
 
-use crate::app::host::Told;
+use crate::app::host::{PAGE, Told};
 use crate::app::run::answer::Answer;
 use crate::app::text;
 use crate::files::{FileSet, earlier_files, remove_files, write_atomic};
 use crate::render::{Gpu, Packing, Quality, Renderer};
+use crate::sim::ErrorEstimate;
 use crate::tables::{SUMMARIES, Table, TableOptions, all, all_beside, named_in};
 use crate::view::DrawList;
 
@@ -47,7 +48,7 @@ pub(in crate::app) fn report(answer: &Arc<Answer>, path: &Path) -> Result<Told, 
 /// What tables cannot know from the answer alone.
 fn options(answer: &Answer) -> TableOptions {
     let run_time = Some(answer.took.as_secs_f64());
-    let estimated_error = answer.error().filter(|e| e.is_finite());
+    let estimated_error = answer.error().filter(|e| e.is_finite()).map(|error| ErrorEstimate { error, until: None });
     TableOptions { estimated_error, run_time, ..TableOptions::default() }
 }
 
@@ -68,6 +69,9 @@ pub(in crate::app) fn tables(answer: &Arc<Answer>, folder: &Path) -> Result<Told
     let earlier = earlier_files(folder, SUMMARIES, named_in);
     set.finish().map_err(|e| e.to_string())?;
     remove_files(folder, earlier.iter().map(String::as_str).filter(|name| !names.contains(name)));
-    let words = format!("{} {}: {}", text::TABLES_WRITTEN, folder.display(), names.join(", "));
+    // A browser puts them where it puts what it loads.
+    let into = if PAGE { String::new() } else { format!(" {}", folder.display()) };
+    let words =
+        format!("{}{into}: {}", if PAGE { text::TABLES_LOADED } else { text::TABLES_WRITTEN }, names.join(", "));
     Ok(Told { words, place: Some(folder.to_owned()) })
 }

@@ -311,7 +311,7 @@ impl Runner {
         // It ends by itself.
         let _ = spawn(move || {
             // Nobody listens any more when the window has closed: nothing to do then.
-            let _ = send.send(asked.history.estimate_error());
+            let _ = send.send(asked.history.estimate_error().of_whole().unwrap_or(f64::NAN));
             wake();
         });
         self.estimate = Some(Estimate { of: answer.number, done });
