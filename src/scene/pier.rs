@@ -53,9 +53,9 @@ table! {
             "force at which its base yields: one number, or [along, across], N";
         post_yield_ratio: Option<f64> = "post_yield_ratio" as "field-after-yield", Range::Between([0.0, 1.0]), Fallback::Words("0.05"),
             "stiffness after yield over k";
-        height: Option<f64> = "height_m" as "field-height", Range::Positive, Fallback::Words("five girder depths"),
+        height: Option<f64> = "height_m" as "field-height", Range::Positive, Fallback::Words("five depths of its deepest girder"),
             "from its foot to the underside of the bearings, m; must be given with column_m";
-        cap: Option<[f64; 3]> = "cap_m", Range::Like("three numbers > 0"), Fallback::Words("what its bearings need"),
+        cap: Option<[f64; 3]> = "cap_m", Range::Like("three numbers > 0"), Fallback::Words("over its bearings and half the depth of its deepest girder beyond, as high as that is deep"),
             "sides of its cap along, across and up, m; for the drawing and the inertia";
         ground: Option<String> = "ground", Range::Like("the name of a [[ground]]"), Fallback::Words("as [motion]"),
             "how its ground moves";

@@ -122,7 +122,9 @@ impl Scene {
         let pier = &self.piers[number];
         let bearings = self.standing_on(number);
         let above = bearings.first().map(|(girder, _)| &self.girders[*girder]);
-        let depth = above.map_or(1.0, |girder| girder.thickness);
+        // Of the deepest, so that the order in which girders are listed changes nothing.
+        let on_it = || bearings.iter().map(|(girder, _)| &self.girders[*girder]);
+        let depth = on_it().map(|girder| girder.thickness).reduce(f64::max).unwrap_or(1.0);
         let square = above.map(|girder| girder.heading_deg + girder.skew_deg - 90.0);
         let (s, c) = sin_cos_deg(pier.heading_deg.or(square).unwrap_or(0.0));
         let axes = DMat3::from_cols(DVec3::new(c, s, 0.0), DVec3::new(-s, c, 0.0), DVec3::Z);
@@ -132,7 +134,7 @@ impl Scene {
         let below = axes.x_axis.truncate() * below.x + axes.y_axis.truncate() * below.y;
         let position = pier.position.map_or(below, DVec2::from);
         let cap = pier.cap.unwrap_or_else(|| {
-            // Over its bearings, and half a girder depth beyond them on every side.
+            // Over its bearings, and half the depth of the deepest girder beyond them on every side.
             let sides = plan.map(|[low, high]| (high - low).max(0.0) + depth);
             [sides[0], sides[1], depth]
         });
@@ -143,7 +145,7 @@ impl Scene {
         let height = pier.height.unwrap_or(DEPTHS * depth);
         let width = if columns == 1 { cap[0].min(cap[1]) * 0.6 } else { cap[1] / (2.0 * pier.columns) };
         ResolvedPier {
-            top: position.extend(above.map_or(0.0, underside)),
+            top: position.extend(on_it().map(underside).reduce(f64::min).unwrap_or(0.0)),
             axes,
             mass: pier.mass,
             stiffness,

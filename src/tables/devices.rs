@@ -1,5 +1,6 @@
 //! `devices.csv`: changes of the phases of devices, bearings that yield, slide or are lost, and soil; and what a run did to devices.
 
+use std::collections::BTreeMap;
 use std::io::Write;
 
 use serde::Serialize;
@@ -66,7 +67,12 @@ pub(super) fn reports(history: &History) -> Vec<DeviceReport> {
 /// What the writer says.
 pub fn devices(history: &History, out: &mut dyn Write) -> std::io::Result<()> {
     let model = history.model();
+    // A bearing on a pier that yields has two links of one name, a linear one beside its hysteresis: its changes are those of the other.
+    let mut named: BTreeMap<&str, usize> = BTreeMap::new();
+    model.links.iter().for_each(|link| *named.entry(&link.name).or_default() += 1);
+    let is_part = |link: &usize| model.links[*link].device.is_linear() && named[model.links[*link].name.as_str()] > 1;
     let links = (0..model.links.len()).filter(|link| !model.piers.iter().any(|pier| pier.column.contains(link)));
+    let links = links.filter(|link| !is_part(link));
     let mut changes: Vec<(f64, usize, usize)> = links
         .flat_map(|link| history.link_phases(link).iter().enumerate().map(move |(n, (t, _))| (*t, link, n)))
         .collect();

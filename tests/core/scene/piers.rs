@@ -42,6 +42,18 @@ fn a_pier_stands_below_the_bearings_that_name_it() {
 }
 
 #[test]
+fn what_a_pier_is_does_not_depend_on_the_order_of_its_girders() {
+    let mut scene = scene(&with("mass_kg = 2e5\nfrequency_hz = 3.0"));
+    (scene.girders[0].thickness, scene.girders[1].position[2]) = (1.9, 0.4);
+    let pier = scene.pier(0);
+    within("five depths of the deeper", pier.height - 9.5, 1e-12);
+    within("its cap as deep", pier.cap[2] - 1.9, 1e-12);
+    within("below the lower underside", pier.top.z + 0.95, 1e-12);
+    scene.girders.reverse();
+    assert_eq!(scene.pier(0), pier);
+}
+
+#[test]
 fn the_stiffness_of_columns_is_that_of_beams() {
     let stiffness = |more: &str| scene(&with(&format!("mass_kg = 2e5\nheight_m = 9\n{more}"))).pier(0).stiffness;
     let i = std::f64::consts::PI * 1.6f64.powi(4) / 64.0;

@@ -5,8 +5,8 @@ use girderbench::scene::{
     AfterUnseating, Bearings, Limits, Motion, PlotSettings, PlotShows, Scene, Seat, format, presets,
 };
 use girderbench::sim::quantity::{OfContact, OfPair, Quantity};
-use girderbench::sim::{Carrying, ContactState, History, Unit, readings};
-use girderbench::tables::{devices, in_memory};
+use girderbench::sim::{Carrying, ContactState, ErrorEstimate, History, Unit, readings};
+use girderbench::tables::{Report, TableOptions, devices, in_memory};
 
 use crate::support::scene;
 
@@ -342,4 +342,39 @@ fn what_a_cable_did_is_the_closed_form_s() {
     let (speed, slowing) = (0.1 * 0.75f64.sqrt(), 0.5);
     let more = (speed - (speed * speed - 2.0 * slowing * 0.0035).sqrt()) / slowing;
     near(yields.broke_at.expect("it breaks"), at + more, 1e-9, "8.5 mm beyond its slack");
+}
+
+#[test]
+fn an_error_that_is_known_of_a_part_of_the_run_says_so() {
+    let history = hit("planar", 0.0);
+    let said = |until: Option<f64>| {
+        let options =
+            TableOptions { estimated_error: Some(ErrorEstimate { error: 1e-9, until }), ..TableOptions::default() };
+        let json = String::from_utf8(Report::of(&history, &options).to_json()).expect("text");
+        (
+            json.contains("\"estimated_until\": 1.25"),
+            girderbench::report::html(&history, &options).contains("as far as 1.2500 s"),
+        )
+    };
+    assert_eq!((said(Some(1.25)), said(None)), ((true, true), (false, false)));
+}
+
+#[test]
+fn a_bearing_that_yields_on_a_pier_is_listed_once() {
+    let deck = scene(
+        "name = \"deck\"\nkind = \"planar\"\nduration_s = 0.5\n[[girder]]\nname = \"deck\"\nlength_m = 30\nwidth_m = 10\n\
+         thickness_m = 1.5\nmass_kg = 3e5\nbearings = { kind = \"lead-rubber\", at_m = [[12, 4], [-12, 4], [-12, -4], [12, -4]], \
+         on_minus_x = \"p\", on_plus_x = \"p\" }\n[[pier]]\nname = \"p\"\nmass_kg = 1e5\nfrequency_hz = 2\n[motion]\nkind = \"sine\"\n\
+         amplitude_g = 0.3\nfrequency_hz = 1\n",
+    );
+    let history = History::of(&deck).expect("runs");
+    let table = String::from_utf8(in_memory(|out| devices(&history, out))).expect("a text");
+    let rows: Vec<Vec<&str>> = table.lines().map(|line| line.split(',').collect()).collect();
+    let of_first: Vec<&Vec<&str>> = rows.iter().filter(|row| row[1] == "deck.bearing1").collect();
+    assert!(of_first.len() > 1, "it yields: {table}");
+    assert_eq!(of_first.iter().filter(|row| row[0] == "0.0").count(), 1, "{table}");
+    let mut seen: Vec<[&str; 2]> = rows.iter().map(|row| [row[0], row[1]]).collect();
+    let all = seen.len();
+    seen.dedup();
+    assert_eq!(seen.len(), all, "no two rows of one device at one time");
 }
