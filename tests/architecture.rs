@@ -373,6 +373,22 @@ fn anchors_of_the_pages_exist() {
 }
 
 #[test]
+fn texts_of_commands_are_for_what_a_page_does_not_show() {
+    // A page has no table of the command line's texts: elsewhere it would show their keys.
+    const BY_COMMANDS: [&str; 5] = ["cli", "identify", "measure", "study", "render"];
+    let table = fs::read_to_string(root().join("assets/texts/en.command.ftl")).expect("a table");
+    let keys: BTreeSet<&str> = table.lines().filter_map(|line| Some(line.split_once(" = ")?.0)).collect();
+    let mut shown = Vec::new();
+    let by_others = |source: &source::Source| !source.room().is_some_and(|room| BY_COMMANDS.contains(&room));
+    for source in sources("src", "rs").into_iter().filter(by_others) {
+        let is_named = |key: &&&str| source.text.contains(&format!("\"{key}\""));
+        shown.extend(keys.iter().filter(is_named).map(|key| format!("{}: {key}", source.path)));
+    }
+    assert!(keys.len() > 100, "{} keys", keys.len());
+    expect_none(&shown, "its text belongs into the table that the page has, en.ftl and ja.ftl");
+}
+
+#[test]
 fn lints_are_expected_with_a_reason_never_allowed() {
     let sources = sources("src", "rs");
     let allowing = sources.iter().filter(|source| source.code.contains("[allow("));

@@ -93,8 +93,6 @@ run-degrees = degree { $one } against { $other }: force { $force }, impulse { $i
 warning = warning: { $what }
 warning-more-outside = warning: { $more } more quantities outside the domain
 note = note: { $words }
-record-cut = the record of { $place } lasts { $length } s, and the run ends at { $end } s: duration_s
-strong-motion-cut = the strong motion of { $place } lasts until { $length } s, and the run ends at { $end } s: duration_s
 warning-untrusted = do not trust this answer: heed the other warnings, or lower solver.tolerance
 warning-balance = warning: { $name }: { $balance }: { $remedy }
 failed-gave-up = the run of { $scene } { $ended } at t = { $t } s, { $place }: { $reason }
@@ -132,20 +130,7 @@ check-head-b = ground: { $motion }
 check-named-ground = ground "{ $name }": { $motion }
 check-head-c = solver: { $method }, tolerance { $tolerance }
 check-head-d = view: { $camera }
-check-still = it stands still
-check-sine-vertical = , vertical { $level } m/s² of phase { $phase }°
-check-sine = sine { $si } m/s² ({ $g } g) at { $frequency } Hz, phase { $phase }°, angle { $angle }°{ $vertical }
-check-sweep = { $rate } sweep { $amplitude } g from { $from } to { $to } Hz in { $length } s, angle { $angle }°, samples { $interval } s apart
-check-matched = , matched to a spectrum of { $pairs } periods, { $off } % off in the mean
-check-synthetic = synthetic earthquake of seed { $seed }: { $peak } g, { $length } s, angle { $angle }°, across × { $across }, vertical × { $vertical }{ $target }
-check-vertical-scale = , vertical scale { $scale }
-check-angle = angle { $angle }°{ $vertical }
-check-up = up
-check-from-x = { $angle }° from x
-check-nowhere = nowhere
 check-assumed-stiffness = K of pairs without a number of their own: E A / L of their girders with A = width_m × thickness_m and L = a₀, of one that bends with its own E and A and L = a₀/10 (assumed)
-check-components = { $count } components: { $all }
-check-record = record of { $count } samples × { $dt } s ({ $length } s), { $peak } g, scale { $scale }, { $direction }{ $steps }
 check-pair = pair { $pair }: gap { $gap } mm along the axis, law { $law }, sharing { $sharing }, tension { $tension }
 check-pair-gap = pair { $pair }: gap { $gap } mm along the axis
 check-nodes = nodes: { $nodes }
@@ -174,9 +159,7 @@ check-condition = condition (6): a0 sin 2β / (2 b0) = { $number }: { $can }
 check-yield = { $count } of them yield: Q = { $force } N, k_x, k_y before = { $x }, { $y } N/m; frequencies are those after yield
 check-flat = flat
 check-slide = { $count } of them slide: μ = { $friction }, { $radius } (of the first), friction there at { $displacement } m; N follows their vertical force, frequencies are without N/R
-check-effective = at { $amplitude } m k_eff = { $stiffness } N/m, T_eff = { $period } s, h_eq = { $damping }
 check-assumed-of = ; assumed: { $numbers }
-check-together = { $kind } together: k₁, k₂ = { $first }, { $second } N/m, Q = { $force } N, u_y = { $yields } m
 check-then-drops = the run stops when a corner has dropped by { $drop } m
 check-then-stops = the run then stops
 check-then-goes-on = the run goes on without it, and says so
@@ -187,22 +170,6 @@ check-moving = ground under { $moved }
 run-ground-under = ground under
 check-on-piers = { $count } of them on { $piers }; frequencies are those on piers that stand still
 check-on-abutments = { $count } of them on { $abutments }
-check-pier = pier { $name }: at { $x }, { $y } m, { $mass } kg, height { $height } m; { $standing }
-check-pier-b = k along, across = { $stiffness } N/m, c = { $damping } N·s/m; alone f = { $frequency } Hz, T = { $period } s{ $turning }
-check-pier-alone = no end of a girder stands on it alone
-check-pier-ends = { $ends } on it
-check-pier-rigid = , does not turn
-check-pier-turns = , turns with k_θ = { $stiffness } N·m/rad, { $frequency } Hz
-check-pier-yields = its base yields at { $along }, { $across } N, with { $ratio } of k after
-check-soil-number = { $name } { $value }{ $unit }{ $assumed }
-check-soil-assumed = {" "}(assumed)
-check-soil-no-base = no base friction
-check-soil-base = base slides with
-check-soil-base-from = { $from } from { $displacement } m on
-check-soil-fuse = , fuse of { $stiffness } N/m that breaks at { $force } N
-check-soil-mass = mass
-check-soil = backfill { $abutment }: { $law }, { $k }, { $ultimate }, { $unloading }{ $envelope }; skew factor { $factor }
-check-soil-b = wall of { $mass }, { $base }{ $fuse }
 check-flexible-rigid = rigid: elastic part below { $tol }
 check-flexible-degree = degree { $degree }, { $count } modes from { $frequencies } Hz
 check-flexible-twice = K is about E A / a₀: where it stands for the girder's own flexibility (64), that counts twice
@@ -420,25 +387,12 @@ progress-pictures = pictures
 progress-results = results
 progress-seeds = seeds
 progress-error = estimating the error: the run at a hundredth of the tolerance
-table-line = line { $line }
-table-line-column = line { $line }, column { $column }
-table-first = the first column is called t
-table-needed = the columns t, pair and kind are there
-table-number = a finite number stands there
-table-fields = every line of the table has the same number of fields, as UTF-8 text
-table-error = { $place }: { $value }: { $remedy }
 warning-drift = warning: { $words }
-support-drifts = ground under { $name }: when its record and that of the ground of reference have ended it goes on moving at { $speed } m/s against that ground, and is { $last } m from it at the end of the run: correct the baseline of both (of a record processing, whichever baseline, "none", "linear" or "berg-housner", leaves it at rest; of a synthetic earthquake longest_period_s, of a sine phase_deg = 90), or give both one record that comes to rest, with delay_s and motion_factor
-support-stays-apart = its record leaves the ground moving at { $speed } m/s, so that a support that is late stays behind, the farthest, { $name }, by { $last } m at the end of the run: let the record come to rest (processing, whichever baseline, "none", "linear" or "berg-housner", leaves it at rest; of a synthetic earthquake longest_period_s)
 warning-more-drift = warning: { $more } more such supports
 interrupted-nothing = nothing was written
 progress-again = , again with contact between bodies that met
 headless-no-render = this build has none (feature render)
 
-wrong-language = there is no such language; there are { $known }
 gpu-without = { $name }={ $value } is set: try without it;
 gpu-install-mesa = install mesa-vulkan-drivers (or libegl1 and libgl1-mesa-dri)
 gpu-install-driver = install the graphics card's driver
-window-no-display = no display to open a window on (neither DISPLAY nor WAYLAND_DISPLAY leads to one)
-window-cut-off = error: the display is gone, and the window with it; nothing was unsaved
-window-cut-off-kept = error: the display is gone, and the window with it; unsaved work is kept: it is offered when the program is opened again

@@ -261,6 +261,7 @@ unbalanced = energy does not balance
 saved = Saved
 picture-written = Picture written
 tables-written = Tables written into
+tables-loaded = Tables handed to the browser
 before = before
 learn = Learn
 try = Try this
@@ -1007,6 +1008,7 @@ report-pairs-more = and { $more } other sets of numbers
 off-seats = { $girder }: bearings { $bearings } stand beyond the front edge of their seats as placed: make seat_m longer, or place them nearer to the ends
 seat-beyond-cap = the seats on { $pier } ({ $ends }) are together { $length } m long, square to the ends, and its cap { $cap } m: seat_m or cap_m is wrong
 device-beside = { $key } is { $by } m outside of { $girder } in plan: places are in m, relative to its G
+compared-until = ; as far as { $t } s, where the run that it is compared with gave up
 uncertain = the estimated error, { $error } m, is { $share } % of the largest displacement: small differences grow in this run, and its later numbers are one case of many
 soil-beyond = beyond 100 %: a hyperbolic envelope tends to F_ult/R_f and passes F_ult on the way
 soil-pushed = the soil is pushed { $push } ({ $t } s) with { $force }, { $share } % of F_ult; a gap of { $gap } stays
@@ -1350,3 +1352,51 @@ motion-velocity = velocity
 motion-displacement = displacement
 motion-pseudo-acceleration = pseudo-acceleration
 motion-pseudo-velocity = pseudo-velocity
+
+## of a scene and its ground, in reports, checks and the window
+record-cut = the record of { $place } lasts { $length } s, and the run ends at { $end } s: duration_s
+strong-motion-cut = the strong motion of { $place } lasts until { $length } s, and the run ends at { $end } s: duration_s
+check-still = it stands still
+check-sine-vertical = , vertical { $level } m/s² of phase { $phase }°
+check-sine = sine { $si } m/s² ({ $g } g) at { $frequency } Hz, phase { $phase }°, angle { $angle }°{ $vertical }
+check-sweep = { $rate } sweep { $amplitude } g from { $from } to { $to } Hz in { $length } s, angle { $angle }°, samples { $interval } s apart
+check-matched = , matched to a spectrum of { $pairs } periods, { $off } % off in the mean
+check-synthetic = synthetic earthquake of seed { $seed }: { $peak } g, { $length } s, angle { $angle }°, across × { $across }, vertical × { $vertical }{ $target }
+check-vertical-scale = , vertical scale { $scale }
+check-angle = angle { $angle }°{ $vertical }
+check-up = up
+check-from-x = { $angle }° from x
+check-nowhere = nowhere
+check-components = { $count } components: { $all }
+check-record = record of { $count } samples × { $dt } s ({ $length } s), { $peak } g, scale { $scale }, { $direction }{ $steps }
+check-effective = at { $amplitude } m k_eff = { $stiffness } N/m, T_eff = { $period } s, h_eq = { $damping }
+check-together = { $kind } together: k₁, k₂ = { $first }, { $second } N/m, Q = { $force } N, u_y = { $yields } m
+check-pier = pier { $name }: at { $x }, { $y } m, { $mass } kg, height { $height } m; { $standing }
+check-pier-b = k along, across = { $stiffness } N/m, c = { $damping } N·s/m; alone f = { $frequency } Hz, T = { $period } s{ $turning }
+check-pier-alone = no end of a girder stands on it alone
+check-pier-ends = { $ends } on it
+check-pier-rigid = , does not turn
+check-pier-turns = , turns with k_θ = { $stiffness } N·m/rad, { $frequency } Hz
+check-pier-yields = its base yields at { $along }, { $across } N, with { $ratio } of k after
+check-soil-number = { $name } { $value }{ $unit }{ $assumed }
+check-soil-assumed = {" "}(assumed)
+check-soil-no-base = no base friction
+check-soil-base = base slides with
+check-soil-base-from = { $from } from { $displacement } m on
+check-soil-fuse = , fuse of { $stiffness } N/m that breaks at { $force } N
+check-soil-mass = mass
+check-soil = backfill { $abutment }: { $law }, { $k }, { $ultimate }, { $unloading }{ $envelope }; skew factor { $factor }
+check-soil-b = wall of { $mass }, { $base }{ $fuse }
+table-line = line { $line }
+table-line-column = line { $line }, column { $column }
+table-first = the first column is called t
+table-needed = the columns t, pair and kind are there
+table-number = a finite number stands there
+table-fields = every line of the table has the same number of fields, as UTF-8 text
+table-error = { $place }: { $value }: { $remedy }
+support-drifts = ground under { $name }: when its record and that of the ground of reference have ended it goes on moving at { $speed } m/s against that ground, and is { $last } m from it at the end of the run: correct the baseline of both (of a record processing, whichever baseline, "none", "linear" or "berg-housner", leaves it at rest; of a synthetic earthquake longest_period_s, of a sine phase_deg = 90), or give both one record that comes to rest, with delay_s and motion_factor
+support-stays-apart = its record leaves the ground moving at { $speed } m/s, so that a support that is late stays behind, the farthest, { $name }, by { $last } m at the end of the run: let the record come to rest (processing, whichever baseline, "none", "linear" or "berg-housner", leaves it at rest; of a synthetic earthquake longest_period_s)
+wrong-language = there is no such language; there are { $known }
+window-no-display = no display to open a window on (neither DISPLAY nor WAYLAND_DISPLAY leads to one)
+window-cut-off = error: the display is gone, and the window with it; nothing was unsaved
+window-cut-off-kept = error: the display is gone, and the window with it; unsaved work is kept: it is offered when the program is opened again

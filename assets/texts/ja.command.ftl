@@ -90,8 +90,6 @@ run-degrees = 次数 { $one } と { $other }：力 { $force }、力積 { $impuls
 warning = 警告：{ $what }
 warning-more-outside = 警告：ほか { $more } 件が検証範囲外
 note = 注記：{ $words }
-record-cut = { $place } の記録は { $length } s 続くが、計算は { $end } s で終わる：duration_s
-strong-motion-cut = { $place } の主要動は { $length } s まで続くが、計算は { $end } s で終わる：duration_s
 warning-untrusted = この結果を信用しない：ほかの警告に従うか、solver.tolerance を下げる
 warning-balance = 警告：{ $name }：{ $balance }：{ $remedy }
 failed-gave-up = { $scene } の計算は t = { $t } s で{ $ended }、{ $place }：{ $reason }
@@ -129,20 +127,7 @@ check-head-b = 地動：{ $motion }
 check-named-ground = 地動「{ $name }」：{ $motion }
 check-head-c = 解法：{ $method }、許容誤差 { $tolerance }
 check-head-d = 視点：{ $camera }
-check-still = 静止
-check-sine-vertical = 、上下 { $level } m/s² 位相 { $phase }°
-check-sine = 正弦波 { $si } m/s² ({ $g } g)、{ $frequency } Hz、位相 { $phase }°、入力角 { $angle }°{ $vertical }
-check-sweep = スイープ（{ $rate }）{ $amplitude } g、{ $from } ～ { $to } Hz、{ $length } s、入力角 { $angle }°、刻み { $interval } s
-check-matched = 、{ $pairs } 周期のスペクトルに適合、平均の差 { $off } %
-check-synthetic = 模擬地震動（種 { $seed }）：{ $peak } g、{ $length } s、入力角 { $angle }°、直交 × { $across }、上下 × { $vertical }{ $target }
-check-vertical-scale = 、上下の倍率 { $scale }
-check-angle = 入力角 { $angle }°{ $vertical }
-check-up = 上向き
-check-from-x = x から { $angle }°
-check-nowhere = 方向なし
 check-assumed-stiffness = 数値が与えられない組の K：桁の E A / L、A = width_m × thickness_m、L = a₀。弾性桁では桁自身の E と A、L = a₀/10（仮定）
-check-components = { $count } 成分：{ $all }
-check-record = 記録 { $count } 点 × { $dt } s（{ $length } s）、{ $peak } g、倍率 { $scale }、{ $direction }{ $steps }
 check-pair = 組 { $pair }：遊間 { $gap } mm（橋軸方向）、摩擦則は{ $law }、剛性は{ $sharing }、引張は{ $tension }
 check-pair-gap = 組 { $pair }：遊間 { $gap } mm（橋軸方向）
 check-nodes = 節点：{ $nodes }
@@ -171,9 +156,7 @@ check-condition = 条件 (6)：a0 sin 2β / (2 b0) = { $number }：{ $can }
 check-yield = うち { $count } 個が降伏：Q = { $force } N、降伏前の k_x, k_y = { $x }, { $y } N/m。振動数は降伏後の値
 check-flat = 平ら
 check-slide = うち { $count } 個がすべり：μ = { $friction }、{ $radius }（最初のもの）、{ $displacement } m で摩擦が全て現れる。N は鉛直力に従い、振動数は N/R を除く
-check-effective = { $amplitude } m で k_eff = { $stiffness } N/m、T_eff = { $period } s、h_eq = { $damping }
 check-assumed-of = 。仮定：{ $numbers }
-check-together = { $kind } 全体：k₁, k₂ = { $first }, { $second } N/m、Q = { $force } N、u_y = { $yields } m
 check-then-drops = 隅角部が { $drop } m 落ちたら計算を止める
 check-then-stops = そこで計算を止める
 check-then-goes-on = その支承なしに計算を続け、その旨を示す
@@ -184,22 +167,6 @@ check-moving = 支点の地盤 { $moved }
 run-ground-under = 支点の地盤
 check-on-piers = うち { $count } 個は { $piers } の上。振動数は橋脚が動かないときの値
 check-on-abutments = うち { $count } 個は { $abutments } の上
-check-pier = 橋脚 { $name }：位置 { $x }, { $y } m、{ $mass } kg、高さ { $height } m。{ $standing }
-check-pier-b = k 橋軸, 直角 = { $stiffness } N/m、c = { $damping } N·s/m。単独で f = { $frequency } Hz、T = { $period } s{ $turning }
-check-pier-alone = 単独で支える桁端なし
-check-pier-ends = 支える桁端 { $ends }
-check-pier-rigid = 、回転しない
-check-pier-turns = 、回転 k_θ = { $stiffness } N·m/rad、{ $frequency } Hz
-check-pier-yields = 基部の降伏 { $along }, { $across } N、降伏後は k の { $ratio } 倍
-check-soil-number = { $name } { $value }{ $unit }{ $assumed }
-check-soil-assumed = （仮定）
-check-soil-no-base = 底面の摩擦なし
-check-soil-base = 底面の滑り
-check-soil-base-from = { $from }（{ $displacement } m から）
-check-soil-fuse = 、ヒューズ { $stiffness } N/m、{ $force } N で破断
-check-soil-mass = 質量
-check-soil = 背面土 { $abutment }：{ $law }、{ $k }、{ $ultimate }、{ $unloading }{ $envelope }。斜角の係数 { $factor }
-check-soil-b = 壁 { $mass }、{ $base }{ $fuse }
 check-flexible-rigid = 剛体：弾性分は { $tol } 未満
 check-flexible-degree = 次数 { $degree }、{ $count } モード、{ $frequencies } Hz から
 check-flexible-twice = K は E A / a₀ に近い：桁自身のたわみ性 (64) を表す値なら二重になる
@@ -411,25 +378,12 @@ progress-pictures = 枚
 progress-results = 個
 progress-seeds = 個
 progress-error = 誤差を推定中：許容誤差 1/100 の計算
-table-line = { $line } 行目
-table-line-column = { $line } 行目の列 { $column }
-table-first = 最初の列は t とする
-table-needed = 列 t、pair、kind が要る
-table-number = 有限の数とする
-table-fields = 表のどの行も欄の数が等しい UTF-8 の文字とする
-table-error = { $place }：{ $value }：{ $remedy }
 warning-drift = 警告：{ $words }
-support-drifts = { $name } の下の地盤：自身の記録と基準の地盤の記録が終わった後も、基準の地盤に対して { $speed } m/s で動き続け、計算の終わりに { $last } m 離れる：両方の基線を補正する（記録は processing の baseline は "none"、"linear"、"berg-housner" のうち静止して終わるもの、模擬地震動は longest_period_s、正弦波は phase_deg = 90）か、静止して終わる同じ記録を delay_s と motion_factor とともに与える
-support-stays-apart = 記録が終わっても地盤が { $speed } m/s で動き続けるため、遅れて動く支点は基準の地盤からずれたまま残り、最も遠い { $name } は計算の終わりに { $last } m 離れる：記録を静止させて終わらせる（processing の baseline は "none"、"linear"、"berg-housner" のうち静止して終わるもの、模擬地震動は longest_period_s）
 warning-more-drift = 警告：そのような支点がほかに { $more } 箇所
 interrupted-nothing = 何も書いていない
 progress-again = 、出会った物体の接触を加えて再計算
 headless-no-render = このビルドは図を描けない（feature render）
 
-wrong-language = その言語はない：{ $known } がある
 gpu-without = { $name }={ $value } がある：外して試す。
 gpu-install-mesa = mesa-vulkan-drivers（または libegl1 と libgl1-mesa-dri）を入れる
 gpu-install-driver = 描画装置のドライバーを入れる
-window-no-display = ウィンドウを開く画面がない（DISPLAY も WAYLAND_DISPLAY もない）
-window-cut-off = エラー：画面が失われ、ウィンドウも終わった。保存していない内容はなかった
-window-cut-off-kept = エラー：画面が失われ、ウィンドウも終わった。保存していない内容は残してあり、次に開いたときに示す

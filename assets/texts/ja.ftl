@@ -261,6 +261,7 @@ unbalanced = エネルギー収支が合いません
 saved = 保存しました
 picture-written = 図を書き出しました
 tables-written = 表を書き出しました：
+tables-loaded = 表をブラウザーで保存しました
 before = 対面
 learn = 教材
 try = 試してみよう
@@ -990,6 +991,7 @@ report-pairs-more = ほかに { $more } 通りの数値
 off-seats = { $girder }：支承 { $bearings } は初期配置で桁かかりの前縁の外にある：seat_m を長くするか、端に近づける
 seat-beyond-cap = { $pier } 上の桁かかり（{ $ends }）は端に直角に測り合計 { $length } m、天端は { $cap } m：seat_m か cap_m が誤り
 device-beside = { $key } は平面で { $girder } の外 { $by } m にある：位置は桁の G から m で与える
+compared-until = ；ただし { $t } s まで（比べた計算はそこで中断）
 uncertain = 推定誤差 { $error } m は最大変位の { $share } %：わずかな差が計算の中で大きくなり、以後の数値はありうる一例にすぎない
 soil-beyond = 100 % を超えるもの：双曲線の包絡は F_ult/R_f に近づき、途中で F_ult を超える
 soil-pushed = 背面土は { $push } 押され（{ $t } s）{ $force }、F_ult の { $share } %。{ $gap } の隙間が残る
@@ -1333,3 +1335,51 @@ motion-velocity = 速度
 motion-displacement = 変位
 motion-pseudo-acceleration = 擬似加速度
 motion-pseudo-velocity = 擬似速度
+
+## 場面と地動：報告書、確認、ウィンドウの語
+record-cut = { $place } の記録は { $length } s 続くが、計算は { $end } s で終わる：duration_s
+strong-motion-cut = { $place } の主要動は { $length } s まで続くが、計算は { $end } s で終わる：duration_s
+check-still = 静止
+check-sine-vertical = 、上下 { $level } m/s² 位相 { $phase }°
+check-sine = 正弦波 { $si } m/s² ({ $g } g)、{ $frequency } Hz、位相 { $phase }°、入力角 { $angle }°{ $vertical }
+check-sweep = スイープ（{ $rate }）{ $amplitude } g、{ $from } ～ { $to } Hz、{ $length } s、入力角 { $angle }°、刻み { $interval } s
+check-matched = 、{ $pairs } 周期のスペクトルに適合、平均の差 { $off } %
+check-synthetic = 模擬地震動（種 { $seed }）：{ $peak } g、{ $length } s、入力角 { $angle }°、直交 × { $across }、上下 × { $vertical }{ $target }
+check-vertical-scale = 、上下の倍率 { $scale }
+check-angle = 入力角 { $angle }°{ $vertical }
+check-up = 上向き
+check-from-x = x から { $angle }°
+check-nowhere = 方向なし
+check-components = { $count } 成分：{ $all }
+check-record = 記録 { $count } 点 × { $dt } s（{ $length } s）、{ $peak } g、倍率 { $scale }、{ $direction }{ $steps }
+check-effective = { $amplitude } m で k_eff = { $stiffness } N/m、T_eff = { $period } s、h_eq = { $damping }
+check-together = { $kind } 全体：k₁, k₂ = { $first }, { $second } N/m、Q = { $force } N、u_y = { $yields } m
+check-pier = 橋脚 { $name }：位置 { $x }, { $y } m、{ $mass } kg、高さ { $height } m。{ $standing }
+check-pier-b = k 橋軸, 直角 = { $stiffness } N/m、c = { $damping } N·s/m。単独で f = { $frequency } Hz、T = { $period } s{ $turning }
+check-pier-alone = 単独で支える桁端なし
+check-pier-ends = 支える桁端 { $ends }
+check-pier-rigid = 、回転しない
+check-pier-turns = 、回転 k_θ = { $stiffness } N·m/rad、{ $frequency } Hz
+check-pier-yields = 基部の降伏 { $along }, { $across } N、降伏後は k の { $ratio } 倍
+check-soil-number = { $name } { $value }{ $unit }{ $assumed }
+check-soil-assumed = （仮定）
+check-soil-no-base = 底面の摩擦なし
+check-soil-base = 底面の滑り
+check-soil-base-from = { $from }（{ $displacement } m から）
+check-soil-fuse = 、ヒューズ { $stiffness } N/m、{ $force } N で破断
+check-soil-mass = 質量
+check-soil = 背面土 { $abutment }：{ $law }、{ $k }、{ $ultimate }、{ $unloading }{ $envelope }。斜角の係数 { $factor }
+check-soil-b = 壁 { $mass }、{ $base }{ $fuse }
+table-line = { $line } 行目
+table-line-column = { $line } 行目の列 { $column }
+table-first = 最初の列は t とする
+table-needed = 列 t、pair、kind が要る
+table-number = 有限の数とする
+table-fields = 表のどの行も欄の数が等しい UTF-8 の文字とする
+table-error = { $place }：{ $value }：{ $remedy }
+support-drifts = { $name } の下の地盤：自身の記録と基準の地盤の記録が終わった後も、基準の地盤に対して { $speed } m/s で動き続け、計算の終わりに { $last } m 離れる：両方の基線を補正する（記録は processing の baseline は "none"、"linear"、"berg-housner" のうち静止して終わるもの、模擬地震動は longest_period_s、正弦波は phase_deg = 90）か、静止して終わる同じ記録を delay_s と motion_factor とともに与える
+support-stays-apart = 記録が終わっても地盤が { $speed } m/s で動き続けるため、遅れて動く支点は基準の地盤からずれたまま残り、最も遠い { $name } は計算の終わりに { $last } m 離れる：記録を静止させて終わらせる（processing の baseline は "none"、"linear"、"berg-housner" のうち静止して終わるもの、模擬地震動は longest_period_s）
+wrong-language = その言語はない：{ $known } がある
+window-no-display = ウィンドウを開く画面がない（DISPLAY も WAYLAND_DISPLAY もない）
+window-cut-off = エラー：画面が失われ、ウィンドウも終わった。保存していない内容はなかった
+window-cut-off-kept = エラー：画面が失われ、ウィンドウも終わった。保存していない内容は残してあり、次に開いたときに示す
