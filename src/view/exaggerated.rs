@@ -31,6 +31,8 @@ impl Moment {
     pub(super) fn exaggerated(mut self, history: &History, factor: f64) -> Self {
         let model = history.model();
         self.true_gaps = gap::gaps(history.scene(), &self).into_iter().map(|g| g.map(|g| g.gap)).collect();
+        // The dimension lines stand at the girders as they are shown.
+        self.ends.clear();
         let before = self.motions.clone();
         for motions in [&mut self.motions, &mut self.ghosts] {
             for (own, body) in motions.iter_mut().zip(&model.bodies) {

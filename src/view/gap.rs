@@ -40,7 +40,7 @@ fn face_of(scene: &Scene, moment: &Moment, side: Side) -> Option<(DVec3, DVec3)>
 }
 
 fn end_corners(scene: &Scene, moment: &Moment, girder: usize, end: End) -> Option<[DVec3; 4]> {
-    let (girder, motion) = (scene.girders.get(girder)?, moment.motions.get(girder)?);
+    let (girder, motion) = (scene.girders.get(girder)?, moment.end(girder, end)?);
     Some(girder.prism().end_face(end).map(|p| motion.place + motion.attitude * p))
 }
 

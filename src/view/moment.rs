@@ -85,6 +85,8 @@ pub struct Moment {
     pub t: Option<f64>,
     /// Motion of each girder.
     pub motions: Vec<Motion>,
+    /// Motion of the end sections of each girder, in the order of [`End::BOTH`]; none where no girder bends, and they move as it does.
+    pub ends: Vec<[Motion; 2]>,
     /// Facing ends.
     pub facings: Vec<Facing>,
     /// Closed contacts.
@@ -132,6 +134,12 @@ impl Moment {
         self.carrying.get(girder).and_then(|all| all.get(bearing)).copied().unwrap_or_default()
     }
 
+    /// Motion of the end section of a girder.
+    pub(super) fn end(&self, girder: usize, end: End) -> Option<&Motion> {
+        let number = End::BOTH.iter().position(|other| *other == end)?;
+        self.ends.get(girder).map(|both| &both[number]).or_else(|| self.motions.get(girder))
+    }
+
     /// What `input` asks for: the history at `t`, or the scene as placed.
     pub fn of(input: &ViewInput<'_>) -> Self {
         let mut moment = match input.history {
@@ -161,6 +169,7 @@ impl Moment {
             impulse_scale: by_impulses.and_then(auto_impulse_scale),
             t: Some(t),
             motions: (0..model.girders().len()).map(|i| history.motion(i, t)).collect(),
+            ends: ends(history, t),
             facings: model
                 .pairs
                 .iter()
@@ -191,6 +200,7 @@ impl Moment {
         Self {
             t: None,
             motions: scene.girders.iter().map(at_rest).collect(),
+            ends: Vec::new(),
             facings: pairs.iter().map(|p| Facing { first: p.first, second: p.second }).collect(),
             contacts: Vec::new(),
             carrying: Vec::new(),
@@ -210,6 +220,15 @@ impl Moment {
             force_scale: None,
         }
     }
+}
+
+/// Motion of the end sections of all girders, where one of them bends.
+fn ends(history: &History, t: f64) -> Vec<[Motion; 2]> {
+    let girders = 0..history.model().girders().len();
+    if !girders.clone().any(|girder| history.flexible(girder).is_some()) {
+        return Vec::new();
+    }
+    girders.map(|girder| End::BOTH.map(|end| history.end_motion(girder, end, t))).collect()
 }
 
 /// Overlaps at an instant.

@@ -203,3 +203,16 @@ fn starts_pushes_and_seats_have_their_fields() {
     type_in(&mut harness, "Seat at +x", "8 mm");
     assert_eq!(harness.state().files.document.scene().girders[0].seat.plus, Some(0.008), "as typed");
 }
+
+#[test]
+fn a_long_number_behind_a_slider_takes_from_the_slider_and_no_number_stops_the_window() {
+    let mut harness = with("skew45-abutment", &[]);
+    let right = |h: &Window| h.get_by_label("3D view").rect().right();
+    let before = right(&harness);
+    // Shown as 0.399729 g, and as a ten-figure number, whose curves go on far beyond every plot.
+    for typed in ["392 gal", "1e9"] {
+        type_in(&mut harness, "Amplitude", typed);
+        harness.run_steps(60);
+        assert_eq!(right(&harness), before, "{typed}: the panel is as wide as it was");
+    }
+}

@@ -15,6 +15,8 @@ use crate::scene::presets;
 impl Workbench {
     /// Goes where a link leads; what has no sense in it is told, and nothing of it is done then.
     pub fn follow(&mut self, fragment: &str) {
+        // What was told of another link is about that one.
+        self.apply(WindowCommand::Dismiss);
         match Link::parse(fragment) {
             Ok(link) => self.go_to(link),
             Err(words) => self.window.say(words),
@@ -22,10 +24,6 @@ impl Workbench {
     }
 
     fn go_to(&mut self, Link { target, t, language }: Link) {
-        if let Some(language) = language {
-            language.speak();
-            self.apply(WindowCommand::Language(language));
-        }
         match target {
             None => {}
             Some(Target::Preset(name)) if presets::get(&name).is_none() => {
@@ -47,6 +45,10 @@ impl Workbench {
                     self.apply(EditCommand::Change { edit: Edit::Scene(Box::new(scene)), gesture: None });
                 }
             },
+        }
+        if let Some(language) = language {
+            language.speak();
+            self.apply(WindowCommand::Language(language));
         }
         // The moment is one of what the link opens, which may wait until unsaved work is saved.
         if let Some(t) = t.filter(|_| !self.window.asks()) {
@@ -149,5 +151,9 @@ mod tests {
             assert!(bench.window.notice().is_some_and(|words| !words.is_empty()), "{wrong}: told");
         }
         assert_eq!(bench.files.document.revision(), before, "the scene that was there");
+        bench.follow("#scene=no-such&lang=ja");
+        assert_eq!(bench.window.language, Language::English, "nothing of it is done");
+        bench.follow("#lesson=stick-and-slip");
+        assert_eq!(bench.window.notice(), None, "what was told of another link is gone");
     }
 }

@@ -15,6 +15,9 @@ const NAMES: f32 = 82.0;
 /// Width of the number behind a slider \[points\].
 const NUMBERS: f32 = 72.0;
 
+/// Least length of a slider \[points\].
+const SHORTEST: f32 = 24.0;
+
 /// From where to where a slider goes: a part of what is allowed; what is typed may lie beyond.
 pub(in crate::app) type Bounds = std::ops::RangeInclusive<f64>;
 
@@ -70,6 +73,7 @@ impl Field<'_> {
         let complaint = self.place.complaint(self.key);
         let (unit, typed) = (self.unit, Typed::default());
         let mut shown = value * unit.factor;
+        let number = number_width(ui, format!("{}{}", unit.written(shown), unit.suffix));
         let slider = Slider::new(&mut shown, bounds.start() * unit.factor..=bounds.end() * unit.factor)
             .suffix(unit.suffix)
             .max_decimals(4)
@@ -79,7 +83,7 @@ impl Field<'_> {
             .update_while_editing(false);
         let name = frame::named(ui, self.place, (self.key, self.label));
         let differs = own.words.as_deref().filter(|_| own.differs);
-        let (response, pressed) = line(ui, name, (self.label, differs), |ui| slider_in(ui, slider, ""));
+        let (response, pressed) = line(ui, name, (self.label, differs), |ui| slider_in(ui, slider, (number, "")));
         let menu = frame::menu(&response, own);
         let done =
             if menu || pressed { Some(Done::Reset) } else { self.done(ui, &response, (value, shown), own, typed) };
@@ -113,10 +117,22 @@ pub(in crate::app) fn line(
     .inner
 }
 
-/// A slider that leaves room for the sign; `after` stands where its number would.
-fn slider_in(ui: &mut Ui, slider: Slider<'_>, after: &str) -> Response {
+/// Width of the number behind a slider: a long one takes from the slider, for a row wider than its panel would widen that frame by frame
+/// \[points\].
+fn number_width(ui: &Ui, words: String) -> f32 {
+    let words = egui::WidgetText::from(words).into_galley(
+        ui,
+        Some(egui::TextWrapMode::Extend),
+        f32::INFINITY,
+        egui::TextStyle::Button,
+    );
+    (words.size().x + 2.0 * ui.spacing().button_padding.x).max(NUMBERS)
+}
+
+/// A slider that leaves room for its number, of a width, and the sign; `after` stands where its number would.
+fn slider_in(ui: &mut Ui, slider: Slider<'_>, (number, after): (f32, &str)) -> Response {
     let spacing = ui.spacing().item_spacing.x;
-    ui.spacing_mut().slider_width = (ui.available_width() - NUMBERS - SIGN - 2.0 * spacing).max(40.0);
+    ui.spacing_mut().slider_width = (ui.available_width() - number - SIGN - 2.0 * spacing).max(SHORTEST);
     ui.spacing_mut().interact_size.x = NUMBERS;
     let response = ui.add(slider);
     if !after.is_empty() {
@@ -127,5 +143,5 @@ fn slider_in(ui: &mut Ui, slider: Slider<'_>, after: &str) -> Response {
 
 /// Lays a slider out behind its name, both as wide as in every other row; `after` stands where its number would.
 pub(in crate::app) fn slider_row(ui: &mut Ui, name: RichText, slider: Slider<'_>, after: &str) -> Response {
-    line(ui, name, ("", None), |ui| slider_in(ui, slider, after)).0
+    line(ui, name, ("", None), |ui| slider_in(ui, slider, (NUMBERS, after))).0
 }

@@ -84,7 +84,10 @@ fn file(ui: &mut Ui, used: &[PathBuf], mut paths_here: bool, out: &mut Vec<Comma
         (text::EXPORT_TABLES, "", Command::File(FileCommand::Ask(Wish::Export(Export::Tables)))),
         (text::EXPORT_REPORT, "", Command::File(FileCommand::Ask(Wish::Export(Export::Report)))),
     ];
-    for (words, keys, command) in items {
+    // A page has no threads to make films on.
+    for (words, keys, command) in
+        items.into_iter().filter(|(_, _, command)| !(PAGE && matches!(command, Command::Film(_))))
+    {
         item(ui, &words, keys, command, out);
     }
     ui.separator();

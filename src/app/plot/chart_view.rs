@@ -4,9 +4,9 @@ use egui::{Align2, FontId, Id, Rect, Sense, Stroke, Ui, UiBuilder, Vec2, pos2};
 use egui_plot::{FilledArea, Line, Plot, PlotBounds, PlotPoints, PlotUi, VLine};
 
 use crate::app::command::{Command, PlotCommand};
-use crate::app::plot::charts::Chart;
-use crate::app::plot::legend;
+use crate::app::plot::charts::{Chart, Drawn};
 use crate::app::plot::value_axis::{Ticks, ValueAxis, fitting};
+use crate::app::plot::{dashes, legend};
 use crate::app::style::theme::Palette;
 use crate::app::text;
 use crate::app::time::time_axis::{TimeAxis, ticks};
@@ -104,15 +104,22 @@ fn curves(ui: &mut Ui, chart: &Chart<'_>, over: &Over<'_>, axis: &ValueAxis, pal
             let area = FilledArea::new("", &band.times, &band.low, &band.high);
             plot.add(area.fill_color(*color).allow_hover(false));
         }
-        for drawn in &chart.curves {
-            let width = if drawn.chosen { 1.4 } else { 1.0 };
+        for drawn in chart.curves.iter().filter(|drawn| chart.filled || !dashes::is_broken(drawn.style)) {
             let points = PlotPoints::new(drawn.curve.to_vec());
-            let line = Line::new("", points).stroke(Stroke::new(width, drawn.color)).style(drawn.style);
-            let line = line.allow_hover(false);
+            let line = Line::new("", points).stroke(stroke(drawn)).allow_hover(false);
             plot.line(if chart.filled { line.fill(0.0).fill_alpha(1.0) } else { line });
         }
         plot.vline(VLine::new("", over.t).stroke(Stroke::new(1.2, palette.playhead)).allow_hover(false));
     });
+    let painter = ui.painter_at(field);
+    for drawn in chart.curves.iter().filter(|_| !chart.filled) {
+        let places = drawn.curve.iter().map(|[t, value]| pos2(over.axis.x(*t), axis.y(*value)));
+        dashes::draw(&painter, places, drawn.style, stroke(drawn));
+    }
+}
+
+fn stroke(drawn: &Drawn<'_>) -> Stroke {
+    Stroke::new(if drawn.chosen { 1.4 } else { 1.0 }, drawn.color)
 }
 
 /// The time pointed to, through every chart, with a dot on each curve that has a value there.

@@ -2,6 +2,7 @@
 
 mod chart_view;
 mod charts;
+mod dashes;
 mod legend;
 pub(in crate::app) mod plot_files;
 pub(in crate::app) mod plots;

@@ -287,6 +287,8 @@ pub(super) const UNBALANCED: Text = Text::new("unbalanced");
 pub(super) const SAVED: Text = Text::new("saved");
 pub(super) const PICTURE_WRITTEN: Text = Text::new("picture-written");
 pub(super) const TABLES_WRITTEN: Text = Text::new("tables-written");
+/// The same on a page.
+pub(super) const TABLES_LOADED: Text = Text::new("tables-loaded");
 pub(super) const BEFORE: Text = Text::new("before");
 
 // Guided scenes; their own words are in `assets/lessons`.

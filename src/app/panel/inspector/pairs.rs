@@ -8,6 +8,7 @@ use crate::app::edits;
 use crate::app::field::{Form, Look, Without, rows};
 use crate::app::run::answer::Answer;
 use crate::app::text;
+use crate::app::unit::{Size, unit_of};
 use crate::language::Text;
 use crate::scene::facing::{self, Facing};
 use crate::scene::keys::Key;
@@ -115,7 +116,9 @@ fn in_force(ui: &mut Ui, scene: &Scene, answer: Option<&Answer>, pair: &Facing) 
     for one in ContactNumber::ALL {
         let given = own.as_mut().is_some_and(|pair| (one.of_pair)(pair).is_some());
         let source = if given { text::FROM_PAIR } else { text::FROM_SCENE };
-        rows.push((Text::new(one.label).as_str(), text::short((one.in_force)(c)), source));
+        let value = (one.in_force)(c);
+        let unit = unit_of(&format!("contact.{}", one.key), value, Size::of_scene(scene));
+        rows.push((Text::new(one.label).as_str(), unit.words(value), source));
     }
     rows.push((Text::new("field-gap").as_str(), text::exact_length(pair.gap), text::FROM_PLACES));
     egui::Grid::new(("in force", &pair.name)).num_columns(3).striped(true).spacing([8.0, 2.0]).show(ui, |ui| {
