@@ -105,6 +105,23 @@ fn panels_fold_by_keys_and_buttons_and_come_back() {
     assert_eq!(view(&harness), before, "and back");
 }
 
+#[test]
+fn a_narrow_window_has_every_menu_and_in_the_menus_what_has_no_button() {
+    for (width, language) in [400.0, 700.0, 1024.0].into_iter().flat_map(|w| Language::ALL.map(|l| (w, l))) {
+        let mut harness = builder([width, 640.0]).build_ui_state(show, bench(presets::OPENING));
+        harness.state_mut().apply(WindowCommand::Language(language));
+        harness.run_steps(6);
+        for menu in ["file", "edit", "presets", "learn", "views", "help"] {
+            let rect = harness.get_by_role_and_label(Role::Button, &said(menu)).rect();
+            assert!(rect.left() >= 0.0 && rect.right() <= width, "{width}, {language:?}: {menu} at {rect}");
+        }
+        let top = said("view-top");
+        assert_eq!(harness.query_by_role_and_label(Role::Button, &top).is_some(), width > 720.0, "{width}: a button");
+        press(&mut harness, &said("views"));
+        assert!(harness.query_by_role_and_label(Role::Button, &top).is_some(), "{width}: in the menu");
+    }
+}
+
 /// Everything that can be read or pressed in the row over the timeline.
 fn time_row(harness: &Harness<'_, Workbench>) -> Vec<(String, Rect)> {
     let y = harness.get_by_role_and_label(Role::Button, &said("to-start")).rect().center().y;

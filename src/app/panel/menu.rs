@@ -2,7 +2,8 @@
 
 use std::path::PathBuf;
 
-use egui::{Button, MenuBar, Theme, Ui};
+use egui::containers::menu::{MenuButton, MenuConfig};
+use egui::{Button, MenuBar, PopupCloseBehavior, Theme, Ui};
 
 use crate::app::command::{
     Command, EditCommand, Export, FileCommand, Filming, MapCommand, PathCommand, PlaceCommand, SelectCommand, Sight,
@@ -10,12 +11,16 @@ use crate::app::command::{
 };
 use crate::app::disk::recent;
 use crate::app::disk::scene_files::SceneFiles;
+use crate::app::edits::Document;
 use crate::app::host::PAGE;
 use crate::app::learn::lesson_panel;
 use crate::app::learn::lessons::Learning;
 use crate::app::panel::view_menu;
 use crate::app::{edits, text};
 use crate::scene::{DeviceKind, Scene, ViewPreset, presets};
+
+/// Least width of a bar with all of its buttons, in either language \[points\]. Measured: 660 in English.
+const ALL_BUTTONS: f32 = 720.0;
 
 /// Shows the bar for a scene and its files.
 pub(in crate::app) fn show(
@@ -26,41 +31,53 @@ pub(in crate::app) fn show(
 ) {
     let document = &files.document;
     let some = document.selection().lead_body().is_some();
+    // Without room for buttons, what they do is in the menus.
+    let narrow = ui.available_width() < ALL_BUTTONS;
     MenuBar::new().ui(ui, |ui| {
         ui.menu_button(text::FILE, |ui| file(ui, files.session.recent(), paths_here, out));
-        ui.menu_button(text::EDIT, |ui| edit(ui, document.scene(), some, out));
+        ui.menu_button(text::EDIT, |ui| {
+            if narrow {
+                steps(ui, document, out);
+                ui.separator();
+            }
+            edit(ui, document.scene(), some, out);
+        });
         ui.menu_button(text::PRESETS, |ui| preset_list(ui, document.scene(), out));
         ui.menu_button(text::LEARN, |ui| lesson_panel::menu(ui, learning, out));
-        ui.separator();
-        let (undo, redo) = (document.undo_label(), document.redo_label());
-        button(
-            ui,
-            undo.is_some(),
-            text::UNDO.as_str(),
-            &text::keyed(undo, "Ctrl Z"),
-            Command::Edit(EditCommand::Undo),
-            out,
-        );
-        button(
-            ui,
-            redo.is_some(),
-            text::REDO.as_str(),
-            &text::keyed(redo, "Ctrl Y"),
-            Command::Edit(EditCommand::Redo),
-            out,
-        );
-        ui.separator();
-        button(ui, some, text::DUPLICATE.as_str(), "Ctrl D", Command::Place(PlaceCommand::Duplicate), out);
-        button(ui, some, text::REMOVE.as_str(), "Delete", Command::Place(PlaceCommand::Remove), out);
-        ui.separator();
-        views(ui, out);
-        ui.menu_button(text::VIEWS, |ui| view_menu::menu(ui, sight, document, out));
+        if !narrow {
+            ui.separator();
+            steps(ui, document, out);
+            ui.separator();
+            button(ui, some, text::DUPLICATE.as_str(), "Ctrl D", Command::Place(PlaceCommand::Duplicate), out);
+            button(ui, some, text::REMOVE.as_str(), "Delete", Command::Place(PlaceCommand::Remove), out);
+            ui.separator();
+            views(ui, out);
+        }
+        // Several things are set one after the other.
+        let stays = MenuConfig::new().close_behavior(PopupCloseBehavior::CloseOnClickOutside);
+        MenuButton::new(text::VIEWS).config(stays).ui(ui, |ui| {
+            if narrow {
+                ui.horizontal(|ui| views(ui, out));
+                ui.separator();
+            }
+            view_menu::menu(ui, sight, document, out);
+        });
         button(ui, true, &text::MAP_OPEN, &text::MAP_OPEN_HINT, Command::Map(MapCommand::Show(true)), out);
         ui.with_layout(egui::Layout::right_to_left(egui::Align::Center), |ui| {
             button(ui, true, text::HELP.as_str(), "F1", Command::Window(WindowCommand::Help(true)), out);
             theme(ui, out);
         });
     });
+}
+
+/// Back and forth through the edits.
+fn steps(ui: &mut Ui, document: &Document, out: &mut Vec<Command>) {
+    let (undo, redo) = (document.undo_label(), document.redo_label());
+    for (label, words, keys, command) in
+        [(undo, text::UNDO, "Ctrl Z", EditCommand::Undo), (redo, text::REDO, "Ctrl Y", EditCommand::Redo)]
+    {
+        button(ui, label.is_some(), words.as_str(), &text::keyed(label, keys), Command::Edit(command), out);
+    }
 }
 
 fn button(ui: &mut Ui, enabled: bool, words: &str, keys: &str, command: Command, out: &mut Vec<Command>) {

@@ -15,13 +15,15 @@ pub(super) struct Bound {
     pub until: f64,
     /// Speed of any corner \[m/s\].
     pub speed: f64,
+    /// Acceleration of any corner \[m/s²\]; infinite where it is not known.
+    pub acceleration: f64,
 }
 
 /// Bound on the speed of girder `body` from `t` on, as far as its stretch reaches; `radius` is the distance of its farthest
 /// corner from G \[m\].
 pub(super) fn bound(history: &History, body: usize, radius: f64, t: f64) -> Bound {
     let path = &history.paths[body];
-    let Some(number) = path.number_at(t) else { return Bound { until: f64::INFINITY, speed: 0.0 } };
+    let Some(number) = path.number_at(t) else { return Bound { until: f64::INFINITY, speed: 0.0, acceleration: 0.0 } };
     let end = end_of(history, body, number);
     let own = &history.model().bodies[body];
     let step = |piece: &StepPolynomial| own.bounds(&|range| piece.derivative_bounds(range));
@@ -31,11 +33,24 @@ pub(super) fn bound(history: &History, body: usize, radius: f64, t: f64) -> Boun
         StoredMotion::Slide(slide) => {
             let until = end.min(t + slide.sight / LOOKS_PER_REVERSAL);
             let [here, there] = [t, until].map(|t| history.frame(body, t).shift);
-            return Bound { until, speed: (there - here).length() / (until - t).max(f64::MIN_POSITIVE) };
+            let speed = (there - here).length() / (until - t).max(f64::MIN_POSITIVE);
+            return Bound { until, speed, acceleration: f64::INFINITY };
         }
         StoredMotion::Start(_) | StoredMotion::Flight(_) => in_flight(history, body, number, t),
     };
-    Bound { until: end.min(t + bounds.window), speed: bounds.speed + bounds.spin * radius }
+    // The motion of sections of a girder that bends is not that of its G.
+    let acceleration = if history.flexible(body).is_some() {
+        f64::INFINITY
+    } else {
+        bounds.acceleration + radius * (bounds.spin_rate + bounds.spin * bounds.spin)
+    };
+    Bound { until: end.min(t + bounds.window), speed: bounds.speed + bounds.spin * radius, acceleration }
+}
+
+/// Speed of any corner of a rigid body at `t` \[m/s\].
+pub(super) fn speed(history: &History, body: usize, radius: f64, t: f64) -> f64 {
+    let frame = history.frame(body, t);
+    frame.velocity.length() + frame.spin.length() * radius
 }
 
 /// Largest distance of G of girder `body` from where the body was placed, over the whole answer \[m\].

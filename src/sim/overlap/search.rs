@@ -5,13 +5,14 @@
 //! sought where it is above the least depth ε that counts. While none of their contacts is closed, d changes no faster
 //! than the two bodies move, `v₁ + v₂`, each of its farthest corner: after a sample with separation d the next one is due once they may
 //! have moved `max(d, 0) + ε` (conservative advancement, over as many steps of the integrator as that takes, each with bounds of its
-//! own), so that no overlap deeper than ε lies between. Where
+//! own), by the bound on their speed or by their speed at that time and the bound on their acceleration, so that no overlap deeper than ε
+//! lies between. Where
 //! bodies stand against each other or pass within ε, that would take samples without end: the time is not less than that in
 //! which d changes by [`RESOLVED`], or a part of the present stretch where that is shorter, and nothing deeper than
 //! [`RESOLVED`] lies between. While a contact is closed, samples are taken at the ends and in the middle of the integrator's
 //! steps, which resolve the contact's motion. Of a node that is not watched d is the separation from the other body.
 
-use super::motion::bound;
+use super::motion::{bound, speed};
 use super::solid::{Joined, Solids};
 use super::unwatched::{self, Interval, Turned, Unwatched, united};
 use crate::dynamics::penalty3d::contact_state::Contact;
@@ -74,6 +75,8 @@ struct Approach {
     until: f64,
     /// \[m/s\]
     speed: f64,
+    /// \[m/s²\]
+    acceleration: f64,
 }
 
 /// When the excess counts within an interval, and where it is deepest.
@@ -205,9 +208,11 @@ impl Meeting<'_> {
     fn bounds(&self, t: f64) -> Approach {
         let girders = self.pair.into_iter().filter_map(|number| Some((self.solids.body(number)?, number)));
         let bounds = girders.map(|(girder, number)| bound(self.history, girder, self.solids.radius(number), t));
-        bounds.fold(Approach { from: t, until: f64::INFINITY, speed: 0.0 }, |both, one| Approach {
+        let still = Approach { from: t, until: f64::INFINITY, speed: 0.0, acceleration: 0.0 };
+        bounds.fold(still, |both, one| Approach {
             until: both.until.min(one.until),
             speed: both.speed + one.speed,
+            acceleration: both.acceleration + one.acceleration,
             ..both
         })
     }
@@ -231,9 +236,25 @@ impl Meeting<'_> {
         let window = until - bounds.from;
         // In this time the separation changes by `resolved` at the most.
         let resolving = (self.resolved / bounds.speed).min(window / STRETCH_SAMPLES);
-        let step = if now.carried { window / CLOSED_STEP_SAMPLES } else { (left / bounds.speed).max(resolving) };
+        let step = if now.carried {
+            window / CLOSED_STEP_SAMPLES
+        } else {
+            (left / bounds.speed).max(self.from_speed(t, left, bounds.acceleration)).max(resolving)
+        };
         // A window may be shorter than the spacing of times.
         ((t + step).min(until).max(now.t.next_up()), bounds)
+    }
+
+    /// Time that the bodies take for a way `left` \[m\] at the least, by their speed v at `t` and their acceleration, a at the most \[s\]:
+    /// `v τ + a τ²/2` is the way.
+    fn from_speed(&self, t: f64, left: f64, acceleration: f64) -> f64 {
+        if !acceleration.is_finite() {
+            return 0.0;
+        }
+        let girders = self.pair.into_iter().filter_map(|number| Some((self.solids.body(number)?, number)));
+        let speeds = girders.map(|(girder, number)| speed(self.history, girder, self.solids.radius(number), t));
+        let now: f64 = speeds.sum();
+        2.0 * left / (now + (now * now + 2.0 * acceleration * left).sqrt())
     }
 
     /// When the excess begins or ceases to count between two samples of which one counts \[s\].
