@@ -239,7 +239,7 @@ impl Meeting<'_> {
         let step = if now.carried {
             window / CLOSED_STEP_SAMPLES
         } else {
-            (left / bounds.speed).max(self.from_speed(t, left, bounds.acceleration)).max(resolving)
+            (left / bounds.speed).max(self.least_time(t, left, bounds.acceleration)).max(resolving)
         };
         // A window may be shorter than the spacing of times.
         ((t + step).min(until).max(now.t.next_up()), bounds)
@@ -247,7 +247,7 @@ impl Meeting<'_> {
 
     /// Time that the bodies take for a way `left` \[m\] at the least, by their speed v at `t` and their acceleration, a at the most \[s\]:
     /// `v τ + a τ²/2` is the way.
-    fn from_speed(&self, t: f64, left: f64, acceleration: f64) -> f64 {
+    fn least_time(&self, t: f64, left: f64, acceleration: f64) -> f64 {
         if !acceleration.is_finite() {
             return 0.0;
         }
