@@ -162,8 +162,9 @@ fn scenes_pictures_and_reports_are_saved_and_scenes_opened() {
     let picture = page.downloaded("straight-abutment.png");
     assert!(picture.starts_with(b"\x89PNG") && picture.len() > 10_000, "{} bytes", picture.len());
     choose("Export report");
-    let report = page.downloaded("straight-abutment.html");
-    assert!(String::from_utf8_lossy(&report).contains("</html>"), "whole");
+    let report = String::from_utf8(page.downloaded("straight-abutment.html")).expect("text");
+    assert!(report.contains("</html>"), "whole");
+    assert!(report.contains("at 2.4 Hz") && !report.contains("check-"), "with its words, and none of their keys");
 
     // The browser's dialog is no part of the page: what a user does in it is done by a script.
     let text = preset.text.replace("straight-abutment", "of-a-file");
@@ -178,9 +179,9 @@ fn scenes_pictures_and_reports_are_saved_and_scenes_opened() {
     ));
     choose("Open");
     page.until("the scene of the file", |r| r["scene"] == "of-a-file" && is_there(r));
-    choose("Export film");
-    page.until("what a page does not do is said", |r| {
-        r["notice"].as_str().is_some_and(|words| words.contains("browser"))
+    choose("Export tables");
+    page.until("where the tables are is said", |r| {
+        r["notice"].as_str().is_some_and(|words| words.contains("browser: trajectory.csv"))
     });
     assert_eq!(page.complaints(), [""; 0], "nothing on the console");
 }
