@@ -15,7 +15,7 @@
 use super::motion::{bound, speed};
 use super::solid::{Joined, Solids};
 use super::unwatched::{self, Interval, Turned, Unwatched, united};
-use crate::dynamics::model::edge_node::node_place::NodePlace;
+use crate::contact::locate;
 use crate::dynamics::penalty3d::contact_state::Contact;
 use crate::sim::History;
 use crate::sim::peaks::golden;
@@ -193,23 +193,19 @@ impl Meeting<'_> {
 
     /// Deepest penetration of a closed contact between the two bodies \[m\]; `None` where all are open.
     fn carried(&self, t: f64) -> Option<f64> {
-        let closed = |contact: usize| match self.history.logs[contact].at(t) {
-            Contact::Closed(closed) => Some((contact, closed.place)),
-            Contact::Open { .. } => None,
+        let closed = |&contact: &usize| matches!(self.history.logs[contact].at(t), Contact::Closed(_));
+        let depth = |contact: usize| {
+            let site = &self.history.model().contacts[contact];
+            let [node, face] = self.history.sides(contact, t);
+            // An edge node carries what overlaps at its crossing, and a corner that took over displaced along its normal what the corner
+            // itself is behind its face.
+            let gap = match &site.edge {
+                Some(edge) => edge.distance(&node, &face),
+                None => Some(locate(&site.home, &node, &face).gap),
+            };
+            gap.map_or(f64::NEG_INFINITY, |gap| -gap).max(-before_face(self.history, contact, t)[0])
         };
-        let depth = |(contact, place): (usize, NodePlace)| {
-            let edge = self.history.model().contacts[contact].edge.as_ref();
-            // A corner that took over displaced along its normal is behind its face by that as well.
-            let displaced = if edge.is_none() { place.shift.length() } else { 0.0 };
-            // An edge node carries what overlaps at its crossing.
-            let crossing = edge.and_then(|edge| {
-                let [node, face] = self.history.sides(contact, t);
-                edge.distance(&node, &face)
-            });
-            let before = before_face(self.history, contact, t)[0];
-            crossing.map_or(f64::NEG_INFINITY, |distance| -distance).max(displaced - before)
-        };
-        self.contacts.iter().copied().filter_map(closed).map(depth).reduce(f64::max)
+        self.contacts.iter().copied().filter(closed).map(depth).reduce(f64::max)
     }
 
     /// Bound on how fast the two bodies come nearer, from `t` on.
