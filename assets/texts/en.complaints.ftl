@@ -315,6 +315,7 @@ stop-too-fast = { $spent }: a contact, a bearing or the ground is far too fast f
 stop-step = the step fell to { $step } s; a lower stiffness or a larger tolerance would be followed
 stop-starts-inside = it starts { $depth } m inside: rigid girders cannot overlap; move it out by its initial displacement or its place, or take the contact model
 stop-nowhere = { $work } hits, searches and steps, { $same } of them at this instant, lead nowhere; a larger stop_speed_m_s or a lower restitution_normal would end it, or the contact model
+stop-undefined = its motion is no number from here on: a fault of the program, which the scene helps to find
 stop-no-motion = no step is short enough to follow the contact: its reactions have no motion here
 stop-no-contact = they meet where the impact model has no contact: it knows facing ends and declared pairs; choose `kind = "contact"` in [model], declare the pair, or let bodies pass with `between = "ends"` in [contact]
 

@@ -315,6 +315,7 @@ stop-too-fast = { $spent }：接触、支承または地動が継続時間に対
 stop-step = ステップが { $step } s まで縮んだ。剛性を下げるか許容誤差を大きくすれば追える
 stop-starts-inside = { $depth } m 食い込んで始まる：剛な桁は重ならない。初期変位か位置で外に出すか、接触モデルとする
 stop-nowhere = 衝突、探索、ステップが { $work } 回、うち { $same } 回はこの瞬間で、先に進まない。stop_speed_m_s を大きくするか restitution_normal を下げれば終わる。または接触モデルとする
+stop-undefined = ここから先の運動は数にならない：プログラムの誤りであり、このシーンで再現できる
 stop-no-motion = どれだけ短いステップでも接触を追えない：反力に対応する運動がここにはない
 stop-no-contact = 衝撃モデルの接触がない所で出会う：扱うのは向かい合う端と宣言した組だけ。[model] で `kind = "contact"` とするか、組を宣言するか、[contact] の `between = "ends"` で通り抜けさせる
 

@@ -187,7 +187,11 @@ pub fn parameter(law: NormalName, calibration: Calibration, restitution: f64, cl
 pub fn returned(law: NormalName, parameter: f64, clamp: bool) -> f64 {
     let ratio = match law {
         NormalName::HertzViscous | NormalName::Jankowski => 2.0 * parameter / 5f64.sqrt(),
-        _ => parameter,
+        NormalName::KelvinVoigt
+        | NormalName::Approach
+        | NormalName::Hertz
+        | NormalName::HertzDamp
+        | NormalName::Bilinear => parameter,
     };
     match law {
         NormalName::KelvinVoigt | NormalName::HertzViscous if clamp => approach(ratio).powi(2),

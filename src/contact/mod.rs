@@ -18,4 +18,4 @@ pub use crossed_edges::Crossed;
 pub use law::{Breakaway, Forces, FrictionLaw, Law, Mode};
 pub use node_face::{Frame, Home, Local, Measured, gap, locate, measure, turned_by};
 pub use normal::{Normal, NormalLaw};
-pub use parameters::{Dashpots, PairNumbers, dashpots, law_of_pair, returned_restitution};
+pub use parameters::{Dashpots, PairNumbers, is_damped_by_65, law_of_pair, returned_restitution};

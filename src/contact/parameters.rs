@@ -58,6 +58,14 @@ pub fn law_of_pair(numbers: &PairNumbers) -> Law {
     }
 }
 
+/// Whether the normal dashpot is that of (65): of the linear law, from `e_n` without the clamp, and not by a parameter given.
+pub fn is_damped_by_65(numbers: &PairNumbers) -> bool {
+    let &PairNumbers { normal, calibration, restitution_normal: e, clamp, parameter, .. } = numbers;
+    normal == NormalName::KelvinVoigt
+        && parameter.is_none()
+        && calibration::parameter(normal, calibration, e, clamp) == damping_ratio(e)
+}
+
 /// Normal law of a whole pair, with its dashpot or its yield from `e_n`, or with the parameter given.
 fn normal_law(numbers: &PairNumbers) -> Normal {
     let &PairNumbers { stiffness, normal, design_speed, calibration, restitution_normal: e, mass, .. } = numbers;
@@ -150,15 +158,6 @@ fn critical_damping(stiffness: f64, mass: f64) -> f64 {
     2.0 * (stiffness * mass).sqrt()
 }
 
-/// Dashpots `C_i = 2 ξ_i √(K M)` (65) with the reduced mass `M`.
-pub fn dashpots(stiffness: f64, mass: f64, restitution_normal: f64, restitution_tangential: f64) -> Dashpots {
-    let critical = critical_damping(stiffness, mass);
-    Dashpots {
-        normal: damping_ratio(restitution_normal) * critical,
-        tangential: damping_ratio(restitution_tangential) * critical,
-    }
-}
-
 #[cfg(test)]
 mod tests {
     use glam::DVec3;
@@ -169,8 +168,8 @@ mod tests {
     fn the_papers_dashpots_come_from_its_restitution() {
         // (69b) prints 220 and 26.4 N·s/m for two 2 kg girders; `docs/physics.md#restitution-and-damping` has one more
         // digit and the wall.
-        let pair = dashpots(1.55e5, reduced_mass(2.0, 2.0), 0.4, 0.9);
-        let wall = dashpots(1.55e5, reduced_mass(2.0, f64::INFINITY), 0.4, 0.9);
+        let [pair, wall] = [2.0, f64::INFINITY]
+            .map(|other| law_of_pair(&PairNumbers { mass: reduced_mass(2.0, other), ..numbers() }).dashpots());
         for (got, printed) in
             [(pair.normal, 220.5), (pair.tangential, 26.4), (wall.normal, 311.8), (wall.tangential, 37.3)]
         {
@@ -213,10 +212,23 @@ mod tests {
     fn a_pairs_law_has_the_scenes_numbers() {
         let law = law_of_pair(&numbers());
         assert_eq!((law.normal.tangent_stiffness(0.0), law.k_t), (1.55e5, 1.55e5), "one K for both directions");
-        assert_eq!(law.dashpots(), dashpots(1.55e5, 1.0, 0.4, 0.9), "(65)");
         assert_eq!((law.mu_s, law.mu_k, law.friction, law.clamp), (0.2, 0.15, FrictionLaw::Paper, true), "as given");
         assert!(law.v_stick > 0.0, "two directions of sliding are regularised");
         assert_eq!(law_of_pair(&PairNumbers { one_way: true, ..numbers() }).v_stick, 0.0, "one is not");
+    }
+
+    #[test]
+    fn the_dashpot_of_65_is_told_from_every_other() {
+        assert!(is_damped_by_65(&numbers()), "by e_n, K and M alone");
+        let others = [
+            PairNumbers { calibration: Calibration::Exact, ..numbers() },
+            PairNumbers { parameter: Some(0.1), ..numbers() },
+            PairNumbers { normal: NormalName::Approach, ..numbers() },
+            PairNumbers { normal: NormalName::HertzDamp, ..numbers() },
+        ];
+        for other in others {
+            assert!(!is_damped_by_65(&other), "{other:?}");
+        }
     }
 
     #[test]

@@ -7,7 +7,7 @@
 //! | [`integrator`] | explicit and implicit methods, dense output, step control; no physics |
 //! | [`locate`] | the first zero of a function of time: conservative advancement, subdivision, bracketed root |
 //! | [`connection`] | forces between two points: what contacts, bearings and devices have in common; links |
-//! | [`devices`] | cables, bumpers, dampers, stoppers, bearings with hysteresis |
+//! | [`devices`] | cables, bumpers, dampers, stoppers, bearings (linear, with hysteresis, sliding, lost), backfill |
 //! | [`elastic`] | a girder as a beam: modes, flexibility of its ends; no scene |
 //! | [`linear`] | free motion of a linear block of coordinates as a sum of exponentials; no scene |
 //! | [`model`] | a scene compiled to constant data: bodies with their degrees of freedom, bearings, facing pairs, contact sites, rate bounds |

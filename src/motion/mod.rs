@@ -63,6 +63,8 @@ pub enum Samples {
         values: Arc<[DVec3]>,
         /// Largest magnitude along each world axis \[m/s²\].
         largest: DVec3,
+        /// Components that end before others: number of the last sample, and what it is of the sum there \[m/s²\], which is gone after it.
+        ends: Arc<[(usize, DVec3)]>,
     },
 }
 
@@ -153,8 +155,11 @@ impl Samples {
                 let (start, next) = (*values.get(number)?, values.get(number + 1)?);
                 Some(Line::Along { direction: *direction, start, slope: (next - start) / dt })
             }
-            Self::Components { values, .. } => {
-                let (start, next) = (*values.get(number)?, *values.get(number + 1)?);
+            Self::Components { values, ends, .. } => {
+                let (mut start, next) = (*values.get(number)?, *values.get(number + 1)?);
+                for (_, last) in ends.iter().filter(|(sample, _)| *sample == number) {
+                    start -= *last;
+                }
                 Some(Line::Components { start, slope: (next - start) / dt })
             }
         }
@@ -169,12 +174,17 @@ impl Ground {
         Self::Record { dt, samples: Samples::Along { direction, values }, peak }
     }
 
-    /// A record of several components: interval \[s\], samples in the world frame \[m/s²\].
-    pub fn components(dt: f64, samples: impl IntoIterator<Item = DVec3>) -> Self {
+    /// A record of several components: interval \[s\], samples of their sum in the world frame \[m/s²\]; of components that end before
+    /// others the number and the value of the last sample, after which they are 0.
+    pub fn components(
+        dt: f64,
+        samples: impl IntoIterator<Item = DVec3>,
+        ends: impl IntoIterator<Item = (usize, DVec3)>,
+    ) -> Self {
         let values: Arc<[DVec3]> = samples.into_iter().collect();
         let peak = values.iter().fold(0.0, |most: f64, a| most.max(a.length()));
         let largest = values.iter().fold(DVec3::ZERO, |most, a| most.max(a.abs()));
-        Self::Record { dt, samples: Samples::Components { values, largest }, peak }
+        Self::Record { dt, samples: Samples::Components { values, largest, ends: ends.into_iter().collect() }, peak }
     }
 
     /// Unit vector in plan at the excitation angle α; multiples of 90° are exact.
@@ -289,10 +299,21 @@ mod tests {
 
     #[test]
     fn components_are_linear_between_their_samples_too() {
-        let ground = Ground::components(0.1, [DVec3::ZERO, DVec3::new(3.0, 4.0, -1.0), DVec3::new(1.0, 0.0, 0.0)]);
+        let ground = Ground::components(0.1, [DVec3::ZERO, DVec3::new(3.0, 4.0, -1.0), DVec3::new(1.0, 0.0, 0.0)], []);
         assert!((ground.acceleration(0.05) - DVec3::new(1.5, 2.0, -0.5)).length() < 1e-15, "halfway");
         assert!((ground.peak() - 26f64.sqrt()).abs() < 1e-15 && ground.axis() == DVec3::new(3.0, 4.0, 1.0), "largest");
         assert_eq!(ground.acceleration(0.2), DVec3::ZERO, "after the record");
+    }
+
+    #[test]
+    fn a_component_that_ends_before_others_is_nothing_after_its_last_sample() {
+        let sum = [DVec3::ZERO, DVec3::new(1.0, 2.0, 0.0), DVec3::new(3.0, 0.0, 0.0)];
+        let ground = Ground::components(0.1, sum, [(1, DVec3::new(0.0, 2.0, 0.0))]);
+        assert!((ground.acceleration(0.05) - DVec3::new(0.5, 1.0, 0.0)).length() < 1e-15, "before");
+        assert!(
+            (ground.acceleration(0.15) - DVec3::new(2.0, 0.0, 0.0)).length() < 1e-15,
+            "no way down to the next sample"
+        );
     }
 
     #[test]

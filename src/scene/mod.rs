@@ -77,7 +77,7 @@ pub use motion::{Motion, STANDARD_GRAVITY, SineMotion};
 pub use moving_supports::MovingSupports;
 pub use pier::{ColumnTop, Pier};
 pub use processing::{Baseline, Processing};
-pub use record::{Component, Heading, RecordMotion};
+pub use record::{Combined, Component, Heading, RecordMotion};
 pub use resolved::{ResolvedBearing, Setting};
 pub use resolved_elastic::ResolvedElastic;
 pub use resolved_pier::{BaseYield, ResolvedPier};

@@ -101,6 +101,17 @@ table! {
     }
 }
 
+/// Components of a record together as they shake, world frame.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Combined {
+    /// Interval \[s\].
+    pub dt: f64,
+    /// Samples of their sum \[m/s²\]; a component is 0 after its own last.
+    pub samples: Vec<[f64; 3]>,
+    /// Of each component that ends before others, number and value of its last sample \[m/s²\].
+    pub ends: Vec<(usize, [f64; 3])>,
+}
+
 /// `kind = "record"`: samples at a constant interval, straight lines between them.
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
 #[serde(deny_unknown_fields)]
@@ -244,10 +255,9 @@ impl RecordMotion {
         Some((dt, samples, factor))
     }
 
-    /// All components together as they shake, scaled: interval \[s\], samples in the world frame \[m/s²\]. The shorter ones end
-    /// in zeros; `direction` turns degrees from world x into a unit vector in plan.
-    pub fn combined(&self, direction: impl Fn(f64) -> [f64; 2]) -> Option<(f64, Vec<[f64; 3]>)> {
-        let (mut dt, mut sum) = (None, Vec::<[f64; 3]>::new());
+    /// All components together as they shake, scaled; `direction` turns degrees from world x into a unit vector in plan.
+    pub fn combined(&self, direction: impl Fn(f64) -> [f64; 2]) -> Option<Combined> {
+        let (mut dt, mut sum, mut ends) = (None, Vec::<[f64; 3]>::new(), Vec::new());
         for (n, component) in self.components.iter().enumerate() {
             let (own, samples) = self.component_series(n)?;
             let (own, samples) = self.processing.apply(own, samples);
@@ -263,13 +273,15 @@ impl RecordMotion {
             for (sum, a) in sum.iter_mut().zip(samples.iter()) {
                 (0..3).for_each(|i| sum[i] += along[i] * (component.scale * a));
             }
+            ends.extend(samples.last().map(|a| (samples.len() - 1, along.map(|i| i * (component.scale * a)))));
         }
+        ends.retain(|(sample, _)| sample + 1 < sum.len());
         let largest = || sum.iter().fold(0.0_f64, |most, a| most.max(a[0].hypot(a[1]).hypot(a[2])));
         let factor = self.scale * self.processing.factor(largest);
-        for a in sum.iter_mut().flatten() {
+        for a in sum.iter_mut().chain(ends.iter_mut().map(|(_, last)| last)).flatten() {
             *a *= factor;
         }
-        Some((dt?, sum))
+        Some(Combined { dt: dt?, samples: sum, ends })
     }
 
     /// Largest magnitude as it shakes \[m/s²\], interval \[s\] and number of samples.
@@ -280,7 +292,7 @@ impl RecordMotion {
             return Some((peak * (factor * self.scale.abs().max(self.vertical_scale.abs())), dt, samples.len()));
         }
         // A turn changes no magnitude.
-        let (dt, samples) = self.combined(|angle| angle.to_radians().sin_cos().into())?;
+        let Combined { dt, samples, .. } = self.combined(|angle| angle.to_radians().sin_cos().into())?;
         let peak = samples.iter().fold(0.0_f64, |most, a| most.max(a[0].hypot(a[1]).hypot(a[2])));
         Some((peak, dt, samples.len()))
     }

@@ -28,6 +28,7 @@ mod physics {
     mod backfill;
     mod bounds;
     mod cable;
+    mod closed_forms_at_their_limits;
     mod contact_laws;
     mod device_starts;
     mod devices;

@@ -1,7 +1,8 @@
 //! Friction law `return-mapping`: elastic-plastic Coulomb friction after Cundall and Strack (1979), the default
 //! (`docs/physics.md#law-return-mapping`).
 //!
-//! In slip the anchor is dragged so that the spring carries exactly `μ_k |F_n|`: the stretch is `s = μ_k δ d`. The
+//! In slip the anchor is dragged so that the spring carries exactly `μ_k |F_n|`: the stretch is `s = μ_k ℓ d` with
+//! `ℓ = N/k_t`, which is δ of a linear law with one stiffness. The
 //! tangential dashpot acts on the rate of the spring's own stretch, `−C_t (V_t − q̇)`, with q̇ the rate of the anchor
 //! along the face, so that the force is continuous on return to stick. Breakaway at `μ_s` reduces the stretch to
 //! `μ_k`.
@@ -36,7 +37,7 @@ pub(in crate::contact) fn stopping(law: &Law, direction: DVec2, here: &Local) ->
     -(here.rate.dot(direction) + law.mu_k * law.length_slope(here) * here.gap_rate)
 }
 
-/// Breakaway: the stretch is reduced along itself from `μ_s δ` to `μ_k δ`.
+/// Breakaway: the stretch is reduced along itself from `μ_s ℓ` to `μ_k ℓ`.
 pub(in crate::contact) fn breakaway(law: &Law, anchor: DVec2, here: &Local) -> Breakaway {
     let stretch = here.way - anchor;
     // Without a stretch the direction of slip is that of the velocity.

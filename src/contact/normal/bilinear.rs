@@ -1,10 +1,10 @@
 //! Bilinear spring, law `bilinear` (`DesRoches` and Muthukumar; `docs/physics.md#other-normal-laws`): `N = K₂ δ + z` with a
-//! play operator z, `ż = (K₁ − K₂) δ̇` within `0 ≤ z ≤ z_y = (K₁ − K₂) δ_y`.
+//! elastic-plastic part z, `ż = (K₁ − K₂) δ̇` within `0 ≤ z ≤ z_y = (K₁ − K₂) δ_y`.
 
 use super::NormalLaw;
 use super::phases::Phases;
 
-/// Branch of the play operator.
+/// Branch of the elastic-plastic part.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub enum Branch {
     /// `z = (K₁ − K₂)(δ − δ₀)` with this penetration `δ₀` at z = 0 \[m\].
@@ -42,11 +42,11 @@ impl Bilinear {
     }
 
     /// `K₁ − K₂` \[N/m\].
-    fn play(&self) -> f64 {
+    fn stiffness_drop(&self) -> f64 {
         self.k1 - self.k2
     }
 
-    /// Play as a length, `z/(K₁ − K₂)`, from 0 to `δ_y` \[m\].
+    /// The elastic-plastic part as a length, `z/(K₁ − K₂)`, from 0 to `δ_y` \[m\].
     fn stretch(&self, penetration: f64) -> f64 {
         match self.branch {
             Branch::Elastic(origin) => penetration - origin,
@@ -57,7 +57,7 @@ impl Bilinear {
 
     /// Energy lost in a touch with this largest penetration, the area of the loop `(K₁ − K₂) δ_y (δ_m − δ_y)` \[J\].
     pub fn loop_area(&self, deepest: f64) -> f64 {
-        self.play() * self.yielding * (deepest - self.yielding).max(0.0)
+        self.stiffness_drop() * self.yielding * (deepest - self.yielding).max(0.0)
     }
 }
 
@@ -113,7 +113,7 @@ impl Phases for Bilinear {
 
 impl NormalLaw for Bilinear {
     fn elastic(&self, penetration: f64) -> f64 {
-        self.k2 * penetration + self.play() * self.stretch(penetration)
+        self.k2 * penetration + self.stiffness_drop() * self.stretch(penetration)
     }
 
     fn damping(&self, _: f64, _: f64) -> f64 {
@@ -122,7 +122,7 @@ impl NormalLaw for Bilinear {
 
     /// `½ K₂ δ² + z²/(2 (K₁ − K₂))`.
     fn stored_energy(&self, penetration: f64) -> f64 {
-        0.5 * (self.k2 * penetration.powi(2) + self.play() * self.stretch(penetration).powi(2))
+        0.5 * (self.k2 * penetration.powi(2) + self.stiffness_drop() * self.stretch(penetration).powi(2))
     }
 
     fn tangent_stiffness(&self, _: f64) -> f64 {
@@ -155,7 +155,7 @@ impl NormalLaw for Bilinear {
         if elastic <= self.yielding {
             return elastic;
         }
-        let (push, energy) = (self.play() * self.yielding, 0.5 * mass * speed * speed);
+        let (push, energy) = (self.stiffness_drop() * self.yielding, 0.5 * mass * speed * speed);
         let rest = energy + 0.5 * push * self.yielding;
         // The positive root without cancellation.
         2.0 * rest / (push + (push * push + 2.0 * self.k2 * rest).sqrt())
@@ -173,7 +173,7 @@ impl NormalLaw for Bilinear {
     /// On the upper branch `z_y δ̇`.
     fn plastic_power(&self, velocity: f64) -> f64 {
         match self.branch {
-            Branch::Upper => -self.play() * self.yielding * velocity,
+            Branch::Upper => -self.stiffness_drop() * self.yielding * velocity,
             Branch::Elastic(_) | Branch::Lower => 0.0,
         }
     }
@@ -194,7 +194,7 @@ mod tests {
     }
 
     #[test]
-    fn the_loop_is_that_of_the_play_operator() {
+    fn the_loop_is_that_of_an_elastic_plastic_part_beside_a_spring() {
         let deepest = 5e-4;
         let upper = LAW.next_phase(1e-4);
         assert_eq!(upper.branch, Branch::Upper, "z = z_y");
@@ -211,13 +211,13 @@ mod tests {
     }
 
     #[test]
-    fn phases_end_at_yield_at_a_turn_and_where_the_play_is_used() {
+    fn phases_end_at_yield_at_a_turn_and_where_the_elastic_range_is_used() {
         assert!(LAW.phase_end(0.9e-4, -0.1) < 0.0 && LAW.phase_end(1.1e-4, -0.1) > 0.0, "yield");
         assert!(LAW.phase_end(-1e-9, 0.1) < 0.0, "an elastic touch ends by opening");
         let upper = LAW.next_phase(1e-4);
         assert!(upper.phase_end(2e-4, -0.1) < 0.0 && upper.phase_end(2e-4, 0.1) > 0.0, "turn");
         let unloading = upper.next_phase(5e-4);
-        assert!(unloading.phase_end(4.5e-4, 0.1) < 0.0, "within the play");
+        assert!(unloading.phase_end(4.5e-4, 0.1) < 0.0, "within the elastic range");
         assert!(unloading.phase_end(3.9e-4, 0.1) > 0.0 && unloading.phase_end(5.1e-4, -0.1) > 0.0, "both ends");
         assert_eq!(unloading.next_phase(5e-4).branch, Branch::Upper, "loaded again");
         assert_eq!(unloading.begun(0.0, -0.1), LAW, "recovered at once");

@@ -76,7 +76,7 @@ impl NormalLaw for Linear {
         self.c > 0.0
     }
 
-    /// K alone, since C follows from it by (65).
+    /// K alone: C shows in the states.
     fn digest(&self, add: &mut dyn FnMut(f64)) {
         add(self.k);
     }

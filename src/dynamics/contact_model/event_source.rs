@@ -13,12 +13,17 @@ pub(in crate::dynamics) enum EventSource {
     Link(usize),
 }
 
+/// Ranks in the queue.
+const ISLAND: usize = 0;
+const PAIR: usize = 1;
+const LINK: usize = 2;
+
 impl From<EventSource> for Source {
     fn from(source: EventSource) -> Self {
         match source {
-            EventSource::Island(number) => Self { rank: 0, number },
-            EventSource::Pair(number) => Self { rank: 1, number },
-            EventSource::Link(number) => Self { rank: 2, number },
+            EventSource::Island(number) => Self { rank: ISLAND, number },
+            EventSource::Pair(number) => Self { rank: PAIR, number },
+            EventSource::Link(number) => Self { rank: LINK, number },
         }
     }
 }
@@ -26,9 +31,10 @@ impl From<EventSource> for Source {
 impl From<Source> for EventSource {
     fn from(Source { rank, number }: Source) -> Self {
         match rank {
-            0 => Self::Island(number),
-            1 => Self::Pair(number),
-            _ => Self::Link(number),
+            ISLAND => Self::Island(number),
+            PAIR => Self::Pair(number),
+            LINK => Self::Link(number),
+            _ => unreachable!("a rank that no source is entered with: {rank}"),
         }
     }
 }

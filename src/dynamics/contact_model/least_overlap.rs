@@ -99,7 +99,7 @@ impl AtInstant<'_> {
     }
 
     /// Whether two edges that are `depth` \[m\] across each other at a place are where the bodies part along their normal: they overlap
-    /// along it by [`DEPTH_RATIO`].
+    /// along it by at most [`DEPTH_RATIO`] times that.
     pub(in crate::dynamics) fn parts_along(&self, contact: usize, place: &NodePlace, depth: f64) -> bool {
         let rounding = self.edge(contact).map_or(0.0, |edge| edge.tolerance);
         let overlap = self.along(contact, self.sides(contact)[1].turn(place.normal));
@@ -183,8 +183,8 @@ impl AtInstant<'_> {
     }
 
     /// The contact that takes over where a node leaves its face over an edge while the two bodies overlap and no other contact
-    /// carries that: of the least overlap, the node's own one included, or of one [`DEPTH_RATIO`] whose node is inside its face. In space
-    /// that can be along the common perpendicular of two edges.
+    /// carries that: of the least overlap, the node's own one included, or of one of at most [`DEPTH_RATIO`] times that depth whose node
+    /// is inside its face. In space that can be along the common perpendicular of two edges.
     pub(in crate::dynamics) fn takes_over(&self, contact: usize) -> Option<LeastOverlap> {
         if self.site(contact).around.is_none() && !self.edge(contact).is_some_and(Edge::is_of_met) {
             return None;
@@ -211,7 +211,7 @@ impl AtInstant<'_> {
             .find(|&c| self.site(c).node == *node && self.face_of(c) == face && self.is_opposed_most(c))
     }
 
-    /// Whether another closed contact of the same two bodies is [`DEPTH_RATIO`] in depth.
+    /// Whether another closed contact of the same two bodies carries `depth` \[m\]: [`DEPTH_RATIO`] times its penetration is not less.
     pub(in crate::dynamics) fn is_carried_beside(&self, contact: usize, depth: f64) -> bool {
         let carries = |c: usize| {
             self.world.contacts[c].state.closed().is_some() && DEPTH_RATIO * self.local(c).penetration() >= depth

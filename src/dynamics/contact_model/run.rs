@@ -240,4 +240,8 @@ impl Mechanics for ContactRun {
     fn states(&self, t: f64) -> Vec<(usize, Vec<f64>)> {
         self.world.bodies.iter().enumerate().map(|(slot, track)| (track.body, self.world.state(slot, t))).collect()
     }
+
+    fn name(&self, body: usize) -> String {
+        self.world.model.bodies[body].name.clone()
+    }
 }

@@ -13,14 +13,14 @@ use crate::language::Text;
 
 /// The hysteretic part of a bearing: a spring `k_t` up to the force `Q`.
 #[derive(Clone, Copy, Debug, PartialEq)]
-pub struct Play {
+pub struct ElastoPlastic {
     /// `k_t` = k₁ − k₂ \[N/m\].
     pub stiffness: f64,
     /// Q, the force at u = 0 of the upper line \[N\].
     pub force: f64,
 }
 
-impl Play {
+impl ElastoPlastic {
     /// How the angle of the force turns on the circle, where that points `outwards`.
     fn turn(self, outwards: DVec2, motion: &Separation) -> Evolution {
         let (along, rate, per_length) = (outwards.perp(), motion.rate.truncate(), self.stiffness / self.force);
@@ -37,9 +37,9 @@ impl Play {
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub enum Hysteresis {
     /// One yield circle `|z| ≤ Q`: round rubber, sliders.
-    Circle(Play),
+    Circle(ElastoPlastic),
     /// Each axis for itself.
-    PerAxis([Play; 2]),
+    PerAxis([ElastoPlastic; 2]),
 }
 
 /// Law of a yield circle in yield; 0 is elastic.
@@ -58,10 +58,10 @@ impl Hysteresis {
         let moved = motion.moved.truncate();
         let remembered = DVec2::new(phase.memory[0], phase.memory[1]);
         match *self {
-            Hysteresis::Circle(play) if phase.law == YIELDING => DVec2::from_angle(phase.memory[0]) * play.force,
-            Hysteresis::Circle(play) => remembered + moved * play.stiffness,
-            Hysteresis::PerAxis(plays) => DVec2::from(std::array::from_fn::<f64, 2, _>(|axis| {
-                let Play { stiffness, force } = plays[axis];
+            Hysteresis::Circle(element) if phase.law == YIELDING => DVec2::from_angle(phase.memory[0]) * element.force,
+            Hysteresis::Circle(element) => remembered + moved * element.stiffness,
+            Hysteresis::PerAxis(elements) => DVec2::from(std::array::from_fn::<f64, 2, _>(|axis| {
+                let ElastoPlastic { stiffness, force } = elements[axis];
                 match Self::state(phase, axis) {
                     0 => remembered[axis] + stiffness * moved[axis],
                     1 => force,
@@ -71,20 +71,20 @@ impl Hysteresis {
         }
     }
 
-    fn plays(&self) -> [Play; 2] {
+    fn elements(&self) -> [ElastoPlastic; 2] {
         match *self {
-            Hysteresis::Circle(play) => [play; 2],
-            Hysteresis::PerAxis(plays) => plays,
+            Hysteresis::Circle(element) => [element; 2],
+            Hysteresis::PerAxis(elements) => elements,
         }
     }
 
     /// Phase of this law with z as it is now.
     fn going_on(&self, law: u32, z: DVec2, motion: &Separation) -> Phase {
-        let plays = self.plays();
+        let elements = self.elements();
         if matches!(self, Hysteresis::Circle(_)) && law == YIELDING {
             return Phase { law, memory: [z.to_angle(), 0.0, 0.0] };
         }
-        let elastic = [0, 1].map(|axis| z[axis] - plays[axis].stiffness * motion.moved[axis]);
+        let elastic = [0, 1].map(|axis| z[axis] - elements[axis].stiffness * motion.moved[axis]);
         Phase { law, memory: [elastic[0], elastic[1], 0.0] }
     }
 }
@@ -99,8 +99,8 @@ impl Connection for Hysteresis {
 
     /// `z²/(2 k_t)`.
     fn stored_energy(&self, phase: &Phase, motion: &Separation) -> f64 {
-        let (z, plays) = (self.hysteretic_force(phase, motion), self.plays());
-        let stiffness = DVec2::new(plays[0].stiffness, plays[1].stiffness);
+        let (z, elements) = (self.hysteretic_force(phase, motion), self.elements());
+        let stiffness = DVec2::new(elements[0].stiffness, elements[1].stiffness);
         0.5 * z.dot(z / stiffness)
     }
 
@@ -116,7 +116,7 @@ impl Connection for Hysteresis {
     }
 
     fn stiffness_bound(&self, _: &Phase) -> f64 {
-        self.plays().map(|play| play.stiffness).into_iter().fold(0.0, f64::max)
+        self.elements().map(|element| element.stiffness).into_iter().fold(0.0, f64::max)
     }
 
     fn damping_bound(&self, _: &Phase) -> f64 {
@@ -133,7 +133,7 @@ impl Device for Hysteresis {
     fn initial(&self, motion: &Separation) -> Phase {
         let moved = motion.moved.truncate();
         let z = match *self {
-            Hysteresis::Circle(Play { stiffness, force }) => (moved * stiffness).clamp_length_max(force),
+            Hysteresis::Circle(ElastoPlastic { stiffness, force }) => (moved * stiffness).clamp_length_max(force),
             Hysteresis::PerAxis([x, y]) => DVec2::new(
                 (moved.x * x.stiffness).clamp(-x.force, x.force),
                 (moved.y * y.stiffness).clamp(-y.force, y.force),
@@ -151,7 +151,7 @@ impl Device for Hysteresis {
     }
 
     fn strength(&self) -> Option<f64> {
-        Some(self.plays().map(|play| play.force).into_iter().fold(f64::INFINITY, f64::min))
+        Some(self.elements().map(|element| element.force).into_iter().fold(f64::INFINITY, f64::min))
     }
 
     fn gap(&self, _: &Phase, motion: &Separation) -> [f64; 2] {
@@ -176,16 +176,16 @@ impl Device for Hysteresis {
     }
 
     fn evolution(&self, phase: &Phase, motion: &Separation) -> Evolution {
-        let [play, _] = self.plays();
-        play.turn(DVec2::from_angle(phase.memory[0]), motion)
+        let [element, _] = self.elements();
+        element.turn(DVec2::from_angle(phase.memory[0]), motion)
     }
 
     /// In yield on the circle one direction gives both.
     fn force_and_evolution(&self, phase: &Phase, motion: &Separation) -> (DVec3, Evolution) {
         match *self {
-            Hysteresis::Circle(play) if phase.law == YIELDING => {
+            Hysteresis::Circle(element) if phase.law == YIELDING => {
                 let outwards = DVec2::from_angle(phase.memory[0]);
-                ((outwards * -play.force).extend(0.0), play.turn(outwards, motion))
+                ((outwards * -element.force).extend(0.0), element.turn(outwards, motion))
             }
             _ => (self.force(phase, motion), self.evolution(phase, motion)),
         }
@@ -211,13 +211,13 @@ impl Device for Hysteresis {
         let (z, rate) = (self.hysteretic_force(phase, motion), motion.rate.truncate());
         match *self {
             Hysteresis::Circle(_) if phase.law == YIELDING => -DVec2::from_angle(phase.memory[0]).dot(rate),
-            Hysteresis::Circle(Play { stiffness, force }) => {
+            Hysteresis::Circle(ElastoPlastic { stiffness, force }) => {
                 (z.length_squared() - force * force) / (2.0 * force * stiffness)
             }
-            Hysteresis::PerAxis(plays) => {
+            Hysteresis::PerAxis(elements) => {
                 let (axis, side) = (number / 2, if number.is_multiple_of(2) { 1.0 } else { -1.0 });
                 match (Self::state(phase, axis), number % 2) {
-                    (0, _) => (side * z[axis] - plays[axis].force) / plays[axis].stiffness,
+                    (0, _) => (side * z[axis] - elements[axis].force) / elements[axis].stiffness,
                     (1, 0) | (2, 1) => -side * rate[axis],
                     _ => -1.0,
                 }
@@ -229,7 +229,7 @@ impl Device for Hysteresis {
     /// `d(n·u̇)/dt = (k_t/Q) w² + n·ü ≥ −|ü|`: the turn of n never brings the end nearer.
     fn stays_below(&self, number: usize, phase: &Phase, motion: &Separation, within: Excursion) -> bool {
         match *self {
-            Hysteresis::Circle(Play { stiffness, force }) if phase.law != YIELDING => {
+            Hysteresis::Circle(ElastoPlastic { stiffness, force }) if phase.law != YIELDING => {
                 self.hysteretic_force(phase, motion).length() + stiffness * within.way < force
             }
             Hysteresis::Circle(_) => self.switch(number, phase, motion) + within.rate < 0.0,
@@ -265,7 +265,7 @@ mod tests {
 
     #[test]
     fn yield_ends_no_earlier_than_the_change_of_the_rate_allows() {
-        let law = Hysteresis::Circle(Play { stiffness: 5e6, force: 6e4 });
+        let law = Hysteresis::Circle(ElastoPlastic { stiffness: 5e6, force: 6e4 });
         let mut random = uniform(7);
         let (mut claimed, mut near) = (0, f64::INFINITY);
         for _ in 0..400 {

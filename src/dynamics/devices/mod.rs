@@ -22,7 +22,7 @@ pub use backfill::{Backfill, Envelope};
 pub use bumper::Bumper;
 pub use damper::ViscousDamper;
 pub use drop::Drop;
-pub use hysteretic_bearing::{Hysteresis, Play};
+pub use hysteretic_bearing::{ElastoPlastic, Hysteresis};
 pub use linear_bearing::LinearBearing;
 pub use maxwell_damper::MaxwellDamper;
 pub use placed::{Law, laws};

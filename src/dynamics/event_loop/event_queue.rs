@@ -15,12 +15,18 @@ pub struct EventQueue {
     heap: Vec<(u64, Source)>,
     /// Position in the heap by rank and number; `None` for a source without a time.
     places: Vec<Vec<Option<usize>>>,
+    /// The last source whose time was no number.
+    undefined: Option<Source>,
 }
 
 impl EventQueue {
     /// Enters the time of a source \[s\], or replaces it. Times are at least 0, so that their bits have the order of
-    /// their values.
+    /// their values; what is no number is kept in mind, and the source has no time.
     pub fn set(&mut self, source: Source, t: f64) {
+        if t.is_nan() {
+            self.undefined = Some(source);
+            return self.remove(source);
+        }
         let entry = (t.max(0.0).to_bits(), source);
         let at = if let Some(at) = *self.place(source) {
             self.heap[at] = entry;
@@ -30,6 +36,11 @@ impl EventQueue {
             self.heap.len() - 1
         };
         self.settle(at);
+    }
+
+    /// A source whose time was no number.
+    pub fn undefined(&self) -> Option<Source> {
+        self.undefined
     }
 
     /// Removes a source.

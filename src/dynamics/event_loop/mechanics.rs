@@ -5,7 +5,7 @@
 
 use crate::dynamics::event_loop::event_queue::Source;
 use crate::dynamics::event_loop::schedule::Schedule;
-use crate::language::Message;
+use crate::language::{Message, Text};
 
 /// A model of contact: one group of bodies, advanced from event to event.
 pub trait Mechanics {
@@ -30,9 +30,12 @@ pub trait Mechanics {
 
     /// Number in the model and state at `t` of every body; all events up to `t` are handled.
     fn states(&self, t: f64) -> Vec<(usize, Vec<f64>)>;
+
+    /// Name of a body of the model.
+    fn name(&self, body: usize) -> String;
 }
 
-/// Handles all events up to `until` \[s\].
+/// Handles all events up to `until` \[s\]. The run stops where the time of an event or, at its end, the state of a body is no number.
 pub fn advance(model: &mut impl Mechanics, until: f64) {
     let until = until.min(model.duration());
     while model.schedule().next_time() <= until {
@@ -46,6 +49,18 @@ pub fn advance(model: &mut impl Mechanics, until: f64) {
             return;
         }
         model.handle(source, t);
+        if let Some(source) = model.schedule().queue.undefined() {
+            let (place, _) = model.excess(source);
+            model.schedule_mut().give_up(t, place, Text::new("stop-undefined").into());
+        }
+    }
+    if model.schedule().stop().is_none() {
+        let undefined =
+            model.states(until).into_iter().find(|(_, state)| state.iter().any(|number| !number.is_finite()));
+        if let Some((body, _)) = undefined {
+            let (t, place) = (model.schedule().now, model.name(body));
+            model.schedule_mut().give_up(t, place, Text::new("stop-undefined").into());
+        }
     }
 }
 
@@ -58,6 +73,7 @@ mod tests {
         schedule: Schedule,
         struck: Vec<(f64, usize)>,
         most: usize,
+        hand: f64,
     }
 
     const INTERVALS: [f64; 2] = [0.3, 0.5];
@@ -89,12 +105,16 @@ mod tests {
         }
 
         fn states(&self, _: f64) -> Vec<(usize, Vec<f64>)> {
-            Vec::new()
+            vec![(0, vec![self.hand])]
+        }
+
+        fn name(&self, body: usize) -> String {
+            format!("hand {body}")
         }
     }
 
     fn clocks(most: usize) -> Clocks {
-        let mut clocks = Clocks { schedule: Schedule::default(), struck: Vec::new(), most };
+        let mut clocks = Clocks { schedule: Schedule::default(), struck: Vec::new(), most, hand: 0.0 };
         for (number, first) in INTERVALS.into_iter().enumerate() {
             clocks.schedule.queue.set(Source { rank: 0, number }, first);
         }
@@ -110,6 +130,19 @@ mod tests {
         let order: Vec<usize> = model.struck.iter().map(|(_, number)| *number).collect();
         assert_eq!(order, [0, 1, 0, 0, 1], "no further than the run is long");
         assert_eq!(model.schedule.reached(1.0), 1.0, "to its end");
+    }
+
+    #[test]
+    fn what_is_no_number_stops_a_run() {
+        let mut model = Clocks { hand: f64::NAN, ..clocks(100) };
+        advance(&mut model, 0.55);
+        let stop = model.schedule.stop().expect("a reason");
+        assert_eq!((stop.place.as_str(), stop.t), ("hand 0", 0.5), "where the last event was: {stop:?}");
+        let mut model = clocks(100);
+        model.schedule.queue.set(Source { rank: 0, number: 1 }, f64::NAN);
+        advance(&mut model, 1.0);
+        let stop = model.schedule.stop().expect("a reason");
+        assert_eq!((stop.place.as_str(), stop.t), ("clock 1", 0.3), "no event is passed over: {stop:?}");
     }
 
     #[test]

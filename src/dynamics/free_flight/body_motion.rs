@@ -48,7 +48,7 @@ impl BodyMotion {
         match &body.coordinates {
             BodyCoordinates::Planar => Some(Self::Girder(Box::new(FreeMotion::new(body, ground, duration)))),
             BodyCoordinates::Spatial => None,
-            BodyCoordinates::Custom(coordinates) => coordinates.free_motion(ground).map(Self::Custom),
+            BodyCoordinates::Custom(coordinates) => coordinates.free_motion(ground, duration).map(Self::Custom),
         }
     }
 

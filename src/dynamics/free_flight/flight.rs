@@ -1,8 +1,8 @@
 //! Free motion of a planar girder in closed form: no steps (`docs/physics.md#free-flight`).
 //!
 //! Without eccentricity the girder is three [`Oscillator`]s. Under a sine each splits into its steady response and a
-//! free part; under a record each advances exactly from sample to sample. Eccentric bearings and undamped resonance go
-//! through [`CoupledPropagator`]. Whatever the form, a flight also bounds its own speed and acceleration, so that a search for
+//! free part; under a record each advances exactly from sample to sample. Eccentric bearings, undamped resonance
+//! and sines far slower than the run go through [`CoupledPropagator`]. Whatever the form, a flight also bounds its own speed and acceleration, so that a search for
 //! crossings misses none.
 
 use glam::{DMat3, DVec3};
@@ -92,7 +92,7 @@ impl FreeMotion {
         let several = matches!(ground, Ground::Record { samples: Samples::Components { .. }, .. });
         let axis = if several { DVec3::X } else { ground.axis() };
         let forced = -DVec3::new(axis.x, axis.y, 0.0) * mask;
-        let split = split(&body.planar.stiffness, &body.planar.damping, k, c, free, ground, forced);
+        let split = split(&body.planar.stiffness, &body.planar.damping, k, c, free, (ground, duration), forced);
         let form = split.unwrap_or_else(|| {
             let (drive, amplitude) = match ground {
                 Ground::Sine { omega, amplitude, .. } => (*omega, amplitude.length()),
@@ -357,14 +357,14 @@ fn plain(stiffness: &DMat3, damping: &DMat3, k: DMat3, c: DMat3, free: [bool; 3]
     (is_diagonal(stiffness) && is_diagonal(damping)).then(|| std::array::from_fn(dof))
 }
 
-/// Three oscillators, when nothing couples them and no sine resonates.
+/// Three oscillators, when nothing couples them and no sine resonates or is too slow for a steady response.
 fn split(
     stiffness: &DMat3,
     damping: &DMat3,
     k: DMat3,
     c: DMat3,
     free: [bool; 3],
-    ground: &Ground,
+    (ground, duration): (&Ground, f64),
     forced: DVec3,
 ) -> Option<FreeMotionForm> {
     let mut dof = plain(stiffness, damping, k, c, free)?;
@@ -374,7 +374,7 @@ fn split(
         Ground::Sine { omega, amplitude, .. } => {
             for (d, f) in dof.iter_mut().zip((forced * amplitude.length()).to_array()) {
                 if d.free && f != 0.0 {
-                    let (re, im) = d.oscillator.gain(*omega)?;
+                    let (re, im) = d.oscillator.gain(*omega, duration)?;
                     d.steady = (f * re, f * im);
                     d.amplitude = d.steady.0.hypot(d.steady.1);
                 }

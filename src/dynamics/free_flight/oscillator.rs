@@ -4,7 +4,7 @@
 //! force `f = c0 + c1 τ`, `q(τ) = q C + v S0 + c0 S1 + c1 S2` with `C = 1 − ω² S1`. No case is singular: without
 //! stiffness and damping the three are `τ, τ²/2, τ³/6`.
 
-use crate::dynamics::free_flight::constants::SERIES_LIMIT;
+use crate::dynamics::free_flight::constants::{SERIES_LIMIT, SOFT};
 
 /// An oscillator per unit mass.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -61,6 +61,14 @@ impl Oscillator {
             let s1 = (tau - free.s) / (2.0 * self.gamma);
             return (s1, (tau * tau / 2.0 - s1) / (2.0 * self.gamma));
         }
+        if self.omega2 < SOFT * self.gamma * self.gamma {
+            // S0 is the difference of two decays, e^{−aτ} and e^{−bτ}, over 2r; so are its integrals.
+            let root = (self.gamma * self.gamma - self.omega2).sqrt();
+            let [slow, fast] =
+                [self.omega2 / (self.gamma + root), self.gamma + root].map(|rate| decay_integrals(rate * tau));
+            let apart = 2.0 * root;
+            return ((slow[0] - fast[0]) * tau / apart, (slow[1] - fast[1]) * tau * tau / apart);
+        }
         let s1 = (1.0 - free.c) / self.omega2;
         (s1, (tau - 2.0 * self.gamma * s1 - free.s) / self.omega2)
     }
@@ -107,13 +115,34 @@ impl Oscillator {
     }
 
     /// Complex gain `1/(ω² − Ω² + 2iγΩ)` of the steady response to a sine, as `(re, im)`; nothing within a thousandth
-    /// of an undamped resonance, where steady and free response would cancel to the last digits.
-    pub fn gain(&self, drive: f64) -> Option<(f64, f64)> {
+    /// of an undamped resonance, or where the response is a thousand times what a force of its size can move the oscillator to in a run of
+    /// `duration` \[s\]: steady and free response would cancel to the last digits.
+    pub fn gain(&self, drive: f64, duration: f64) -> Option<(f64, f64)> {
         let (re, im) = (self.omega2 - drive * drive, 2.0 * self.gamma * drive);
         let size2 = re * re + im * im;
         let scale = self.omega2.max(drive * drive);
-        (size2 > (1e-3 * scale).powi(2)).then(|| (re / size2, -im / size2))
+        let resonant = size2 <= (1e-3 * scale).powi(2);
+        // Under a constant unit force, from rest: at most τ²/2, the static displacement twice, or what the dashpot lets pass.
+        let reach = (0.5 * duration * duration).min(2.0 / self.omega2).min(duration / (2.0 * self.gamma));
+        let slow = 1e-3 > reach * size2.sqrt();
+        (!resonant && !slow).then(|| (re / size2, -im / size2))
     }
+}
+
+/// `(1 − e^{−z})/z` and `(z − 1 + e^{−z})/z²` for z ≥ 0: `∫₀¹ e^{−zs} ds` and `∫₀¹ (1 − s) e^{−zs} ds`.
+fn decay_integrals(z: f64) -> [f64; 2] {
+    if z < SERIES_LIMIT {
+        // Σ (−z)^k/(k + 1)! and Σ (−z)^k/(k + 2)!.
+        let (mut first, mut second, mut term) = (0.0, 0.0, 1.0);
+        for k in 1..20 {
+            first += term;
+            second += term / f64::from(k + 1);
+            term *= -z / f64::from(k + 1);
+        }
+        return [first, second];
+    }
+    let first = -(-z).exp_m1() / z;
+    [first, (1.0 - first) / z]
 }
 
 /// `(e^{−γτ} sinh(√d τ)/√d, e^{−γτ} cosh(√d τ))` about d = 0, either sign.

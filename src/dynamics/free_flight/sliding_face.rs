@@ -46,9 +46,6 @@ struct SteadyResponse {
 
 impl SteadyResponse {
     fn at(&self, t: f64) -> [f64; 2] {
-        if self.drive == 0.0 {
-            return [0.0; 2];
-        }
         let (sin, cos) = (self.drive * t + self.phase).sin_cos();
         [self.re * sin + self.im * cos, self.drive * (self.re * cos - self.im * sin)]
     }
@@ -136,7 +133,7 @@ impl SlidingForm {
     fn of(felt: &ProjectedForces, ground: &Ground, [value, rate]: [f64; 2], t: f64, speed: f64, longest: f64) -> Self {
         let oscillator = Oscillator { gamma: felt.damping / 2.0, omega2: felt.omega2 };
         let (gain, drive, phase) = match ground {
-            Ground::Sine { omega, phase, .. } => (oscillator.gain(*omega), *omega, *phase),
+            Ground::Sine { omega, phase, .. } => (oscillator.gain(*omega, longest), *omega, *phase),
             _ => (Some((0.0, 0.0)), 0.0, 0.0),
         };
         match gain {
@@ -154,7 +151,7 @@ impl SlidingForm {
                 let mut start = Box::new([0.0; matrix_exponential::SIZE]);
                 (start[RATES], start[matrix_exponential::ONE]) = (speed, 1.0);
                 (start[matrix_exponential::VALUE], start[matrix_exponential::VALUE + 1]) = (value, rate);
-                if drive > 0.0 {
+                if matches!(ground, Ground::Sine { .. }) {
                     (start[matrix_exponential::SIN], start[matrix_exponential::SIN + 1]) =
                         (drive * t + phase).sin_cos();
                 }

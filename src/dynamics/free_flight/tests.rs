@@ -56,7 +56,7 @@ fn grounds() -> [Ground; 4] {
         Ground::Sine { amplitude, quadrature: DVec3::ZERO, omega: 9.0, phase: 0.4 },
         Ground::record(Ground::direction(30.0), 0.11, samples),
         // The components differ in time, not in size alone.
-        Ground::components(0.11, (0..12).map(|n| DVec3::new(samples[n], 0.7 * samples[11 - n], 0.0))),
+        Ground::components(0.11, (0..12).map(|n| DVec3::new(samples[n], 0.7 * samples[11 - n], 0.0)), []),
     ]
 }
 
@@ -174,7 +174,7 @@ fn one_sample_of_a_record_is_crossed_by_factors_as_by_the_closed_form() {
 fn a_steady_response_solves_the_driven_equation() {
     let oscillator = Oscillator { gamma: 0.7, omega2: 30.0 };
     let drive = 4.0;
-    let (re, im) = oscillator.gain(drive).expect("off resonance");
+    let (re, im) = oscillator.gain(drive, 10.0).expect("off resonance");
     let axis = UncoupledAxis { oscillator, free: true, steady: (re, im), amplitude: re.hypot(im) };
     let at = |t: f64| axis.steady((drive * t).sin_cos().into(), drive);
     let [q, v] = at(0.6);

@@ -183,6 +183,10 @@ impl Mechanics for Engine {
         let world = &self.run.world;
         world.bodies.iter().enumerate().map(|(slot, track)| (track.body, world.state(slot, t).to_vec())).collect()
     }
+
+    fn name(&self, body: usize) -> String {
+        self.run.world.model.bodies[body].name.clone()
+    }
 }
 
 /// Disarms points that start behind the plane of their face: they hit after they have been in front of it.

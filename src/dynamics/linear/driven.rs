@@ -11,6 +11,9 @@ use nalgebra::DVector;
 const SAMPLES_PER_ENTRY: usize = 4;
 /// Distance of an exponent from the ground's frequency below which there is no steady motion to speak of, in parts of it.
 const RESONANT: f64 = 1e-6;
+/// Angle that an exponent, or its difference from the ground's frequency, takes a coefficient through in a run below which constant and
+/// steady parts are not parted from the rest: they are by its inverse larger than the motion, which would lose as many digits \[rad\].
+const TOO_SLOW: f64 = 1e-3;
 
 /// A particular solution: coefficients of the exponentials, and place and speed of what drifts.
 #[derive(Clone, Debug)]
@@ -45,33 +48,50 @@ enum Way {
 }
 
 impl Driven {
-    /// Of a constant load and of the loads by a unit acceleration of the ground along x and y, all per unit mass; `None` at
-    /// resonance without damping.
-    pub fn of(spectrum: &Spectrum, load: &[f64], by_ground: [&[f64]; 2], ground: &Ground) -> Option<Self> {
+    /// Of a constant load and of the loads by a unit acceleration of the ground along x and y, all per unit mass, in a run of `duration`
+    /// \[s\]; `None` at resonance without damping, and where an exponent or its difference from the ground's frequency is too small for
+    /// that time.
+    pub fn of(
+        spectrum: &Spectrum,
+        load: &[f64],
+        by_ground: [&[f64]; 2],
+        (ground, duration): (&Ground, f64),
+    ) -> Option<Self> {
         let rates = |load: &[f64]| coefficients(spectrum, load);
-        let constant = rates(load).into_iter().zip(&spectrum.exponents).map(|(rate, exponent)| -rate / exponent);
+        let constant = |(rate, exponent): (Complex, &Complex)| {
+            (rate == Complex::from(0.0)).then_some(rate).or((!is_slow(*exponent, duration)).then(|| -rate / exponent))
+        };
+        let constant = rates(load).into_iter().zip(&spectrum.exponents).map(constant).collect::<Option<Vec<_>>>()?;
         let drifts = spectrum.drifts.iter().map(|&i| [load[i], by_ground[0][i], by_ground[1][i]]).collect();
-        let mut driven =
-            Self { constant: constant.collect(), by_ground: by_ground.map(rates), drifts, ground: Way::Still };
-        driven.ground = driven.way(spectrum, ground)?;
+        let mut driven = Self { constant, by_ground: by_ground.map(rates), drifts, ground: Way::Still };
+        driven.ground = driven.way(spectrum, (ground, duration))?;
         Some(driven)
     }
 
-    fn way(&self, spectrum: &Spectrum, ground: &Ground) -> Option<Way> {
+    fn way(&self, spectrum: &Spectrum, (ground, duration): (&Ground, f64)) -> Option<Way> {
         match ground {
             Ground::Still => Some(Way::Still),
             Ground::Sine { amplitude, omega, phase, .. } => {
                 let (amplitude, drive) = (amplitude.truncate(), Complex::new(0.0, *omega));
                 let gain = |k: usize| {
                     let (rate, exponent) = (self.rate(k, amplitude), spectrum.exponents[k]);
-                    let near = (drive - exponent).norm() < RESONANT * omega;
+                    if rate == Complex::from(0.0) {
+                        return Some([rate; 2]);
+                    }
+                    let apart = [drive - exponent, -drive - exponent];
+                    let near =
+                        apart[0].norm() < RESONANT * omega || apart.iter().any(|&apart| is_slow(apart, duration));
                     let share = rate / Complex::new(0.0, 2.0);
-                    (!near).then(|| [share / (drive - exponent), -share / (-drive - exponent)])
+                    (!near).then(|| [share / apart[0], -share / apart[1]])
                 };
                 let gains = (0..self.constant.len()).map(gain).collect::<Option<Vec<_>>>()?;
                 Some(Way::Steady { gains, omega: *omega, phase: *phase, path: GroundPath::of(ground.clone()) })
             }
-            Ground::Record { dt, .. } => Some(self.record(spectrum, ground, *dt)),
+            Ground::Record { dt, .. } => {
+                let moved = |k: usize| self.by_ground.iter().any(|by| by[k] != Complex::from(0.0));
+                let slow = (0..self.constant.len()).any(|k| moved(k) && is_slow(spectrum.exponents[k], duration));
+                (!slow).then(|| self.record(spectrum, ground, *dt))
+            }
         }
     }
 
@@ -250,6 +270,11 @@ fn carried(c: Complex, [exp, first, second]: &[Complex; 3], [rate, slope]: [Comp
 fn interval(exponent: Complex, tau: f64) -> [Complex; 3] {
     let [exp, first, second] = exponential_and_integrals(exponent * tau);
     [exp, first * tau, second * (tau * tau)]
+}
+
+/// Whether a coefficient with this exponent, or difference of exponents, does not get far enough in a run to be parted from what is constant.
+fn is_slow(exponent: Complex, duration: f64) -> bool {
+    exponent.norm() * duration < TOO_SLOW
 }
 
 /// The interval of a record that holds `t`, and the number of what is kept before it.

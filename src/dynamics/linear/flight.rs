@@ -39,10 +39,15 @@ pub struct Parts {
 }
 
 impl LinearMotion {
-    /// Of loads per unit mass: constant, and by a unit acceleration of the ground along x and y. `None` where there is no closed
-    /// form to rely on.
-    pub fn of(spectrum: Spectrum, load: &[f64], by_ground: [&[f64]; 2], ground: &Ground) -> Option<Self> {
-        let driven = Driven::of(&spectrum, load, by_ground, ground)?;
+    /// Of loads per unit mass: constant, and by a unit acceleration of the ground along x and y, in a run of this duration \[s\]. `None`
+    /// where there is no closed form to rely on.
+    pub fn of(
+        spectrum: Spectrum,
+        load: &[f64],
+        by_ground: [&[f64]; 2],
+        (ground, duration): (&Ground, f64),
+    ) -> Option<Self> {
+        let driven = Driven::of(&spectrum, load, by_ground, (ground, duration))?;
         let peak = ground.peak();
         let size = |(k, exponent): (usize, &Complex)| [exponent.norm(), driven.fastest_gain(k, peak)];
         let sizes: Vec<[f64; 2]> = spectrum.exponents.iter().enumerate().map(size).collect();

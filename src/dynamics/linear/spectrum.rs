@@ -33,8 +33,8 @@ pub struct Spectrum {
 }
 
 impl Spectrum {
-    /// Of stiffness and damping per unit mass; `None` where the eigenvectors are ill-conditioned, or a coupled part can move
-    /// without a spring.
+    /// Of stiffness and damping per unit mass; `None` where the eigenvectors are ill-conditioned, or a coupled or damped part can move
+    /// without a spring: an exponent 0 has no constant motion under a load.
     pub fn of(stiffness: &DMatrix<f64>, damping: &DMatrix<f64>) -> Option<Self> {
         let size = stiffness.nrows();
         let (mut drifts, mut all) = (Vec::new(), Vec::new());
@@ -108,7 +108,7 @@ fn single(at: usize, size: usize, k: f64, c: f64) -> Option<Vec<Pair>> {
         Pair { exponent, shape, left }
     };
     // The condition of the two vectors is about |λ|/|λ − λ′|.
-    if under.abs().sqrt() * WORST_CONDITION < k.sqrt().max(half) {
+    if k == 0.0 || under.abs().sqrt() * WORST_CONDITION < k.sqrt().max(half) {
         return None;
     }
     if under > 0.0 {

@@ -39,14 +39,14 @@ fn grounds() -> [Ground; 3] {
     [
         Ground::Still,
         Ground::Sine { amplitude: DVec3::new(2.0, 1.0, 0.0), quadrature: DVec3::ZERO, omega: 9.0, phase: 0.4 },
-        Ground::components(0.05, many),
+        Ground::components(0.05, many, []),
     ]
 }
 
 fn motion(free: bool, ground: &Ground) -> LinearMotion {
     let [k, c] = matrices(free);
     let spectrum = Spectrum::of(&k, &c).expect("well-conditioned");
-    LinearMotion::of(spectrum, &LOAD, [&BY_X, &BY_Y], ground).expect("no resonance")
+    LinearMotion::of(spectrum, &LOAD, [&BY_X, &BY_Y], (ground, 10.0)).expect("no resonance")
 }
 
 /// Places, speeds, and the work of the ground on coordinate 0 and 1 and the loss, after `end` \[s\] from `from`.
@@ -167,6 +167,7 @@ fn a_pair_at_critical_damping_and_a_motion_without_a_spring_have_no_sum_of_expon
     let of = |k: &[f64], c: &[f64]| Spectrum::of(&DMatrix::from_row_slice(2, 2, k), &DMatrix::from_row_slice(2, 2, c));
     assert_eq!(of(&[4.0, 0.0, 0.0, 1.0], &[4.0, 0.0, 0.0, 0.1]), None, "critical");
     assert_eq!(of(&[1.0, 1.0, 1.0, 1.0], &[0.0; 4]), None, "both together move without a spring");
+    assert_eq!(of(&[0.0, 0.0, 0.0, 1.0], &[3.0, 0.0, 0.0, 0.1]), None, "a dashpot without a spring");
     let over = of(&[4.0, 0.0, 0.0, 1.0], &[5.0, 0.0, 0.0, 0.1]).expect("overdamped");
     let slow: Vec<f64> = over.exponents.iter().take(2).map(|e| e.re).collect();
     assert!((slow[0] + 1.0).abs() < 1e-15 && (slow[1] + 4.0).abs() < 1e-15, "{slow:?}");

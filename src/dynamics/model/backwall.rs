@@ -6,7 +6,7 @@ use std::sync::Arc;
 use glam::{DMat3, DVec3};
 
 use crate::dynamics::connection::{Device, Kinematics, Link};
-use crate::dynamics::devices::{Backfill, Envelope, Failure, Hysteresis, Play, Stopper};
+use crate::dynamics::devices::{Backfill, ElastoPlastic, Envelope, Failure, Hysteresis, Stopper};
 use crate::dynamics::model::bearing::{PlanarBearings, Standing};
 use crate::dynamics::model::body::{Body, BodyCoordinates};
 use crate::dynamics::model::compiled_model::Backwall;
@@ -144,8 +144,8 @@ impl WallFrame {
         };
         let mut links = vec![link("soil", Arc::new(Backfill::new(0.0, envelope(soil)?, soil.unloading)?))];
         if let Some([force, displacement]) = soil.base {
-            let play = Play { stiffness: force / displacement, force };
-            links.push(link("base", Arc::new(Hysteresis::PerAxis([play; 2]))));
+            let element = ElastoPlastic { stiffness: force / displacement, force };
+            links.push(link("base", Arc::new(Hysteresis::PerAxis([element; 2]))));
         }
         if let Some([stiffness, force]) = soil.fuse {
             links.push(link("fuse", Arc::new(Stopper { gap: 0.0, stiffness, failure: Failure::Brittle { force } })));

@@ -193,8 +193,8 @@ pub trait Coordinates: Debug + Send + Sync {
         None
     }
 
-    /// The free motion under a ground motion, where it has a closed form; a body without one is integrated alone.
-    fn free_motion(&self, _ground: &Ground) -> Option<Arc<dyn ClosedForm>> {
+    /// The free motion under a ground motion of a duration \[s\], where it has a closed form; a body without one is integrated alone.
+    fn free_motion(&self, _ground: &Ground, _duration: f64) -> Option<Arc<dyn ClosedForm>> {
         None
     }
 

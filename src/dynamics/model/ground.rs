@@ -3,7 +3,7 @@
 use glam::DVec3;
 
 use crate::motion::Ground;
-use crate::scene::{Motion, RecordMotion, SyntheticMotion};
+use crate::scene::{Combined, Motion, RecordMotion, SyntheticMotion};
 
 /// A motion of the ground as a function of time.
 pub(super) fn compiled(motion: &Motion) -> Ground {
@@ -38,15 +38,16 @@ fn synthetic(quake: &SyntheticMotion, direction: DVec3) -> Ground {
     let at = |samples: &[f64], n: usize| samples.get(n).copied().unwrap_or(0.0);
     let sum =
         |n: usize| direction * first[n] + left * (across * at(&second, n)) + DVec3::Z * (vertical * at(&third, n));
-    Ground::components(quake.dt, (0..first.len()).map(sum))
+    Ground::components(quake.dt, (0..first.len()).map(sum), [])
 }
 
 /// A record as it shakes; nothing until it is read.
 fn recorded(record: &RecordMotion, direction: DVec3) -> Option<Ground> {
     if !record.components.is_empty() {
         let in_plan = |angle: f64| Ground::direction(angle).truncate().to_array();
-        let (dt, samples) = record.combined(in_plan)?;
-        return Some(Ground::components(dt, samples.into_iter().map(DVec3::from)));
+        let Combined { dt, samples, ends } = record.combined(in_plan)?;
+        let ends = ends.into_iter().map(|(sample, last)| (sample, DVec3::from(last)));
+        return Some(Ground::components(dt, samples.into_iter().map(DVec3::from), ends));
     }
     let (dt, samples, factor) = record.processed()?;
     let [scale, vertical] = [record.scale * factor, record.vertical_scale * factor];

@@ -5,7 +5,7 @@ use std::sync::Arc;
 use glam::{DVec2, DVec3};
 
 use crate::contact::parameters::{edge_slack, outside};
-use crate::contact::{Frame, Home, Law, Local, returned_restitution};
+use crate::contact::{Frame, Home, Law, Local, is_damped_by_65, returned_restitution};
 use crate::dynamics::model::edge_node::Edge;
 use crate::dynamics::model::edge_node::node_place::NodePlace;
 use crate::dynamics::model::face_choice::FaceChoice;
@@ -48,6 +48,11 @@ impl Pair {
     /// Coefficient of restitution that a flush free head-on hit returns at the design speed of the pair \[–\].
     pub fn returned_restitution(&self) -> f64 {
         returned_restitution(&self.contact.law(self.mass, self.one_way), self.contact.design_speed)
+    }
+
+    /// Whether its normal dashpot is that of (65), from `e_n` and K.
+    pub fn is_damped_by_65(&self) -> bool {
+        is_damped_by_65(&self.contact.law(self.mass, self.one_way))
     }
 
     /// Its two bodies, in the same order whichever has the nodes.

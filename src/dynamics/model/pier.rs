@@ -6,7 +6,7 @@ use std::sync::Arc;
 use glam::DVec3;
 
 use crate::dynamics::connection::{Device, Kinematics, Link};
-use crate::dynamics::devices::{Hysteresis, LinearBearing, Play};
+use crate::dynamics::devices::{ElastoPlastic, Hysteresis, LinearBearing};
 use crate::dynamics::model::bearing::{Bearing, PlanarBearings, Standing};
 use crate::dynamics::model::body::{Body, BodyCoordinates};
 use crate::dynamics::model::compiled_model::{Model, Pier};
@@ -93,8 +93,9 @@ impl Model {
 
     /// The part of a pier's base that yields, on one circle where both directions are alike; its number among the links.
     fn add_base(&mut self, bodies: [Option<usize>; 2], pier: &ResolvedPier) -> Option<usize> {
-        let plays = pier.yielding?.part(pier.stiffness).map(|[stiffness, force]| Play { stiffness, force });
-        let device = if plays[0] == plays[1] { Hysteresis::Circle(plays[0]) } else { Hysteresis::PerAxis(plays) };
+        let elements = pier.yielding?.part(pier.stiffness).map(|[stiffness, force]| ElastoPlastic { stiffness, force });
+        let device =
+            if elements[0] == elements[1] { Hysteresis::Circle(elements[0]) } else { Hysteresis::PerAxis(elements) };
         self.add_link(self.between(bodies, (pier, DVec3::ZERO), "base", Arc::new(device)));
         Some(self.links.len() - 1)
     }

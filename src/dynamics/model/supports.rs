@@ -5,7 +5,7 @@ use std::sync::Arc;
 use glam::{DMat3, DVec3};
 
 use crate::dynamics::connection::{Device, Kinematics, Link};
-use crate::dynamics::devices::{Drop, Hysteresis, LinearBearing, Play, Slider, Support};
+use crate::dynamics::devices::{Drop, ElastoPlastic, Hysteresis, LinearBearing, Slider, Support};
 use crate::dynamics::model::bearing::Bearing;
 use crate::dynamics::model::body::Body;
 use crate::dynamics::model::compiled_model::Model;
@@ -165,6 +165,6 @@ fn law(resolved: &ResolvedBearing, bearing: &Bearing) -> Option<Arc<dyn Device>>
         }));
     }
     let yielding = resolved.yielding?;
-    let play = Play { stiffness: yielding.stiffness(), force: yielding.force };
-    Some(Arc::new(if yielding.per_axis { Hysteresis::PerAxis([play; 2]) } else { Hysteresis::Circle(play) }))
+    let element = ElastoPlastic { stiffness: yielding.stiffness(), force: yielding.force };
+    Some(Arc::new(if yielding.per_axis { Hysteresis::PerAxis([element; 2]) } else { Hysteresis::Circle(element) }))
 }

@@ -5,7 +5,9 @@
 //! other edges. Where the overlap along that way comes to exceed the penetration of the deepest contact, what is there takes over. Both
 //! are equal then, and so are the energies in their springs.
 
-use crate::contact::Frame;
+use glam::DVec3;
+
+use crate::contact::{Frame, locate};
 use crate::dynamics::Model;
 use crate::dynamics::model::coordinates::state_layout::StateLayout;
 use crate::dynamics::model::meeting::{Poses, Solid};
@@ -39,6 +41,26 @@ pub(in crate::dynamics) struct BodiesAt<'a> {
     pub frames: &'a [Frame],
 }
 
+impl BodiesAt<'_> {
+    /// Pose of a section of a body relative to its placed pose; that of an abutment, which is no body of the island, is `stand`.
+    fn whole(&self, index: Option<usize>, section: usize, stand: Frame) -> Frame {
+        index.map_or(stand, |i| self.bases[i].whole(&self.frames[self.layout.sections(i).start + section]))
+    }
+
+    /// How far the corner of a contact that took over displaced is itself behind its face \[m\]: the contact carries that, whatever its
+    /// spring shows. Nothing of a contact without displacement, or of an edge node.
+    fn corner_depth(&self, model: &Model, contact: &ActiveContact) -> Option<f64> {
+        let site = &model.contacts[contact.site];
+        if site.edge.is_some() || contact.closed.place.shift == DVec3::ZERO {
+            return None;
+        }
+        let sections = model.sections(contact.site);
+        let node = self.whole(contact.node, sections[0], site.stand);
+        let face = self.whole(contact.face, sections[1], site.stand);
+        Some(locate(&site.home, &node, &face).penetration())
+    }
+}
+
 /// What no contact carries.
 #[derive(Clone, Copy, Debug)]
 pub(in crate::dynamics) struct Excess {
@@ -60,9 +82,7 @@ impl MetContacts {
             let pair = &model.pairs[site.pair];
             let ids = [pair.first.solid(), pair.second.solid()];
             let Some(meeting) = model.meetings.iter().position(|meeting| meeting.ids == ids) else { continue };
-            // A corner that took over displaced along its normal is behind its face by its penetration and that displacement.
-            let displaced = if site.edge.is_none() { contact.closed.place.shift.length() } else { 0.0 };
-            let own = contact.granted.max(UNCARRIED * model.meetings[meeting].least_side) + displaced;
+            let own = contact.granted.max(UNCARRIED * model.meetings[meeting].least_side);
             if let Some(known) = all.iter_mut().find(|known| known.meeting == meeting) {
                 known.contacts.push(number);
                 known.granted = known.granted.max(own);
@@ -93,21 +113,22 @@ impl MetContacts {
         along - penetration - self.granted < 0.0
     }
 
-    /// Number and penetration \[m\] of the deepest contact.
+    /// Number of the deepest contact, and what it carries \[m\].
     fn deepest(&self, model: &Model, bodies: BodiesAt<'_>) -> (usize, f64) {
-        let depth = |&number: &usize| (number, bodies.active[number].look(model, bodies.frames).penetration());
+        let depth = |&number: &usize| {
+            let contact = &bodies.active[number];
+            let penetration = contact.look(model, bodies.frames).penetration();
+            (number, penetration.max(bodies.corner_depth(model, contact).unwrap_or(f64::NEG_INFINITY)))
+        };
         let deeper = |a: (usize, f64), b: (usize, f64)| if b.1 > a.1 { b } else { a };
         self.contacts.iter().map(depth).fold((self.contacts[0], f64::NEG_INFINITY), deeper)
     }
 
     /// Poses of the sections of both relative to their placed poses.
-    fn poses(&self, model: &Model, BodiesAt { layout, bases, frames, .. }: BodiesAt<'_>) -> [Poses; 2] {
+    fn poses(&self, model: &Model, bodies: BodiesAt<'_>) -> [Poses; 2] {
         [0, 1].map(|side| {
-            let (index, stand) = &self.sides[side];
-            let of_body =
-                |index: usize, section: usize| bases[index].whole(&frames[layout.sections(index).start + section]);
-            model.meetings[self.meeting].solids[side]
-                .poses(|section| index.map_or(*stand, |index| of_body(index, section)))
+            let (index, stand) = self.sides[side];
+            model.meetings[self.meeting].solids[side].poses(|section| bodies.whole(index, section, stand))
         })
     }
 

@@ -1,8 +1,8 @@
 //! Location of the first event of closed contacts within a planned step: zeros of their switching functions on the
 //! dense output.
 //!
-//! Five samples show every sign change within an explicit step, which is short against all motions in it, except a
-//! short excursion; three samples whose second difference points to 0 show that.
+//! Five samples show every sign change within an explicit step, which is short against all motions in it, and nine or seventeen within
+//! an implicit one, except a short excursion; three samples whose second difference points to 0 show that.
 
 use crate::contact::{Frame, Local, Mode, NormalLaw, locate};
 use crate::dynamics::Model;

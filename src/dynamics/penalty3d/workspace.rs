@@ -12,9 +12,9 @@ pub(in crate::dynamics) struct Workspace {
     pub frames: Vec<Frame>,
     /// Wrenches on the sections of the bodies.
     pub wrenches: Vec<Wrench>,
-    /// Derivative of the rate of each slip angle by the angle \[1/s\], negative.
+    /// Derivative by itself of the rate of each slip angle, then of each memory of a device that has one \[1/s\], negative.
     pub rates: Vec<f64>,
-    /// Contacts that slide in two directions.
+    /// Contacts that slide in two directions, and devices whose memory evolves.
     pub sliding: Sliding,
 }
 

@@ -44,7 +44,7 @@ impl World {
         let joints = joints
             .filter(|track| model.links[track.link].device.is_linear())
             .map(|track| Joint::of(&model.links[track.link], track.slots.map(|slot| slots.binary_search(&slot?).ok())));
-        LinearBlock::of(&parts, &joints.collect::<Option<Vec<_>>>()?, &model.ground)
+        LinearBlock::of(&parts, &joints.collect::<Option<Vec<_>>>()?, (&model.ground, model.duration))
     }
 
     /// Whether these bodies are those of a block that nothing acts on but its own bearings.

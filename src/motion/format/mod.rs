@@ -1,7 +1,7 @@
 //! Records of ground motion from the bytes of a file: the formats that are read, and which of them a file is in.
 //!
-//! A new format is one file beside `csv.rs`, its `mod` and its line in [`FORMATS`]: file dialog, files dropped on the window, error
-//! words and hints follow from that list, and a test holds `docs/scene-format.md` against it.
+//! A new format is one file beside `csv.rs`, its `mod` and its line in [`FORMATS`]: file dialog and files dropped on the window follow
+//! from that list, and a test holds `docs/scene-format.md` against it. What it refuses is said by texts of its own, `record-…`.
 
 mod at2;
 mod cosmos;

@@ -109,7 +109,7 @@ fn a_second_impulse_is_35_37_39_or_43_as_printed() {
         let v_s = cluster.speeds(&point)[1];
         let energy = |c: &Cluster| 0.5 * (c.velocity[0].truncate().length_squared() + g.i2 * c.velocity[0].z.powi(2));
         let before = energy(&cluster);
-        let again = second_impulse(&mut cluster, &point, &numbers);
+        let again = second_impulse(&mut cluster, &point, &numbers, 0.0);
         assert!(energy(&cluster) <= before * (1.0 + 1e-14), "no energy is added");
         let (r, sin, cos) = (g.r, g.omega.sin(), g.omega.cos());
         let after = cluster.velocity[0];

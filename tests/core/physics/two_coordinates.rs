@@ -126,7 +126,7 @@ impl Coordinates for TwoCoordinates {
     }
 
     /// Under a moving ground there is none here: the body is integrated alone.
-    fn free_motion(&self, ground: &Ground) -> Option<Arc<dyn ClosedForm>> {
+    fn free_motion(&self, ground: &Ground, _: f64) -> Option<Arc<dyn ClosedForm>> {
         matches!(ground, Ground::Still).then(|| Arc::new(*self) as Arc<dyn ClosedForm>)
     }
 

@@ -156,7 +156,7 @@ impl Coordinates for TwoEnds {
         load[RATES].copy_from_slice(&on_ends.to_array());
     }
 
-    fn free_motion(&self, ground: &Ground) -> Option<Arc<dyn ClosedForm>> {
+    fn free_motion(&self, ground: &Ground, _: f64) -> Option<Arc<dyn ClosedForm>> {
         matches!(ground, Ground::Still).then(|| Arc::new(*self) as Arc<dyn ClosedForm>)
     }
 

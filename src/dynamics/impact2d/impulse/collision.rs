@@ -142,7 +142,7 @@ fn outcome(
     if v_n >= -speed_noise {
         return (None, Outcome::Contact { at_rest: v_s.abs() <= speed_noise });
     }
-    let again = second_impulse(cluster, point, numbers);
+    let again = second_impulse(cluster, point, numbers, speed_noise);
     (Some(again), Outcome::SecondImpulse { held: again.held })
 }
 

@@ -55,8 +55,14 @@ pub fn first_impulse(cluster: &mut Cluster, point: &ContactPoint, numbers: &Coef
 }
 
 /// Applies the second impulse, (34)–(43). Past the Painlevé bound, `W_nn − μ_k σ W_ns ≤ 0`, no slip ends; stick takes at most
-/// `W_nn/|W_ns| ≤ μ_k` of the normal impulse there, so the point sticks.
-pub fn second_impulse(cluster: &mut Cluster, point: &ContactPoint, numbers: &Coefficients) -> SecondImpulse {
+/// `W_nn/|W_ns| ≤ μ_k` of the normal impulse there, so the point sticks. `speed_noise` is the speed that rounding makes \[m/s\]: with
+/// `e_t = 0` the first impulse leaves no other.
+pub fn second_impulse(
+    cluster: &mut Cluster,
+    point: &ContactPoint,
+    numbers: &Coefficients,
+    speed_noise: f64,
+) -> SecondImpulse {
     let stay = sticking_impulse(cluster, point);
     if stay[1].abs() <= numbers.mu_s * stay[0] {
         let work = cluster.push(point, stay);
@@ -64,7 +70,7 @@ pub fn second_impulse(cluster: &mut Cluster, point: &ContactPoint, numbers: &Coe
     }
     let v_s = cluster.speeds(point)[1];
     // From rest the slip starts against the tangential impulse of stick.
-    let sign = if v_s == 0.0 { -stay[1].signum() } else { v_s.signum() };
+    let sign = if v_s.abs() <= speed_noise { -stay[1].signum() } else { v_s.signum() };
     let Some(impulse) = slipping_impulse(cluster, point, numbers.mu_k, sign) else {
         let work = cluster.push(point, stay);
         return SecondImpulse { impulse: stay, held: true, work };
@@ -131,7 +137,7 @@ mod tests {
     #[test]
     fn inside_the_cone_the_second_impulse_stops_the_point() {
         let (mut cluster, point) = at_wall([0.1, 0.05], [1.0, 0.3, -2.0]);
-        let again = second_impulse(&mut cluster, &point, &Coefficients { mu_s: 50.0, ..CORNER_LAW });
+        let again = second_impulse(&mut cluster, &point, &Coefficients { mu_s: 50.0, ..CORNER_LAW }, 0.0);
         assert!(again.held && again.work < 0.0, "{again:?}");
         let [v_n, v_s] = cluster.speeds(&point);
         assert!(v_n.abs() < 1e-15 && v_s.abs() < 1e-15, "at rest: {v_n}, {v_s}");
@@ -141,10 +147,26 @@ mod tests {
     fn outside_the_cone_friction_is_that_of_slip() {
         let (mut cluster, point) = at_wall([0.1, 0.05], [1.0, 3.0, 0.0]);
         let slip = cluster.speeds(&point)[1].signum();
-        let again = second_impulse(&mut cluster, &point, &Coefficients { mu_s: 0.02, mu_k: 0.01, ..CORNER_LAW });
+        let again = second_impulse(&mut cluster, &point, &Coefficients { mu_s: 0.02, mu_k: 0.01, ..CORNER_LAW }, 0.0);
         assert!(!again.held && again.work < 0.0, "{again:?}");
         assert!((again.impulse[1] + 0.01 * slip * again.impulse[0]).abs() < 1e-15, "P_s = −μ_k σ P_n");
         assert!(cluster.speeds(&point)[0].abs() < 1e-15, "it no longer approaches");
+    }
+
+    #[test]
+    fn a_slip_of_rounding_is_none() {
+        let impulse = |slip: f64| {
+            let (mut cluster, point) = at_wall([0.1, 0.05], [1.0, 0.0, 0.0]);
+            let v_s = cluster.speeds(&point)[1];
+            cluster.velocity[0] += (point.s * (slip - v_s)).extend(0.0);
+            second_impulse(&mut cluster, &point, &Coefficients { mu_s: 0.02, mu_k: 0.01, ..CORNER_LAW }, 1e-15).impulse
+        };
+        let at_rest = impulse(0.0);
+        assert!(at_rest[1] != 0.0, "friction acts: {at_rest:?}");
+        for slip in [1e-16, -1e-16] {
+            let [p_n, p_s] = impulse(slip);
+            assert!((p_n - at_rest[0]).abs() < 1e-14 && (p_s - at_rest[1]).abs() < 1e-14, "{slip:e}: {p_n}, {p_s}");
+        }
     }
 
     #[test]
@@ -160,7 +182,7 @@ mod tests {
         let mut held = cluster;
         let v = point.s * (0.5 * w_ns.signum());
         held.velocity[0] += v.extend(0.0);
-        let again = second_impulse(&mut held, &point, &Coefficients { mu_s: 1.02, mu_k: 1.01, ..CORNER_LAW });
+        let again = second_impulse(&mut held, &point, &Coefficients { mu_s: 1.02, mu_k: 1.01, ..CORNER_LAW }, 0.0);
         assert!(again.impulse[1].abs() <= 1.02 * again.impulse[0], "{again:?}");
     }
 
@@ -176,7 +198,7 @@ mod tests {
             if v_n >= 0.0 {
                 continue;
             }
-            let again = second_impulse(&mut cluster, &point, &Coefficients { mu_s: mu_k, mu_k, ..CORNER_LAW });
+            let again = second_impulse(&mut cluster, &point, &Coefficients { mu_s: mu_k, mu_k, ..CORNER_LAW }, 0.0);
             let [after_n, after_s] = cluster.speeds(&point);
             assert!(again.work <= 0.0 && cluster.kinetic_energy() <= before, "{again:?}");
             assert!(after_n.abs() < 1e-12, "it no longer approaches: {after_n}");

@@ -109,7 +109,7 @@ fn state_after(collision: &Collision, to_wall: bool) -> State {
         (_, Outcome::Contact { at_rest: true }) if flat => State::Resting,
         (_, Outcome::Contact { at_rest: false }) if flat => State::Sliding,
         (_, Outcome::Contact { at_rest: true } | Outcome::SecondImpulse { held: true }) => State::Turning,
-        _ => State::SlidingTurning,
+        (_, Outcome::Contact { .. } | Outcome::SecondImpulse { held: false }) => State::SlidingTurning,
     }
 }
 

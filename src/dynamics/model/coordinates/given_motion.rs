@@ -121,7 +121,7 @@ impl Coordinates for GivenMotion {
 
     fn port(&self, _: &Body, _: Point<'_>, _: DVec3, _: [&mut [f64]; 2]) {}
 
-    fn free_motion(&self, _: &Ground) -> Option<Arc<dyn ClosedForm>> {
+    fn free_motion(&self, _: &Ground, _: f64) -> Option<Arc<dyn ClosedForm>> {
         Some(Arc::new(self.clone()))
     }
 

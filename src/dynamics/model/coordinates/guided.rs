@@ -113,7 +113,7 @@ impl Coordinates for Guided {
         (response[RATE], load[RATE]) = (force / body.mass, force);
     }
 
-    fn free_motion(&self, ground: &Ground) -> Option<Arc<dyn ClosedForm>> {
+    fn free_motion(&self, ground: &Ground, _: f64) -> Option<Arc<dyn ClosedForm>> {
         Some(Arc::new(GuidedFlight::under(ground, self.along)?))
     }
 

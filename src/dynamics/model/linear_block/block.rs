@@ -86,8 +86,8 @@ impl<'a> Order<'a> {
 }
 
 impl LinearBlock {
-    /// Of these bodies with the bearings between them; `None` where their motion has no closed form that can be relied on.
-    pub fn of(parts: &[LinearPart], joints: &[Joint], ground: &Ground) -> Option<Self> {
+    /// Of these bodies with the bearings between them, in a run of this duration \[s\]; `None` where their motion has no closed form that can be relied on.
+    pub fn of(parts: &[LinearPart], joints: &[Joint], (ground, duration): (&Ground, f64)) -> Option<Self> {
         let order = Order::of(parts);
         let free: Vec<bool> = order.all(|part| &part.free);
         let kept: Vec<usize> = (0..order.count).filter(|&i| free[i]).collect();
@@ -107,7 +107,7 @@ impl LinearBlock {
         let numbers: Vec<usize> = parts.iter().flat_map(|part| 0..part.places()).collect();
         let by_ground = [0, 1]
             .map(|axis| kept.iter().map(|&i| if numbers[i] == axis { -roots[i] } else { 0.0 }).collect::<Vec<f64>>());
-        let motion = LinearMotion::of(spectrum, &load, [&by_ground[0], &by_ground[1]], ground)?;
+        let motion = LinearMotion::of(spectrum, &load, [&by_ground[0], &by_ground[1]], (ground, duration))?;
         let member = |(number, part): (usize, &LinearPart)| {
             let range = order.first[number]..order.first[number] + part.places();
             let own = kept.iter().enumerate().filter(|(_, i)| range.contains(i));

@@ -312,8 +312,8 @@ impl Coordinates for ElasticGirder {
         Some(AxialMotion { components: [axis, self.places() + axis], modes: Some(modes) })
     }
 
-    fn free_motion(&self, ground: &Ground) -> Option<Arc<dyn ClosedForm>> {
-        let block = Arc::new(LinearBlock::of(&[self.part()], &[], ground)?);
+    fn free_motion(&self, ground: &Ground, duration: f64) -> Option<Arc<dyn ClosedForm>> {
+        let block = Arc::new(LinearBlock::of(&[self.part()], &[], (ground, duration))?);
         Some(Arc::new(BlockMember { block, member: 0 }))
     }
 
