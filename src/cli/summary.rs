@@ -78,7 +78,7 @@ fn limit(passed: &PassedReport) -> Line {
     let whose = escaped(&passed.whose);
     line(
         Text::new("run-limit"),
-        said!("report-limit-passed", "whose" => whose, "limit" => passed.limit, "t" => t, "reached" => reached),
+        said!("report-limit-passed", "whose" => whose, "limit" => passed.limit.key(), "t" => t, "reached" => reached),
     )
 }
 

@@ -213,7 +213,7 @@ pub(super) fn limits(history: &History, report: &Report) -> String {
         let words = said!(
             "report-limit-passed",
             "whose" => passed.whose.as_str(),
-            "limit" => passed.limit,
+            "limit" => passed.limit.key(),
             "t" => format!("{:.4}", passed.t),
             "reached" => passed.reached()
         );

@@ -8,7 +8,9 @@ use std::collections::BTreeMap;
 use rayon::prelude::*;
 
 use super::books::{Account, Books};
+use super::contact_account::{contact_account, contact_powers};
 use super::impact::forces;
+use super::ledger_steps::{given_power, step_borders};
 use super::quadrature::{COUNT, Nodes, integrate};
 use super::touches::flight_rate;
 use super::{EventKind, History, Ledger};
@@ -16,7 +18,6 @@ use crate::contact::Frame;
 use crate::dynamics::free_flight::body_motion::BodyMotion;
 use crate::dynamics::impact2d::LastingInterval;
 use crate::dynamics::model::ground_now::GroundNow;
-use crate::dynamics::penalty3d::contact_state::Contact;
 use crate::dynamics::trajectory::stored_path::StoredMotion;
 use crate::motion::Ground;
 use glam::DVec3;
@@ -213,25 +214,6 @@ fn cut(ground: &Ground, from: f64, until: f64, cells: f64) -> Vec<(f64, f64)> {
     borders.windows(2).map(|w| (w[0], w[1])).filter(|(a, b)| b > a).collect()
 }
 
-fn contact_account(history: &History, contact: usize) -> Account<4> {
-    let mut account = Account::new();
-    let site = &history.model().contacts[contact];
-    let states: Vec<(f64, Contact)> = history.logs[contact].states().collect();
-    for (i, (from, state)) in states.iter().enumerate() {
-        let until = states.get(i + 1).map_or(history.end(), |(t, _)| t.min(history.end()));
-        if !matches!(state, Contact::Closed(_)) || until <= *from {
-            continue;
-        }
-        let bodies = [site.node_body, site.face_body].into_iter().flatten();
-        for w in step_borders(history, bodies, *from, until).windows(2).filter(|w| w[1] > w[0]) {
-            account.add(w[0], w[1], integrate(w[0], w[1], |t| contact_powers(history, contact, t)));
-        }
-        // An idle cell after the last, so that what follows is not integrated again.
-        account.add(until, until, [0.0; 4]);
-    }
-    account
-}
-
 /// Accounts of all devices. Those of links between the same bodies are kept together, as they share the poses at the nodes of a cell.
 fn device_accounts(history: &History) -> Vec<Account<2>> {
     let mut sets: BTreeMap<[Option<usize>; 2], Vec<usize>> = BTreeMap::new();
@@ -328,17 +310,6 @@ fn flies_with_works(history: &History, body: usize, t: f64) -> bool {
     flight && !history.model().moves_as_given(body) && history.free_motion(body).is_some_and(BodyMotion::has_works)
 }
 
-/// Times in a stretch at which the steps of any of these bodies begin, with its ends.
-fn step_borders(history: &History, bodies: impl Iterator<Item = usize>, from: f64, until: f64) -> Vec<f64> {
-    let mut borders = vec![from, until];
-    for body in bodies {
-        let begins = history.paths[body].spans_after(from).map(|span| span.from);
-        borders.extend(begins.take_while(|t| *t < until).filter(|t| *t > from));
-    }
-    borders.sort_by(f64::total_cmp);
-    borders
-}
-
 /// Loss in the friction of a stretch of lasting contact, step by step.
 fn lasting_account(history: &History, interval: &LastingInterval) -> Account<1> {
     let mut account = Account::new();
@@ -365,16 +336,6 @@ fn energies(history: &History, body: usize, t: f64) -> [f64; 4] {
     [kinetic, bearing, model.bodies[body].own_strain(&state), gravity]
 }
 
-/// Powers lost in the normal dashpot, the tangential dashpot and friction, and that of the ground where one side moves as given
-/// \[W\].
-fn contact_powers(history: &History, contact: usize, t: f64) -> [f64; 4] {
-    let Some((closed, action)) = history.acting(contact, t) else { return [0.0; 4] };
-    let [normal, tangential, friction] = closed.law.dissipated_powers(&action.forces);
-    let site = &history.model().contacts[contact];
-    let given = given_power(history, [(site.node_body, action.force), (site.face_body, -action.force)], t);
-    [normal, tangential, friction, given]
-}
-
 /// Power of the ground where one end of a device moves as given \[W\].
 fn given_device_power(history: &History, link: usize, t: f64) -> f64 {
     if history.model().moving.is_none() {
@@ -383,14 +344,4 @@ fn given_device_power(history: &History, link: usize, t: f64) -> f64 {
     let bodies = history.model().links[link].bodies;
     let force = history.link(link, t).map_or(DVec3::ZERO, |now| now.force);
     given_power(history, [(bodies[0], force), (bodies[1], -force)], t)
-}
-
-/// Power of what moves as given against the forces on it \[W\].
-fn given_power(history: &History, pushed: [(Option<usize>, DVec3); 2], t: f64) -> f64 {
-    if history.model().moving.is_none() {
-        return 0.0;
-    }
-    let pushed = pushed.into_iter().filter_map(|(body, force)| Some((body?, force)));
-    let given = |body: usize| history.model().bodies[body].given_velocity(&history.state(body, t));
-    pushed.map(|(body, force)| -force.dot(given(body))).sum()
 }

@@ -107,7 +107,7 @@ pub enum OfLink {
 /// A number of a run as a function of time.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Quantity {
-    /// Of a girder, by its number.
+    /// Of a girder, a pier or a backwall, by the number of its body.
     Girder(usize, OfGirder),
     /// Of a girder's corner in plan, by both numbers.
     Corner(usize, usize, OfCorner),
@@ -267,7 +267,7 @@ impl Quantity {
             Self::Girder(_, G::Omega) => Unit::RadianPerSecond,
             Self::Section(_, _, OfSection::Moment | OfSection::VerticalMoment | OfSection::Torque) => Unit::NewtonMetre,
             Self::Section(_, _, OfSection::Stress) => Unit::Pascal,
-            Self::Section(..)
+            Self::Section(_, _, OfSection::Axial | OfSection::Shear | OfSection::VerticalShear)
             | Self::Pair(_, P::Force | P::Total)
             | Self::Pier(_, OfPier::Shear | OfPier::ShearAlong(_))
             | Self::Contact(_, C::Normal | C::Tangential | C::Force)
@@ -329,7 +329,7 @@ impl Quantity {
             }),
             Self::Energy(what) => energy_quantity::at(history, what, t),
             Self::Ground(axis) => model.ground.acceleration(t)[axis.min(2)],
-            _ => 0.0,
+            Self::Girder(..) | Self::Corner(..) | Self::Seat(..) | Self::Pair(..) | Self::Contact(..) => 0.0,
         }
     }
 }

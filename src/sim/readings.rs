@@ -6,7 +6,7 @@
 use glam::DVec3;
 
 pub use super::report::Extreme;
-use super::{BearingsReading, History, Pounding, peaks, seats, touches};
+use super::{BearingsReading, History, Pounding, Touch, peaks, seats, touches};
 use crate::contact::node_face::locate;
 use crate::dynamics::model::edge_node::node_place::NodePlace;
 use crate::geometry::{End, Prism};
@@ -30,11 +30,51 @@ pub struct Reading {
     pub tipped: Option<(f64, f64)>,
 }
 
+/// A limit of the scene's `[limits]`.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Limit {
+    /// Rotation of a girder about the vertical \[°\].
+    Rotation,
+    /// Displacement of a girder's corner in plan \[m\].
+    Drift,
+    /// Least of what remains of a seat \[m\].
+    RemainingSeat,
+    /// Force of one contact \[N\].
+    Force,
+    /// Force between two bodies \[N\].
+    TotalForce,
+    /// Deformation of a bearing in plan \[m\].
+    BearingDisplacement,
+    /// Drift of a pier \[m\].
+    PierDrift,
+}
+
+impl Limit {
+    /// As the scene's file calls it.
+    pub const fn key(self) -> &'static str {
+        match self {
+            Self::Rotation => "rotation_deg",
+            Self::Drift => "drift_m",
+            Self::RemainingSeat => "remaining_seat_m",
+            Self::Force => "force_n",
+            Self::TotalForce => "total_force_n",
+            Self::BearingDisplacement => "bearing_displacement_m",
+            Self::PierDrift => "pier_drift_m",
+        }
+    }
+}
+
+impl serde::Serialize for Limit {
+    fn serialize<S: serde::Serializer>(&self, serializer: S) -> Result<S::Ok, S::Error> {
+        serializer.serialize_str(self.key())
+    }
+}
+
 /// A limit that was passed.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Passed {
-    /// Which, as the scene's file calls it.
-    pub limit: &'static str,
+    /// Which.
+    pub limit: Limit,
     /// By whom: a girder, a bearing (`deck.bearing1`), a pier, or a pair.
     pub whose: String,
     /// Of a seat, under which end.
@@ -186,25 +226,25 @@ pub fn passed(history: &History) -> Vec<Passed> {
 fn of_girder(history: &History, girder: usize, name: &str, all: &mut Vec<Passed>) {
     let limits = history.scene().limits;
     let times = touches::looks(history, girder);
-    let mut watch = |limit: &'static str, end: Option<End>, (most, sign): (f64, f64), value: &dyn Fn(f64) -> f64| {
+    let mut watch = |limit: Limit, end: Option<End>, (most, sign): (f64, f64), value: &dyn Fn(f64) -> f64| {
         if let Some(t) = first(&times, history.end(), |t| sign * (value(t) - most)) {
             let reached = sign * largest(&times, |t| sign * value(t)).value;
             all.push(Passed { limit, whose: name.to_owned(), end, t, reached });
         }
     };
     if let Some(most) = limits.rotation_deg {
-        watch("rotation_deg", None, (most, 1.0), &|t| history.motion(girder, t).theta.abs().to_degrees());
+        watch(Limit::Rotation, None, (most, 1.0), &|t| history.motion(girder, t).theta.abs().to_degrees());
     }
     if let Some(most) = limits.drift {
         let farthest = |t| {
             let way = |corner| corner_way(history, girder, corner, t).truncate().length();
             (0..4).map(way).fold(0.0, f64::max)
         };
-        watch("drift_m", None, (most, 1.0), &farthest);
+        watch(Limit::Drift, None, (most, 1.0), &farthest);
     }
     for end in End::BOTH {
         if let Some(least) = limits.remaining_seat.filter(|_| seats::length(history, girder, end).is_some()) {
-            watch("remaining_seat_m", Some(end), (least, -1.0), &|t| seats::remaining(history, girder, end, t));
+            watch(Limit::RemainingSeat, Some(end), (least, -1.0), &|t| seats::remaining(history, girder, end, t));
         }
     }
 }
@@ -222,7 +262,7 @@ fn of_bearings(history: &History, girder: usize, limit: f64) -> Vec<Passed> {
         let size = |t: f64| size(t).unwrap_or(0.0);
         let t = first(&times, history.end(), |t| size(t) - limit)?;
         let whose = format!("{}.bearing{}", body.name, number + 1);
-        Some(Passed { limit: "bearing_displacement_m", whose, end: None, t, reached: largest(&times, size).value })
+        Some(Passed { limit: Limit::BearingDisplacement, whose, end: None, t, reached: largest(&times, size).value })
     };
     (0..body.bearings.len()).filter_map(passed).collect()
 }
@@ -233,32 +273,47 @@ fn of_pier(history: &History, pier: usize, limit: f64) -> Option<Passed> {
     let drift = |t: f64| history.pier(pier, t).map_or(0.0, |now| now.displacement.truncate().length());
     let t = first(&times, history.end(), |t| drift(t) - limit)?;
     let whose = history.scene().piers[pier].name.clone();
-    Some(Passed { limit: "pier_drift_m", whose, end: None, t, reached: largest(&times, drift).value })
+    Some(Passed { limit: Limit::PierDrift, whose, end: None, t, reached: largest(&times, drift).value })
+}
+
+/// Times in rising order up to `last`, and that one.
+fn until(mut times: Vec<f64>, last: f64) -> Vec<f64> {
+    times.retain(|t| *t < last);
+    times.push(last);
+    times
 }
 
 /// Every two bodies whose force passes a limit, all contacts between them together: when it first does so.
 fn of_resultants(history: &History, limit: f64) -> Vec<Passed> {
     let passed = |of: &Pounding| {
         let hit = of.hits.iter().find(|hit| hit.peak.value > limit)?;
+        let solids = history.model().pairs[of.pair].solids();
+        let between = |touch: &&Touch| history.model().pairs[touch.pair].solids() == solids;
+        let touches = history.touches().iter().filter(between);
+        let touches: Vec<&Touch> = touches.filter(|touch| touch.start <= hit.end && touch.end >= hit.start).collect();
+        let times = until(touches::looks_in_hit(history, &touches), hit.peak.t);
         let force = |t: f64| history.resultant(of.pair, t).length() - limit;
-        let t = first(&[hit.start, hit.peak.t], history.end(), force).unwrap_or(hit.peak.t);
+        let t = first(&times, history.end(), force).unwrap_or(hit.peak.t);
         let whose = history.model().pairs[of.pair].name.clone();
-        Some(Passed { limit: "total_force_n", whose, end: None, t, reached: of.most()?.value })
+        Some(Passed { limit: Limit::TotalForce, whose, end: None, t, reached: of.most()?.value })
     };
     history.poundings().iter().filter_map(passed).collect()
 }
 
-/// The first touch of each pair whose force passes a limit, when its force does so.
+/// Each pair of which a contact's force passes a limit, when one first does so.
 fn of_forces(history: &History, limit: f64) -> Vec<Passed> {
     let mut all: Vec<Passed> = Vec::new();
     for (number, pair) in history.model().pairs.iter().enumerate() {
         let touches = history.touches().iter().filter(|touch| touch.pair == number);
         let over: Vec<_> = touches.filter(|touch| touch.peak_force > limit).collect();
-        let Some(touch) = over.first() else { continue };
-        let force = |t: f64| history.contact_at(touch.contact, t).map_or(0.0, |c| c.force.length()) - limit;
-        let t = first(&[touch.start, touch.peak_time], history.end(), force).unwrap_or(touch.peak_time);
+        let passes = |touch: &&Touch| {
+            let force = |t: f64| history.contact_at(touch.contact, t).map_or(0.0, |c| c.force.length()) - limit;
+            let times = until(touches::looks_in_hit(history, &[*touch]), touch.peak_time);
+            first(&times, history.end(), force).unwrap_or(touch.peak_time)
+        };
+        let Some(t) = over.iter().map(passes).min_by(f64::total_cmp) else { continue };
         let reached = over.iter().map(|touch| touch.peak_force).fold(0.0, f64::max);
-        all.push(Passed { limit: "force_n", whose: pair.name.clone(), end: None, t, reached });
+        all.push(Passed { limit: Limit::Force, whose: pair.name.clone(), end: None, t, reached });
     }
     all
 }

@@ -5,13 +5,14 @@ use serde::Serialize;
 
 use crate::language::{Text, six};
 use crate::scene::{Scene, domain};
+use crate::sim::readings::Limit;
 use crate::sim::{History, LostSupport, Overlap, TooDeep, Uplift, Upright, readings};
 
 /// A limit that was passed, in short.
 #[derive(Clone, Debug, PartialEq, Serialize)]
 pub struct PassedReport {
-    /// Its key in the scene's `[limits]`.
-    pub limit: &'static str,
+    /// Which, by its key in the scene's `[limits]`.
+    pub limit: Limit,
     /// The girder, bearing (`deck.bearing1`), pier or pair; of a seat the girder with its end: `deck+x`.
     pub whose: String,
     /// When for the first time \[s\].
@@ -24,9 +25,9 @@ impl PassedReport {
     /// How far at the most, with its unit.
     pub fn reached(&self) -> String {
         let unit = match self.limit {
-            "rotation_deg" => "°",
-            "force_n" | "total_force_n" => " N",
-            _ => " m",
+            Limit::Rotation => "°",
+            Limit::Force | Limit::TotalForce => " N",
+            Limit::Drift | Limit::RemainingSeat | Limit::BearingDisplacement | Limit::PierDrift => " m",
         };
         format!("{}{unit}", six(self.reached))
     }

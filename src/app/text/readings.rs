@@ -3,7 +3,7 @@
 use crate::codes::Demand;
 use crate::geometry::End;
 use crate::language::{Text, values};
-use crate::sim::readings::Passed;
+use crate::sim::readings::{Limit, Passed};
 use crate::sim::verdict::Verdict;
 use crate::sim::{Dropped, History, Overlap, TooDeep};
 
@@ -162,14 +162,14 @@ pub(in crate::app) fn law_sense(history: &History, too_deep: &[TooDeep], dropped
 /// What was passed, by whom, when and how far.
 pub(in crate::app) fn passed(flag: &Passed) -> String {
     let reached = match flag.limit {
-        "rotation_deg" => Text::new("passed-turns").with(&values!["value" => short(flag.reached)]),
-        "drift_m" => Text::new("passed-drifts").with(&values!["value" => length(flag.reached)]),
-        "remaining_seat_m" => Text::new("passed-seat").with(&values!["value" => length(flag.reached)]),
-        "total_force_n" => Text::new("passed-total").with(&values!["value" => force(flag.reached)]),
-        "bearing_displacement_m" | "pier_drift_m" => {
+        Limit::Rotation => Text::new("passed-turns").with(&values!["value" => short(flag.reached)]),
+        Limit::Drift => Text::new("passed-drifts").with(&values!["value" => length(flag.reached)]),
+        Limit::RemainingSeat => Text::new("passed-seat").with(&values!["value" => length(flag.reached)]),
+        Limit::TotalForce => Text::new("passed-total").with(&values!["value" => force(flag.reached)]),
+        Limit::BearingDisplacement | Limit::PierDrift => {
             Text::new("passed-moves").with(&values!["value" => length(flag.reached)])
         }
-        _ => Text::new("passed-force").with(&values!["value" => force(flag.reached)]),
+        Limit::Force => Text::new("passed-force").with(&values!["value" => force(flag.reached)]),
     };
     let t = format!("{:.4}", flag.t);
     Text::new("passed").with(&values!["whose" => flag.whose(), "reached" => reached, "t" => t])

@@ -181,13 +181,20 @@ fn pair_text(scene: &Scene, pair: &Pair, nodes: &str) -> String {
         "tension" => word_told(Tension::WORDS, c.tension.label())
     );
     let dashpots = pair.law.dashpots();
+    let [normal, tangential] = [dashpots.normal, dashpots.tangential].map(|c| short(c + 0.0));
+    // Of a law with another dashpot, or with one that is 0 where the touch begins, (65) gives the tangential one alone.
+    let dashpots = if pair.is_damped_by_65() {
+        format!("C_n = {normal} N·s/m, C_t = {tangential} N·s/m (65)")
+    } else if dashpots.normal > 0.0 {
+        format!("C_n = {normal} N·s/m, C_t (65) = {tangential} N·s/m")
+    } else {
+        format!("C_t (65) = {tangential} N·s/m")
+    };
     let numbers = format!(
-        "K = {} N/m, e_n = {}, e_t = {}, C_n = {} N·s/m, C_t = {} N·s/m (65), μ_s = {}, μ_k = {}",
+        "K = {} N/m, e_n = {}, e_t = {}, {dashpots}, μ_s = {}, μ_k = {}",
         short(c.stiffness),
         six(c.restitution_normal),
         six(c.restitution_tangential),
-        short(dashpots.normal + 0.0),
-        short(dashpots.tangential + 0.0),
         six(c.mu_static),
         six(c.mu_kinetic)
     );

@@ -85,7 +85,7 @@ fn now(
     }
 }
 
-/// Power lost in the friction of a interval \[W\].
+/// Power lost in the friction of an interval \[W\].
 pub(in crate::sim) fn friction_power(history: &History, interval: &LastingInterval, t: f64) -> f64 {
     let Some((kinematics, reactions)) = reactions(history, interval, t) else { return 0.0 };
     let model = history.model();

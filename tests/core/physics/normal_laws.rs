@@ -34,6 +34,19 @@ fn hit(law: &str, restitution: f64, speed: f64) -> Scene {
     ))
 }
 
+#[test]
+fn a_force_held_at_zero_costs_the_ledger_no_digits() {
+    // The loss of the held phase is that of the spring: its power has a root at the opening, in a step that no force shortens.
+    for tolerance in [1e-10, 1e-12] {
+        let mut scene = hit("normal_law = \"hertz-viscous\"\ntension = \"clamp\"", 0.4, 0.5);
+        scene.solver.tolerance = tolerance;
+        let history = run(&scene);
+        let balance = history.balance();
+        assert!(balance.holds(), "{balance:?} at {tolerance:e}");
+        within(&format!("residual at {tolerance:e}"), balance.residual, 100.0 * tolerance);
+    }
+}
+
 /// Laws in words, with e', the largest penetration \[mm\] and the duration \[ms\] of a hit at restitution and speed:
 /// `docs/physics.md#restitution-of-the-other-laws`, closed forms; NaN where there is none, or where the touch
 /// outlasts the force.

@@ -113,7 +113,7 @@ fn under_a_sine_both_masses_follow_the_closed_form() {
     limited.limits.pier_drift = Some(limit);
     let passed = readings::passed(&run(&limited));
     let [passed] = &passed[..] else { panic!("one pier: {passed:?}") };
-    assert_eq!((passed.limit, passed.whose.as_str(), passed.reached), ("pier_drift_m", "p", pier.drift.value));
+    assert_eq!((passed.limit.key(), passed.whose.as_str(), passed.reached), ("pier_drift_m", "p", pier.drift.value));
     within("drift then", drift.at(&history, passed.t) - limit, 1e-8);
     let before = (0..1000).map(|i| drift.at(&history, passed.t * f64::from(i) / 1000.0)).fold(0.0, f64::max);
     assert!(before < limit, "not before: {before}");
