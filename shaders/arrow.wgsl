@@ -67,6 +67,5 @@ fn vertex(in: Vertex) -> Varying {
 @fragment
 fn fragment(in: Varying) -> @location(0) vec4<f32> {
     let facing = max(dot(normalize(in.normal), frame.towards_light.xyz), 0.0);
-    let lit = linear_from_srgb(in.color.rgb) * (0.72 + 0.38 * facing);
-    return premultiplied(vec4(srgb_from_linear(lit), in.color.a));
+    return premultiplied(vec4(under_light(in.color.rgb, 0.72 + 0.38 * facing), in.color.a));
 }

@@ -27,8 +27,7 @@ fn vertex(@builtin(vertex_index) i: u32) -> Varying {
 }
 
 // Coverage of lines at whole numbers of `p`, about `width` pixels wide; fades before they merge.
-fn lines(p: vec2<f32>, width: f32) -> f32 {
-    let step = max(fwidth(p), vec2(1e-6));
+fn lines(p: vec2<f32>, step: vec2<f32>, width: f32) -> f32 {
     let away = abs(fract(p - 0.5) - 0.5) / step;
     let on = clamp(vec2(0.5 * width + 0.5) - away, vec2(0.0), vec2(1.0)) * clamp(1.5 - 3.0 * step, vec2(0.0), vec2(1.0));
     return max(on.x, on.y);
@@ -37,8 +36,9 @@ fn lines(p: vec2<f32>, width: f32) -> f32 {
 @fragment
 fn fragment(in: Varying) -> @location(0) vec4<f32> {
     let cell = in.world.xy / max(ground.spacing.x, 1e-9);
-    let fine = lines(cell, 1.0) * 0.5;
-    let strong = lines(cell / 5.0, 1.3);
+    let step = max(fwidth(cell), vec2(1e-6));
+    let fine = lines(cell, step, 1.0) * 0.5;
+    let strong = lines(cell / 5.0, step / 5.0, 1.3);
     let away = distance(in.world.xy, ground.place.xy) / ground.place.w;
     let fade = 1.0 - smoothstep(0.3, 1.0, away);
     let line = select(0.0, max(fine, strong) * ground.grid.a, ground.spacing.x > 0.0);

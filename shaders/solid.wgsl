@@ -23,6 +23,5 @@ fn fragment(in: Varying) -> @location(0) vec4<f32> {
     let facing = max(dot(normal, frame.towards_light.xyz), 0.0);
     let sun = facing * select(0.0, sunlight(in.world, normal), facing > 0.0);
     let sky = mix(0.30, 0.58, normal.z * 0.5 + 0.5);
-    let lit = linear_from_srgb(in.color.rgb) * (sky + 0.62 * sun);
-    return premultiplied(vec4(srgb_from_linear(lit), in.color.a * nearness(in.world)));
+    return premultiplied(vec4(under_light(in.color.rgb, sky + 0.62 * sun), in.color.a * nearness(in.world)));
 }

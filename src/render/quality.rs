@@ -34,8 +34,9 @@ impl Quality {
         Self { samples, shadow_taps }
     }
 
-    /// Side of the shadow map \[texels\].
+    /// Side of the shadow map \[texels\]. Of a draft the map is about as fine as the picture of a window 1280 points wide: a processor draws
+    /// it anew in every frame, and of 1024 texels it took a third of what fragments took (`docs/cost.md`).
     pub(super) fn shadow_map_size(self) -> u32 {
-        if self.shadow_taps > 1 { 2048 } else { 1024 }
+        if self.shadow_taps > 1 { 2048 } else { 512 }
     }
 }

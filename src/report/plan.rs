@@ -24,6 +24,10 @@ const DEVICE: &str = "#882255";
 const ARROW: f64 = 90.0;
 /// Width of a digit of the size of a force, of a sans-serif face \[pixels\].
 const WIDTH_OF_DIGIT: f64 = 6.4;
+/// What the numbers of two corners take of the edge between them \[pixels\].
+const NUMBERS: f64 = 40.0;
+/// Distance of two lines of dimensions \[pixels\].
+const LINE: f64 = 13.0;
 /// Half height of the plan around a hit that is drawn large, in widths of the girder; half its width is twice that (chosen).
 const CLOSE: f64 = 0.02;
 
@@ -241,12 +245,16 @@ impl<'a> Plan<'a> {
         let middle = |a: DVec2, b: DVec2| self.place(0.5 * (a + b));
         let (x, y) = middle(corners[0], corners[2]);
         text(svg, (x, y + 5.0), 15.0, "middle", INK, &escape(&girder.name));
+        // Between the numbers of the corners, or beyond them where the edge is too short for both.
+        let edge = self.scale() * corners[0].distance(corners[1]);
+        let beyond =
+            |words: &str| if WIDTH_OF_DIGIT * words.chars().count() as f64 + NUMBERS > edge { LINE } else { 0.0 };
         let (x, y) = middle(corners[0], corners[1]);
         let length = format!("a₀ = {} m", trimmed(girder.length));
-        text(svg, (x, y + 17.0), 12.0, "middle", INK, &length);
+        text(svg, (x, y + 17.0 + beyond(&length)), 12.0, "middle", INK, &length);
         let (x, y) = middle(corners[3], corners[2]);
         let width = format!("b₀ = {} m, β = {}°", trimmed(girder.width), trimmed(girder.skew_deg));
-        text(svg, (x, y - 7.0), 12.0, "middle", INK, &width);
+        text(svg, (x, y - 7.0 - beyond(&width)), 12.0, "middle", INK, &width);
         // Beside the girder and towards its middle: beyond its end is the neighbour.
         let along = (corners[1] - corners[0]).normalize_or_zero();
         let across = along.perp();

@@ -8,6 +8,7 @@ use glam::{DVec3, Vec2};
 
 use super::ViewInput;
 use super::area::Area;
+use super::block::{Block, girder_block};
 use super::gauge::told;
 use super::input::pixel;
 use super::list::Mark;
@@ -40,6 +41,12 @@ fn radius(input: &ViewInput<'_>) -> f32 {
 /// Characters of a node's name above its circle.
 const LONGEST_NAME: usize = 24;
 
+/// Girders that a circle keeps clear of: of a long row, which fills the picture's width, the first.
+const MOST_GIRDERS: usize = 40;
+
+/// Points along a side of the raster by which what a circle covers is counted.
+const RASTER: u8 = 6;
+
 /// Most circles in a picture, one below the other.
 const MOST_CIRCLES: usize = 2;
 
@@ -58,22 +65,23 @@ pub(super) fn friction_circles(
     all
 }
 
-/// The first of some places at the edge of the picture that covers no contact, no tip of a force and none of these areas; the top right
-/// where all do.
+/// The first of some places at the edge of the picture that covers no contact, no tip of a force and none of these areas (legends, gauges,
+/// ends of a gap), and of which not
+/// more than half lies over girders, or else the one that covers least of them; the top right where all cover what is to be seen.
 fn free_place(input: &ViewInput<'_>, moment: &Moment, taken: &[Area]) -> Area {
     let ppp = input.pixels_per_point;
     let half = Vec2::splat(HALF * radius(input));
     let (room, margin) = (Vec2::from(input.size.map(|s| s as f32)), half + 14.0 * ppp);
     let (right, left, top, bottom) = (room.x - margin.x, margin.x, margin.y, room.y - margin.y);
     let below = top + 2.0 * half.y + 8.0 * ppp;
-    let corner = Vec2::new(right, if input.overlays.legend { below } else { bottom });
     let middles = [
         Vec2::new(right, top),
-        corner,
+        Vec2::new(right, bottom),
         Vec2::new(right, below),
         Vec2::new(left, room.y / 2.0),
         Vec2::new(room.x / 2.0, bottom),
         Vec2::new(room.x / 2.0, below),
+        Vec2::new(left, bottom),
     ];
     let scale = moment.force_scale.unwrap_or(f64::INFINITY);
     let ends = moment.contacts.iter().flat_map(|c| [c.point, c.point + c.elastic_force() / scale]);
@@ -81,7 +89,26 @@ fn free_place(input: &ViewInput<'_>, moment: &Moment, taken: &[Area]) -> Area {
         ends.filter_map(|at| pixel(input, at)).map(|at| Area::about(at, Vec2::splat(9.0 * ppp))).collect();
     let is_free = |area: &Area| kept.iter().chain(taken).all(|other| other.overlap(area) == 0.0);
     let areas = middles.map(|middle| Area::about(middle, half));
-    areas.into_iter().find(is_free).unwrap_or(areas[0])
+    // As placed, so that a circle does not change its place with the girders' motion.
+    let girders: Vec<Block> = input.scene.girders.iter().take(MOST_GIRDERS).map(girder_block).collect();
+    let over = |area: &Area| {
+        let covered = covered(input, &girders, area);
+        if 2 * covered > usize::from(RASTER * RASTER) { covered } else { 0 }
+    };
+    areas.into_iter().filter(is_free).min_by_key(over).unwrap_or(areas[0])
+}
+
+/// How many of the points of a raster over an area show a girder.
+fn covered(input: &ViewInput<'_>, girders: &[Block], area: &Area) -> usize {
+    let size = Vec2::from(input.size.map(|s| s.max(1) as f32));
+    let seen = |at: Vec2| {
+        let (from, along) =
+            input.camera.ray([at.x * 2.0 / size.x - 1.0, 1.0 - at.y * 2.0 / size.y].map(f64::from), input.aspect());
+        girders.iter().any(|girder| girder.entry(from, along).is_some())
+    };
+    let raster =
+        (0..RASTER * RASTER).map(|i| Vec2::new(f32::from(i % RASTER), f32::from(i / RASTER)) / f32::from(RASTER - 1));
+    raster.filter(|part| seen(area.min + *part * area.size())).count()
 }
 
 fn friction_circle(

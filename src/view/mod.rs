@@ -57,6 +57,7 @@ pub use pick::pick;
 pub use scale::auto_force_scale;
 pub use words::{contact_state, impact_state, section_force};
 
+use area::Area;
 use labels::Placer;
 use palette::Palette;
 
@@ -163,7 +164,9 @@ fn marks(
         taken.extend(drawn.iter().map(|(_, area)| *area));
         gauges.extend(drawn);
     }
-    let circles = friction_circle::friction_circles(input, moment, &taken, palette);
+    let ends = gaps.iter().flat_map(|gap| gap.ends).filter_map(|at| input::pixel(input, at));
+    let kept: Vec<_> = ends.map(|at| Area::about(at, glam::Vec2::splat(9.0 * input.pixels_per_point))).collect();
+    let circles = friction_circle::friction_circles(input, moment, &[&taken[..], &kept].concat(), palette);
     let heading = if o.title { texts::heading(input, moment, palette, &mut placer) } else { Vec::new() };
     let panels: Vec<_> = legend.into_iter().chain(axes).chain(bar).chain(circles).chain(gauges).collect();
     for (_, area) in &panels {

@@ -16,8 +16,16 @@ use crate::scene::{
 };
 use crate::view::Target;
 
-/// A device's points from the girder's axis, in parts of its width, kind by kind: they do not lie upon each other.
-const ASIDE: [f64; 4] = [0.35, 0.25, 0.15, 0.35];
+/// A device's points from the girder's axis, in parts of its width: those of several kinds do not lie upon each other, and stoppers
+/// stand in the ground.
+const fn aside(kind: DeviceKind) -> f64 {
+    match kind {
+        DeviceKind::Restrainer | DeviceKind::Stopper => 0.35,
+        DeviceKind::Bumper => 0.25,
+        DeviceKind::Damper => 0.15,
+    }
+}
+
 /// From the end of the girder to the point that a cable or damper holds it at, in parts of its length.
 const FROM_END: f64 = 1.0 / 60.0;
 /// Slack of a cable, gap of a stopper, in parts of the girder's length.
@@ -81,7 +89,7 @@ pub(super) fn new_device(scene: &Scene, kind: DeviceKind, selected: &[Target]) -
     let girder = girder.unwrap_or_default();
     let body = scene.girders.get(girder)?;
     let before = before(scene, girder, kind, &wanted);
-    let own = DeviceKind::ALL.iter().zip(ASIDE).find(|(known, _)| **known == kind).map_or(0.0, |(_, part)| part);
+    let own = aside(kind);
     // Stoppers stand in the ground, whatever is before the end.
     let to = before.to.as_deref().filter(|_| kind != DeviceKind::Stopper);
     let beside = count_between(scene, kind, (&body.name, to));

@@ -1,6 +1,6 @@
 //! The line at the bottom: how large, how many, how exact, how fast, drawn by what.
 
-use egui::{RichText, Ui};
+use egui::{RichText, TextStyle, TextWrapMode, Ui, WidgetText};
 
 use crate::app::command::{Command, Look, TimeCommand, ViewCommand};
 use crate::app::panel::limits;
@@ -14,7 +14,7 @@ use crate::sim::moving_ground;
 use crate::sim::readings::Passed;
 use crate::sim::{History, SolidId};
 
-/// Shows the line: what became of the scene's run, limits that it passes, what draws.
+/// Shows the line: what became of the scene's run, limits that it passes, what draws. Where not all has room, figures yield to warnings.
 pub(in crate::app) fn show(
     ui: &mut Ui,
     runner: &Runner,
@@ -23,14 +23,19 @@ pub(in crate::app) fn show(
 ) {
     ui.horizontal(|ui| {
         ui.spacing_mut().item_spacing.x = 14.0;
+        // Warnings stand behind the figures: how wide they are is known from the frame before, or from a second pass over this one.
+        let known = ui.scope_id().with("warnings");
+        let before: f32 = ui.data(|data| data.get_temp(known)).unwrap_or(0.0);
+        let room = ui.max_rect().right() - before;
         if empty {
             ui.label(RichText::new(text::START_NOTHING).weak());
         } else if let Some(problems) = runner.problems() {
             let first = problems.0.first().map(|e| format!("{}: {}", e.place, e.remedy)).unwrap_or_default();
             ui.add(egui::Label::new(RichText::new(first).color(Palette::of(ui).problem)).truncate());
         } else if let Some(answer) = runner.answer() {
-            numbers(ui, answer, out);
+            numbers(ui, answer, room, out);
         }
+        let (left, mut cut) = (ui.cursor().left(), 0.0);
         if runner.is_coarse() {
             ui.label(RichText::new(text::COARSE).weak()).on_hover_text(text::COARSE_MEANS);
         }
@@ -41,7 +46,12 @@ pub(in crate::app) fn show(
             overlaps(ui, answer, out);
             law_sense(ui, answer, out);
             drifting(ui, answer);
-            flag(ui, runner, runner.passed(limits).unwrap_or_default(), out);
+            cut = flag(ui, runner, runner.passed(limits).unwrap_or_default(), out);
+        }
+        let warnings = ui.cursor().left() - left + cut;
+        if warnings != before {
+            ui.data_mut(|data| data.insert_temp(known, warnings));
+            ui.ctx().request_discard("what has room beside warnings");
         }
         ui.with_layout(egui::Layout::right_to_left(egui::Align::Center), |ui| {
             ui.add(egui::Label::new(RichText::new(adapter).weak().small()).truncate());
@@ -124,20 +134,29 @@ fn law_sense(ui: &mut Ui, answer: &Answer, out: &mut Vec<Command>) {
     }
 }
 
-/// The first limit that is passed, and how many more.
-fn flag(ui: &mut Ui, runner: &Runner, passed: &[Passed], out: &mut Vec<Command>) {
+/// The first limit that is passed, and how many more; how much of it is cut \[points\].
+fn flag(ui: &mut Ui, runner: &Runner, passed: &[Passed], out: &mut Vec<Command>) -> f32 {
     if let [first, more @ ..] = passed {
         let more = if more.is_empty() { String::new() } else { format!(" (+{})", more.len()) };
         let words = format!("{}{more}", text::passed(first));
         let words = RichText::new(words).color(Palette::of(ui).problem);
-        let button = egui::Button::new(words).frame(false).truncate();
-        if ui.add(button).on_hover_text(text::GO_THERE).clicked() {
+        let whole = width(ui, words.clone());
+        let response = ui.add(egui::Button::new(words).frame(false).truncate()).on_hover_text(text::GO_THERE);
+        if response.clicked() {
             limits::go_to(runner, first, out);
         }
+        return (whole - response.rect.width()).max(0.0);
     }
+    0.0
 }
 
-fn numbers(ui: &mut Ui, answer: &Answer, out: &mut Vec<Command>) {
+/// Width of a word or figure on one line \[points\].
+fn width(ui: &Ui, words: impl Into<WidgetText>) -> f32 {
+    words.into().into_galley(ui, Some(TextWrapMode::Extend), f32::INFINITY, TextStyle::Button).size().x.ceil()
+}
+
+/// The run's figures, as many as end left of `room` \[points\].
+fn numbers(ui: &mut Ui, answer: &Answer, room: f32, out: &mut Vec<Command>) {
     let s = &answer.summary;
     let error = match answer.error() {
         None => "…".to_owned(),
@@ -154,6 +173,9 @@ fn numbers(ui: &mut Ui, answer: &Answer, out: &mut Vec<Command>) {
     ];
     for (number, (value, (name, meaning))) in values.into_iter().zip(text::STATUS).enumerate() {
         let words = format!("{name} {value}");
+        if ui.cursor().left() + width(ui, &words) > room {
+            break;
+        }
         let Some(there) = THERE.get(number) else {
             ui.label(words).on_hover_text(meaning);
             continue;

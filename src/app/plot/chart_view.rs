@@ -1,6 +1,9 @@
 //! One chart against time as it is drawn: its axis with numbers and unit, curves, the time shown, the time pointed to.
 
-use egui::{Align2, FontId, Id, Rect, Sense, Stroke, Ui, UiBuilder, Vec2, pos2};
+use std::f32::consts::FRAC_PI_2;
+
+use egui::epaint::TextShape;
+use egui::{Align2, FontId, Id, Rect, Sense, Stroke, Ui, UiBuilder, Vec2, pos2, vec2};
 use egui_plot::{FilledArea, Line, Plot, PlotBounds, PlotPoints, PlotUi, VLine};
 
 use crate::app::command::{Command, PlotCommand};
@@ -81,13 +84,23 @@ pub(super) fn numbers(
     for t in ticks(over.axis.window, f64::from(field.width()) / 90.0) {
         painter.vline(over.axis.x(t), field.y_range(), line);
     }
+    let mut free = field.left() - over.place.left();
     for &value in &marks.values {
         let y = axis.y(value);
         painter.hline(field.x_range(), y, line);
         let words = marks.words(value, factor);
-        painter.text(pos2(field.left() - 4.0, y), Align2::RIGHT_CENTER, words, small.clone(), palette.weak);
+        let taken = painter.text(pos2(field.left() - 4.0, y), Align2::RIGHT_CENTER, words, small.clone(), palette.weak);
+        free = free.min(taken.left() - over.place.left());
     }
-    painter.text(over.place.left_center(), Align2::LEFT_CENTER, unit, small, palette.force);
+    // Upright where it would lie under the numbers.
+    let unit = painter.layout_no_wrap(unit.to_owned(), small, palette.force);
+    let middle = over.place.left_center();
+    if unit.size().x + 2.0 < free {
+        painter.galley(middle - vec2(0.0, 0.5 * unit.size().y), unit, palette.force);
+    } else {
+        let corner = middle + vec2(0.0, 0.5 * unit.size().x);
+        painter.add(TextShape::new(corner, unit, palette.force).with_angle(-FRAC_PI_2));
+    }
 }
 
 fn curves(ui: &mut Ui, chart: &Chart<'_>, over: &Over<'_>, axis: &ValueAxis, palette: &Palette) {

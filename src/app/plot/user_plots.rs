@@ -9,7 +9,7 @@ use crate::app::plot::source::Source;
 use crate::app::text;
 use crate::scene::edit::Edit;
 use crate::scene::{PlotSettings, PlotShows, ViewSettings};
-use crate::sim::quantity::{OfBearing, OfContact, OfCorner, OfEnergy, OfLink, Quantity};
+use crate::sim::quantity::{OfBearing, OfContact, OfCorner, OfEnergy, OfGirder, OfLink, Quantity};
 
 /// Most panels of the user's own.
 const MOST_PANELS: usize = 6;
@@ -72,11 +72,8 @@ fn offers(names: &[(String, Quantity)], girder: usize) -> Vec<(&'static str, Plo
     let over_time = |y: String| PlotSettings::over_time(vec![y]);
     let first =
         |wanted: &dyn Fn(&Quantity) -> bool| names.iter().find(|(_, q)| wanted(q)).map(|(name, _)| name.clone());
-    let of_girder = |what: usize| {
-        let own: Vec<&String> =
-            names.iter().filter(|(_, q)| matches!(q, Quantity::Girder(i, _) if *i == girder)).map(|(n, _)| n).collect();
-        own.get(what).map(|n| (*n).clone())
-    };
+    let of_girder =
+        |wanted: OfGirder| first(&|q| matches!(q, Quantity::Girder(i, of) if *i == girder && *of == wanted));
     let corner =
         |wanted: OfCorner| first(&|q| matches!(q, Quantity::Corner(i, 1, of) if *i == girder && *of == wanted));
     let contact = |wanted: OfContact| first(&|q| matches!(q, Quantity::Contact(_, of) if *of == wanted));
@@ -95,13 +92,13 @@ fn offers(names: &[(String, Quantity)], girder: usize) -> Vec<(&'static str, Plo
         (text::OFFER_DRIFT, corner(OfCorner::Drift).map(over_time)),
         (text::OFFER_ORBIT, against(corner(OfCorner::X), corner(OfCorner::Y))),
         (text::OFFER_PENETRATION, against(contact(OfContact::Penetration), contact(OfContact::Force))),
-        (text::OFFER_HYSTERESIS, against(of_girder(1), contact(OfContact::Tangential))),
+        (text::OFFER_HYSTERESIS, against(of_girder(OfGirder::Y), contact(OfContact::Tangential))),
         (text::OFFER_LOOP_DEVICE, against(of_link(OfLink::Deformation), of_link(OfLink::Force))),
         (text::OFFER_LOOP_BEARING, against(of_bearing(OfBearing::Deformation(0)), of_bearing(OfBearing::Force(0)))),
         (text::OFFER_USE, contact(OfContact::Use).map(over_time)),
-        (text::OFFER_FOURIER, spectrum(PlotShows::Fourier, of_girder(3))),
+        (text::OFFER_FOURIER, spectrum(PlotShows::Fourier, of_girder(OfGirder::Vx))),
         (text::OFFER_RESPONSE, spectrum(PlotShows::Response, first(&|q| matches!(q, Quantity::Ground(0))))),
-        (text::OFFER_EMPTY, of_girder(0).map(over_time)),
+        (text::OFFER_EMPTY, of_girder(OfGirder::X).map(over_time)),
     ];
     list.into_iter().filter_map(|(words, plot)| Some((words.as_str(), plot?))).collect()
 }

@@ -14,6 +14,10 @@ use crate::study::ground::Component;
 
 /// Height of the window's plots together \[points\].
 const HEIGHT: f32 = 400.0;
+/// Height of an axis with numbers and a name \[points\].
+const NAMED_AXIS: f32 = 32.0;
+/// Distance of numbers along a level axis, in that along an upright one: numbers are wider than they are high.
+const LEVEL: f32 = 5.0;
 /// Most own periods that are marked: those of a long row would hide the curve.
 const MOST_PERIODS: usize = 12;
 
@@ -141,13 +145,16 @@ fn plot<R>(
 ) -> Option<R> {
     let palette = Palette::of(ui);
     ui.label(RichText::new(&panel.name).small());
-    let height = HEIGHT / 3.0 - 18.0 + if axis.is_empty() { 0.0 } else { 14.0 };
+    let height = HEIGHT / 3.0 - 18.0 + if axis.is_empty() { 0.0 } else { NAMED_AXIS - 18.0 };
     let y = AxisHints::new_y().min_thickness(44.0).formatter(|mark, _| text::short(mark.value));
+    // Below the numbers the axis' name.
     let x = AxisHints::new_x().label(axis).formatter(|mark, _| text::short(mark.value));
+    let x = if axis.is_empty() { x } else { x.min_thickness(NAMED_AXIS) };
     let plot = Plot::new(Id::unique(("quake", what, number))).height(height).width(width).show_x(false).show_y(false);
     let plot = plot.allow_scroll(false).allow_drag(false).allow_zoom(false).allow_boxed_zoom(false);
     let plot = plot.custom_y_axes(vec![y]).custom_x_axes(vec![x]).grid_color(palette.line);
     let plot = plot.y_grid_spacer(move |grid| grid_marks(grid.bounds, height, false)).grid_spacing(6.0..=14.0);
+    let plot = plot.x_grid_spacer(move |grid| grid_marks(grid.bounds, width / LEVEL, false));
     plot.show(ui, |plot| {
         for curve in &panel.curves {
             let points = PlotPoints::new(curve.points.clone());

@@ -11,10 +11,14 @@ use crate::scene::{Kind, Scene};
 
 /// Checks every device; `sound` says whether the bodies of the scene are.
 pub(super) fn devices(scene: &Scene, sound: bool, complaints: &mut Complaints) {
-    each(scene, sound, (DeviceKind::Restrainer, &scene.restrainers), complaints);
-    each(scene, sound, (DeviceKind::Bumper, &scene.bumpers), complaints);
-    each(scene, sound, (DeviceKind::Damper, &scene.dampers), complaints);
-    each(scene, sound, (DeviceKind::Stopper, &scene.stoppers), complaints);
+    for &kind in DeviceKind::ALL {
+        match kind {
+            DeviceKind::Restrainer => each(scene, sound, (kind, &scene.restrainers), complaints),
+            DeviceKind::Bumper => each(scene, sound, (kind, &scene.bumpers), complaints),
+            DeviceKind::Damper => each(scene, sound, (kind, &scene.dampers), complaints),
+            DeviceKind::Stopper => each(scene, sound, (kind, &scene.stoppers), complaints),
+        }
+    }
 }
 
 fn each<T: Keyed + Part>(scene: &Scene, sound: bool, (kind, devices): (DeviceKind, &[T]), complaints: &mut Complaints) {

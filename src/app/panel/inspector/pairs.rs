@@ -109,7 +109,12 @@ fn in_force(ui: &mut Ui, scene: &Scene, answer: Option<&Answer>, pair: &Facing) 
     let dashpots = answer.and_then(|a| a.history.model().pairs.iter().find(|p| p.name == pair.name));
     let mut rows = vec![("K", text::stiffness(c.stiffness), stiffness_from)];
     if let Some(p) = dashpots {
-        rows.push(("C n", text::damping(p.law.dashpots().normal), text::FROM_65));
+        // The dashpot of a Hertz spring is 0 where the touch begins.
+        let normal = p.law.dashpots().normal;
+        if p.is_damped_by_65() || normal > 0.0 {
+            let source = if p.is_damped_by_65() { text::FROM_65 } else { text::FROM_NORMAL_LAW };
+            rows.push(("C n", text::damping(normal), source));
+        }
         rows.push(("C t", text::damping(p.law.dashpots().tangential), text::FROM_65));
         rows.push((text::RETURNED_E.as_str(), text::short(p.returned_restitution()), text::FROM_NORMAL_LAW));
     }
