@@ -241,7 +241,7 @@ gpu-size = a picture of { $width } x { $height } pixels: choose 1 to { $most } e
 gpu-readback = the picture could not be read back: { $why }
 gpu-lost = the graphics device was lost ({ $why })
 gpu-no-memory = the graphics device has no memory left ({ $why })
-gpu-refused = the graphics device refused its work ({ $why })
+gpu-refused = the graphics device reports an error ({ $why })
 gpu-unsaid = it does not say why
 window-not-opened = no window could be opened: { $why }
 window-ended = the window had to end: { $why }
@@ -314,7 +314,7 @@ stop-bound = the bound on the work of a run is exceeded
 stop-too-fast = { $spent }: a contact, a bearing or the ground is far too fast for the duration; lower its stiffness, damping or frequency, or shorten the run
 stop-step = the step fell to { $step } s; a lower stiffness or a larger tolerance would be followed
 stop-starts-inside = it starts { $depth } m inside: rigid girders cannot overlap; move it out by its initial displacement or its place, or take the contact model
-stop-nowhere = { $work } hits, searches and steps, { $same } of them at this instant, lead nowhere; a larger stop_speed_m_s or a lower restitution_normal would end it, or the contact model
+stop-nowhere = { $work } hits, searches and steps, { $same } of them at this instant, make no progress; a larger stop_speed_m_s or a lower restitution_normal would end it, or the contact model
 stop-undefined = its motion is no number from here on: a fault of the program, which the scene helps to find
 stop-no-motion = no step is short enough to follow the contact: its reactions have no motion here
 stop-no-contact = they meet where the impact model has no contact: it knows facing ends and declared pairs; choose `kind = "contact"` in [model], declare the pair, or let bodies pass with `between = "ends"` in [contact]

@@ -12,6 +12,9 @@ const BEYOND: f32 = 3.0;
 /// How far from its sides a rectangle may be smoothed \[points\].
 const EDGE: f32 = 2.0;
 
+/// How far a clip rectangle may begin inside a pixel that it does not cut off: a scissor rectangle is rounded to the nearest \[pixels\].
+const CLIPPED: f32 = 0.49;
+
 /// One frame to be shown.
 pub(in crate::app) struct Frame<'a> {
     pub(in crate::app) context: &'a Context,
@@ -92,7 +95,7 @@ impl Shown {
         for region in regions.iter() {
             let cut = points(region, pixels_per_point);
             // Whatever lies under something opaque is not seen.
-            let covering = self.shapes.iter().rposition(|shape| covers(shape, cut));
+            let covering = self.shapes.iter().rposition(|shape| covers(shape, cut, pixels_per_point));
             let ground = covering.is_none().then(|| {
                 let everything = points(Region::whole(size), pixels_per_point).expand(BEYOND);
                 clipped(everything, Shape::rect_filled(everything, CornerRadius::ZERO, Color32::BLACK))
@@ -169,9 +172,9 @@ fn stroke(shape: &Shape) -> f32 {
     }
 }
 
-/// Whether nothing under a shape is seen in a part of the window.
-fn covers(shape: &ClippedShape, part: Rect) -> bool {
-    if !shape.clip_rect.contains_rect(part) {
+/// Whether nothing under a shape is seen in a part of the window, of whole pixels.
+fn covers(shape: &ClippedShape, part: Rect, pixels_per_point: f32) -> bool {
+    if !shape.clip_rect.expand(CLIPPED / pixels_per_point).contains_rect(part) {
         return false;
     }
     match &shape.shape {

@@ -2,8 +2,8 @@
 
 use wgpu::{
     BindGroup, BindGroupDescriptor, BindGroupEntry, BindGroupLayout, BindGroupLayoutDescriptor, BindGroupLayoutEntry,
-    BindingResource, BindingType, Device, RenderPass, RenderPipeline, RenderPipelineDescriptor, Sampler,
-    SamplerBindingType, ShaderStages, TextureFormat, TextureSampleType, TextureView, TextureViewDimension,
+    BindingResource, BindingType, Device, RenderPass, RenderPipeline, RenderPipelineDescriptor, ShaderStages,
+    TextureFormat, TextureSampleType, TextureView, TextureViewDimension,
 };
 
 const SHADER: &str = include_str!("blit.wgsl");
@@ -12,7 +12,6 @@ const SHADER: &str = include_str!("blit.wgsl");
 pub(in crate::app) struct Blit {
     pipeline: RenderPipeline,
     layout: BindGroupLayout,
-    sampler: Sampler,
 }
 
 impl Blit {
@@ -20,8 +19,7 @@ impl Blit {
     pub(in crate::app) fn new(device: &Device, format: TextureFormat) -> Self {
         let layout = layout(device);
         let pipeline = pipeline(device, &layout, format);
-        let sampler = device.create_sampler(&wgpu::SamplerDescriptor { label: Some("blit"), ..Default::default() });
-        Self { pipeline, layout, sampler }
+        Self { pipeline, layout }
     }
 
     /// Binds the picture that is to be copied.
@@ -29,10 +27,7 @@ impl Blit {
         device.create_bind_group(&BindGroupDescriptor {
             label: Some("blit"),
             layout: &self.layout,
-            entries: &[
-                BindGroupEntry { binding: 0, resource: BindingResource::TextureView(picture) },
-                BindGroupEntry { binding: 1, resource: BindingResource::Sampler(&self.sampler) },
-            ],
+            entries: &[BindGroupEntry { binding: 0, resource: BindingResource::TextureView(picture) }],
         })
     }
 
@@ -45,21 +40,13 @@ impl Blit {
 }
 
 fn layout(device: &Device) -> BindGroupLayout {
-    let entry = |binding, ty| BindGroupLayoutEntry { binding, visibility: ShaderStages::FRAGMENT, ty, count: None };
-    device.create_bind_group_layout(&BindGroupLayoutDescriptor {
-        label: Some("blit"),
-        entries: &[
-            entry(
-                0,
-                BindingType::Texture {
-                    sample_type: TextureSampleType::Float { filterable: true },
-                    view_dimension: TextureViewDimension::D2,
-                    multisampled: false,
-                },
-            ),
-            entry(1, BindingType::Sampler(SamplerBindingType::Filtering)),
-        ],
-    })
+    let picture = BindingType::Texture {
+        sample_type: TextureSampleType::Float { filterable: false },
+        view_dimension: TextureViewDimension::D2,
+        multisampled: false,
+    };
+    let entry = BindGroupLayoutEntry { binding: 0, visibility: ShaderStages::FRAGMENT, ty: picture, count: None };
+    device.create_bind_group_layout(&BindGroupLayoutDescriptor { label: Some("blit"), entries: &[entry] })
 }
 
 fn pipeline(device: &Device, layout: &BindGroupLayout, format: TextureFormat) -> RenderPipeline {

@@ -4,7 +4,6 @@
 // Output: the picture's texel; its bytes are sRGB-encoded already. `to_linear` undoes that for a target that encodes.
 
 @group(0) @binding(0) var picture: texture_2d<f32>;
-@group(0) @binding(1) var nearest: sampler;
 
 struct Corner {
     @builtin(position) clip: vec4<f32>,
@@ -20,14 +19,19 @@ fn cover(@builtin(vertex_index) number: u32) -> Corner {
     return corner;
 }
 
+// The picture is as large as the rectangle: its texel is loaded, for a sampler works out first how fine a level to read.
+fn texel(corner: Corner) -> vec4<f32> {
+    return textureLoad(picture, vec2<i32>(corner.uv * vec2<f32>(textureDimensions(picture))), 0);
+}
+
 @fragment
 fn as_is(corner: Corner) -> @location(0) vec4<f32> {
-    return textureSample(picture, nearest, corner.uv);
+    return texel(corner);
 }
 
 @fragment
 fn to_linear(corner: Corner) -> @location(0) vec4<f32> {
-    let encoded = textureSample(picture, nearest, corner.uv);
+    let encoded = texel(corner);
     let low = encoded.rgb / 12.92;
     let high = pow((encoded.rgb + 0.055) / 1.055, vec3<f32>(2.4));
     return vec4<f32>(select(high, low, encoded.rgb <= vec3<f32>(0.04045)), encoded.a);
