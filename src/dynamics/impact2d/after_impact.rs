@@ -2,7 +2,7 @@
 
 use crate::dynamics::Body;
 use crate::dynamics::impact2d::State;
-use crate::dynamics::impact2d::constants::{KEPT_TOUCH, LIFTED_DEPTH, ROTATION_ROUND_OFF, TOUCH};
+use crate::dynamics::impact2d::constants::{GAP_ROUND_OFF, KEPT_TOUCH, LIFTED_DEPTH, ROTATION_ROUND_OFF, TOUCH};
 use crate::dynamics::impact2d::impulse::collision::ContactManifold;
 use crate::dynamics::impact2d::instant::ImpactInstant;
 use crate::dynamics::impact2d::kinematics::{Kinematics, ground_acceleration};
@@ -30,17 +30,20 @@ pub(in crate::dynamics::impact2d) fn resume(
 ) {
     instant.take_velocities();
     let world = &run.world;
-    if all_separate(world, instant) {
-        let lost = energy - instant.kinematics.cluster.kinetic_energy();
-        let strain = strain_energy(world, instant);
-        let projected = project(world, instant, &[]);
-        let lost = if projected { lost + strain - strain_energy(world, instant) } else { lost };
-        start_trajectories(run, instant, to, Vec::new(), lost);
-        return;
-    }
     let bodies = instant.kinematics.bodies.clone();
     let ground = &world.model.ground;
     let ground = ground_acceleration(ground, &ground.piece(ground.piece_number(instant.t)), instant.t);
+    if all_separate(world, instant) {
+        let mut lost = energy - instant.kinematics.cluster.kinetic_energy();
+        let strain = strain_energy(world, instant);
+        if project(world, instant, &[]) {
+            lost += strain - strain_energy(world, instant);
+            // What was moved out of its face begins there, and not as deep as it was hit.
+            instant.kinematics = Kinematics::new(&world.model, &bodies, &instant.states, ground);
+        }
+        start_trajectories(run, instant, to, Vec::new(), lost);
+        return;
+    }
     instant.kinematics = Kinematics::new(&world.model, &bodies, &instant.states, ground);
     let modes = modes(world, instant, ending, ground);
     let strain = strain_energy(world, instant);
@@ -126,7 +129,8 @@ fn mark_sites(world: &mut World, instant: &ImpactInstant, modes: &[ContactMode])
     for pair in world.pairs_within(&instant.slots) {
         let pair_number = world.pairs[pair].number;
         let flush = modes.iter().any(|mode| mode.is_flush() && mode.pair == pair_number);
-        let near = TOUCH * world.radius(pair);
+        let radius = world.radius(pair);
+        let near = TOUCH * radius;
         for site in world.pairs[pair].sites.clone() {
             let number = world.sites[site].number;
             let point = instant.kinematics.point(&world.model, number);
@@ -138,7 +142,8 @@ fn mark_sites(world: &mut World, instant: &ImpactInstant, modes: &[ContactMode])
             if touches && !kept {
                 // Until it is clearly in front it hits again just behind the face, so that round-off is no hit.
                 (track.armed, track.lifted) = (false, true);
-                track.depth = LIFTED_DEPTH * track.spot.size + (-point.gap).max(0.0);
+                let behind = (LIFTED_DEPTH * radius).max(GAP_ROUND_OFF * track.spot.size);
+                track.depth = behind + (-point.gap).max(0.0);
             } else if point.gap < near && !touches && !kept {
                 (track.armed, track.lifted, track.beside) = (false, false, true);
             }
@@ -222,7 +227,7 @@ mod tests {
         let lifted: Vec<_> = run.world.sites.iter().filter(|site| site.lifted).collect();
         assert_eq!(lifted.len(), 2, "both corners of the face");
         for site in lifted {
-            assert!(!site.kept && !site.armed && site.depth >= LIFTED_DEPTH * site.spot.size, "{site:?}");
+            assert!(!site.kept && !site.armed && site.depth >= LIFTED_DEPTH * run.world.radius(0), "{site:?}");
         }
     }
 

@@ -353,3 +353,28 @@ fn a_face_that_slides_on_its_bearings_is_the_damped_oscillator_about_where_frict
     let ledger = history.ledger(history.end());
     within("ledger", ledger.residual.abs() / ledger.scale, 1e-13);
 }
+
+#[test]
+fn a_pressed_girder_comes_to_rest_at_a_wall_of_any_width() {
+    // Under a constant push every hop returns with the speed that it left with: e v, e² v, …, until that is below the stop speed.
+    for (length, width, restitution) in [(30.0, 600.0, 0.05), (30.0, 20_000.0, 0.002), (60.0, 1200.0, 0.3)] {
+        let settings = ImpactSettings { restitution_normal: restitution, ..ImpactSettings::default() };
+        let mut scene = scene(girder(length, length / 3.0, 90.0), 0.05, 1.0, settings);
+        scene.abutments[0].width = Some(width);
+        (scene.girders[0].mass, scene.girders[0].push.force) = (1e5, [8e5, 0.0, 0.0]);
+        let history = History::of(&scene).expect("runs");
+        assert!(
+            history.stop().is_none() && history.overlaps().is_empty(),
+            "{length} m at {width} m: {:?}",
+            history.stop()
+        );
+        let record = history.impact().expect("hits");
+        let arrival = (2.0f64 * 8.0 * 0.05).sqrt();
+        let hops = (scene.impact.stop_speed / arrival).ln() / restitution.ln();
+        #[expect(clippy::cast_precision_loss, reason = "a few hits")]
+        let hits = record.hits.len() as f64;
+        assert!(hits <= hops.ceil() + 2.0, "{length} m at {width} m: {hits} hits, {hops} by e");
+        assert_eq!(record.state(0, 1.0), State::Resting, "pressed onto the wall");
+        within("place", history.motion(0, 1.0).displacement.x - 0.05, 1e-9);
+    }
+}
