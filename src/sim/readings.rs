@@ -276,8 +276,8 @@ fn of_pier(history: &History, pier: usize, limit: f64) -> Option<Passed> {
     Some(Passed { limit: Limit::PierDrift, whose, end: None, t, reached: largest(&times, drift).value })
 }
 
-/// Times in rising order up to `last`, and that one.
-fn until(mut times: Vec<f64>, last: f64) -> Vec<f64> {
+/// Those of some times in rising order that are before `last`, and that one.
+fn up_to(mut times: Vec<f64>, last: f64) -> Vec<f64> {
     times.retain(|t| *t < last);
     times.push(last);
     times
@@ -291,7 +291,7 @@ fn of_resultants(history: &History, limit: f64) -> Vec<Passed> {
         let between = |touch: &&Touch| history.model().pairs[touch.pair].solids() == solids;
         let touches = history.touches().iter().filter(between);
         let touches: Vec<&Touch> = touches.filter(|touch| touch.start <= hit.end && touch.end >= hit.start).collect();
-        let times = until(touches::looks_in_hit(history, &touches), hit.peak.t);
+        let times = up_to(touches::looks_in_hit(history, &touches), hit.peak.t);
         let force = |t: f64| history.resultant(of.pair, t).length() - limit;
         let t = first(&times, history.end(), force).unwrap_or(hit.peak.t);
         let whose = history.model().pairs[of.pair].name.clone();
@@ -308,7 +308,7 @@ fn of_forces(history: &History, limit: f64) -> Vec<Passed> {
         let over: Vec<_> = touches.filter(|touch| touch.peak_force > limit).collect();
         let passes = |touch: &&Touch| {
             let force = |t: f64| history.contact_at(touch.contact, t).map_or(0.0, |c| c.force.length()) - limit;
-            let times = until(touches::looks_in_hit(history, &[*touch]), touch.peak_time);
+            let times = up_to(touches::looks_in_hit(history, &[*touch]), touch.peak_time);
             first(&times, history.end(), force).unwrap_or(touch.peak_time)
         };
         let Some(t) = over.iter().map(passes).min_by(f64::total_cmp) else { continue };

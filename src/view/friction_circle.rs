@@ -66,8 +66,8 @@ pub(super) fn friction_circles(
 }
 
 /// The first of some places at the edge of the picture that covers no contact, no tip of a force and none of these areas (legends, gauges,
-/// ends of a gap), and of which not
-/// more than half lies over girders, or else the one that covers least of them; the top right where all cover what is to be seen.
+/// ends of a gap), and of which not more than half lies over girders, or else the one that covers least of them; the top right where all
+/// cover what is to be seen.
 fn free_place(input: &ViewInput<'_>, moment: &Moment, taken: &[Area]) -> Area {
     let ppp = input.pixels_per_point;
     let half = Vec2::splat(HALF * radius(input));

@@ -11,7 +11,6 @@ use crate::render::{Region, Regions};
 const BEYOND: f32 = 3.0;
 /// How far from its sides a rectangle may be smoothed \[points\].
 const EDGE: f32 = 2.0;
-
 /// How far a clip rectangle may begin inside a pixel that it does not cut off: a scissor rectangle is rounded to the nearest \[pixels\].
 const CLIPPED: f32 = 0.49;
 

@@ -49,12 +49,15 @@ pub fn advance(model: &mut impl Mechanics, until: f64) {
             return;
         }
         model.handle(source, t);
-        if let Some(source) = model.schedule().queue.undefined() {
-            let (place, _) = model.excess(source);
-            model.schedule_mut().give_up(t, place, Text::new("stop-undefined").into());
+        if model.schedule().queue.undefined().is_some() {
+            break;
         }
     }
-    if model.schedule().stop().is_none() {
+    // Also a time that was entered before the first event.
+    if let Some(source) = model.schedule().queue.undefined() {
+        let (t, (place, _)) = (model.schedule().now, model.excess(source));
+        model.schedule_mut().give_up(t, place, Text::new("stop-undefined").into());
+    } else if model.schedule().stop().is_none() {
         let undefined =
             model.states(until).into_iter().find(|(_, state)| state.iter().any(|number| !number.is_finite()));
         if let Some((body, _)) = undefined {

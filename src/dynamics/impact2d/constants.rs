@@ -54,10 +54,11 @@ pub(super) const RESTITUTION_BISECTIONS: u32 = 52;
 pub(super) const WORK_ROUND_OFF: f64 = 1e-2;
 /// Relative excess of a friction impulse over the cone that is round-off: that of the solve, as [`SPEED_ROUND_OFF`].
 pub(super) const CONE_ROUND_OFF: f64 = 1e-12;
-/// Hits at one instant beyond which there is no restitution. A girder that bounces between two walls keeps `e_n^k` of its speed after k hits,
-/// 3e-26 of it after 64 at `e_n` = 0.4 and 1e-3 at 0.9.
+/// Hits at one instant beyond which there is no restitution. A girder that bounces between two walls keeps `e_n^k` of its speed after k
+/// hits, 3e-26 of it after 64 at `e_n` = 0.4 and 1e-3 at 0.9.
 pub(super) const HITS_WITH_RESTITUTION: usize = 64;
-/// Hits at one instant beyond which all points that still approach are stopped by one set of impulses. Tuned: four times [`HITS_WITH_RESTITUTION`].
+/// Hits at one instant beyond which all points that still approach are stopped by one set of impulses. Tuned: four times
+/// [`HITS_WITH_RESTITUTION`].
 pub(super) const SEQUENTIAL_HITS: usize = 256;
 /// Changes of the active set of a simultaneous impact before it is given up. The program of Lawson and Hanson allows three
 /// changes for each row; 500 are as many for 166 points at one instant.

@@ -8,7 +8,7 @@ use crate::contact::Frame;
 use crate::dynamics::Model;
 use crate::dynamics::free_flight::flight::FreeMotion;
 use crate::dynamics::impact2d::closing::planar_gap::PlanarSite;
-use crate::dynamics::impact2d::constants::{KEPT_TOUCH, LIFTED_DEPTH, TOUCH};
+use crate::dynamics::impact2d::constants::{KEPT_TOUCH, TOUCH};
 use crate::dynamics::impact2d::delassus::ContactPoint;
 use crate::dynamics::impact2d::lasting::lasting_contact::LastingContact;
 use crate::dynamics::impact2d::tracks::{BodyTrack, Motion, PairTrack, SiteTrack};
@@ -206,7 +206,7 @@ fn site_track(model: &Model, site: usize) -> SiteTrack {
     SiteTrack {
         number: site,
         sides: [side(contact.node_body), side(contact.face_body)],
-        depth: LIFTED_DEPTH * spot.size,
+        depth: 0.0,
         spot,
         geometry: PlanarSite::of(model, site),
         kept: false,

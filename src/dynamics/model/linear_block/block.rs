@@ -86,7 +86,8 @@ impl<'a> Order<'a> {
 }
 
 impl LinearBlock {
-    /// Of these bodies with the bearings between them, in a run of this duration \[s\]; `None` where their motion has no closed form that can be relied on.
+    /// Of these bodies with the bearings between them, in a run of this duration \[s\]; `None` where their motion has no closed form
+    /// that can be relied on.
     pub fn of(parts: &[LinearPart], joints: &[Joint], (ground, duration): (&Ground, f64)) -> Option<Self> {
         let order = Order::of(parts);
         let free: Vec<bool> = order.all(|part| &part.free);
