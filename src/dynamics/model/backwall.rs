@@ -14,7 +14,7 @@ use crate::dynamics::model::coordinates::given_motion::GivenMotion;
 use crate::dynamics::model::coordinates::guided::Guided;
 use crate::dynamics::model::coordinates::guided_on_ground::GuidedOnGround;
 use crate::dynamics::model::moving_ground::MovingGround;
-use crate::dynamics::model::rate_bounds::RateBounds;
+use crate::dynamics::model::rate_bounds::{ModalRates, RateBounds};
 use crate::geometry::Prism;
 use crate::language::Text;
 use crate::scene::{Abutment, BackfillLaw, ResolvedBackfill, Scene, SceneError, SceneErrors, placed};
@@ -113,7 +113,7 @@ impl WallFrame {
             mass: soil.mass,
             gyration2: per_mass.z_axis.z,
             inertia: [inertia, inertia.inverse()],
-            rate_bounds: RateBounds { mobility: 1.0 / soil.mass, stiffest: 0.0 },
+            rate_bounds: RateBounds { mobility: 1.0 / soil.mass, stiffest: 0.0, modal: ModalRates::default() },
             radius,
             prism,
             bearings: Vec::new(),

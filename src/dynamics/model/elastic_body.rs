@@ -11,6 +11,7 @@ use crate::dynamics::model::coordinates::elastic::ElasticGirder;
 use crate::dynamics::model::coordinates::elastic_space::SpatialElasticGirder;
 use crate::dynamics::model::coordinates::modal_springs::ModalDamping;
 use crate::dynamics::model::coordinates::section_forces::Equilibrium;
+use crate::dynamics::model::rate_bounds::ModalRates;
 use crate::dynamics::model::wrench::Wrench;
 
 /// The degrees of freedom of an elastic girder.
@@ -64,6 +65,11 @@ impl ElasticBody {
     /// Acceleration of a corner by a unit force there, at most \[1/kg\].
     pub(in crate::dynamics) fn mobility(&self) -> f64 {
         of_both!(self, girder => girder.mobility())
+    }
+
+    /// Largest rates of its modes on their own springs and dashpots.
+    pub(in crate::dynamics) fn rates(&self) -> ModalRates {
+        of_both!(self, girder => girder.springs().rates())
     }
 
     /// Number of the section of a link's point at this arm from G as placed, world axes \[m\], which is added where there is none.

@@ -9,7 +9,7 @@ use crate::dynamics::model::bearing::{PlanarBearings, Standing};
 use crate::dynamics::model::body::{Body, BodyCoordinates};
 use crate::dynamics::model::coordinates::given_motion::GivenMotion;
 use crate::dynamics::model::ground::compiled;
-use crate::dynamics::model::rate_bounds::RateBounds;
+use crate::dynamics::model::rate_bounds::{ModalRates, RateBounds};
 use crate::geometry::Prism;
 use crate::motion::Ground;
 use crate::motion::support::{GroundPath, RelativeMotion, SupportMotion};
@@ -77,7 +77,7 @@ impl MovingGround {
             inertia: [DMat3::IDENTITY, DMat3::ZERO],
             radius: prism.corners().iter().map(|corner| corner.length()).fold(0.0, f64::max),
             prism,
-            rate_bounds: RateBounds { mobility: 0.0, stiffest: 0.0 },
+            rate_bounds: RateBounds { mobility: 0.0, stiffest: 0.0, modal: ModalRates::default() },
             bearings: Vec::new(),
             standing: Standing::default(),
             planar: PlanarBearings::gather(&[], DMat3::IDENTITY),

@@ -11,6 +11,17 @@ pub struct RateBounds {
     pub mobility: f64,
     /// Largest stiffness per inertia on its bearings \[1/s²\].
     pub stiffest: f64,
+    /// Of the modes of a girder that bends, on their own springs and dashpots: 0 of any other body.
+    pub modal: ModalRates,
+}
+
+/// Largest rates of modes on their own springs and dashpots.
+#[derive(Clone, Copy, Debug, Default, PartialEq)]
+pub struct ModalRates {
+    /// Of a change: circular frequency or dashpot per mass, whichever is larger \[1/s\].
+    pub change: f64,
+    /// Of a decay, `2 ζ ω` \[1/s\]: what the faster of the two exponents of an overdamped mode comes to.
+    pub decay: f64,
 }
 
 impl RateBounds {
@@ -29,7 +40,7 @@ impl RateBounds {
         let sum = bearings.iter().map(|b| b.stiffness_bound(&())).sum::<f64>();
         let damping = bearings.iter().map(|b| b.damping_bound(&())).sum::<f64>() / mass;
         let swing = if tilts { sum / mass * (1.0 + arm2 / smallest) } else { 3.0 * sum / mass };
-        Self { mobility, stiffest: swing.max(damping * damping) }
+        Self { mobility, stiffest: swing.max(damping * damping), modal: ModalRates::default() }
     }
 }
 

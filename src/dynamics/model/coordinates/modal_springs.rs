@@ -1,5 +1,7 @@
 //! Springs and dashpots of the elastic modes of a girder, in plan and in space.
 
+use crate::dynamics::model::rate_bounds::ModalRates;
+
 /// Damping of the elastic modes.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub enum ModalDamping {
@@ -47,6 +49,14 @@ impl ModalSprings {
         self.0.iter()
     }
 
+    /// The largest rates among them.
+    pub(in crate::dynamics) fn rates(&self) -> ModalRates {
+        self.iter().fold(ModalRates::default(), |most, &[k, c]| ModalRates {
+            change: most.change.max(k.sqrt()).max(c),
+            decay: most.decay.max(c),
+        })
+    }
+
     /// Strain energy by the modal coordinates \[J\].
     pub(super) fn strain(&self, q: &[f64]) -> f64 {
         self.iter().zip(q).map(|([k, _], q)| 0.5 * k * q * q).sum()
@@ -62,5 +72,18 @@ impl ModalSprings {
 pub(super) fn widen(most: &mut [[f64; 2]], section: impl Iterator<Item = [f64; 2]>) {
     for (most, own) in most.iter_mut().zip(section) {
         *most = [0, 1].map(|i| most[i].max(own[i]));
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn the_largest_rates_are_those_of_the_highest_mode_or_of_the_most_damped() {
+        let of = |damping| ModalSprings::of([10.0, 1000.0].into_iter(), damping).rates();
+        assert_eq!(of(ModalDamping::Ratio(0.02)), ModalRates { change: 1000.0, decay: 40.0 }, "swings");
+        let heavy = of(ModalDamping::Rayleigh { mass: 0.0, stiffness: 0.5 });
+        assert_eq!(heavy, ModalRates { change: 5e5, decay: 5e5 }, "overdamped: c = β ω² is above ω");
     }
 }

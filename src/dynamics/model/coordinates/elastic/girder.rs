@@ -171,6 +171,11 @@ impl ElasticGirder {
         self.rigid.rate_bounds.mobility + nearest.map(|(end, arm)| of(end, arm)).fold(0.0, f64::max)
     }
 
+    /// Springs and dashpots of its modes.
+    pub(in crate::dynamics) fn springs(&self) -> &ModalSprings {
+        &self.springs
+    }
+
     /// Strain energy of the girder by its modal coordinates \[J\].
     pub fn strain(&self, q: &[f64]) -> f64 {
         self.springs.strain(q)
