@@ -7,6 +7,7 @@
 use crate::dynamics::closing::constants::CLOSING_INTERVAL;
 use crate::dynamics::closing::gap_curvature::GapCurvature;
 use crate::dynamics::closing::step_samples::{StepSamples, excursion, rate_error};
+use crate::dynamics::locate::positive_again::is_positive_again;
 use crate::dynamics::locate::subdivision::{GapSample, Subdivision};
 use crate::dynamics::model::edge_node::{Edge, EdgeEnds};
 use crate::dynamics::world::World;
@@ -88,8 +89,8 @@ fn with_sense(
     if closes_now && begins(world, contact, sense, start) {
         return (Some(start), None);
     }
-    // A gap that is negative, or falls through 0 now beside the edges, was passed over.
-    let armed = armed && gap >= -resolution && !closes_now;
+    // A gap that is negative beyond round-off, or falls through 0 now beside the edges, was passed over.
+    let armed = armed && !is_positive_again(-gap, rate, start, resolution) && !closes_now;
     let pair = world.pairs[world.contacts[contact].pair].slots;
     let bounds = *samples.bounds(world);
     let node = usize::from(slots[0] == pair[1]);

@@ -10,6 +10,7 @@ use crate::dynamics::closing::constants::CLOSING_INTERVAL;
 use crate::dynamics::contact_model::constants::{REGULARISATION_CLOCK, REGULARISATION_FRICTION, REGULARISATION_LEAST};
 use crate::dynamics::contact_model::islands::assemble;
 use crate::dynamics::integrator::step_control::ControllerState;
+use crate::dynamics::locate::constants::RESOLUTION;
 use crate::dynamics::model::body::Point;
 use crate::dynamics::model::coordinates::state_layout::StateLayout;
 use crate::dynamics::model::edge_node::Edge;
@@ -165,6 +166,14 @@ impl AtInstant<'_> {
         let home = self.world.model.contacts[track.site].home_at(&track.place);
         let [node, face] = self.sides(contact);
         home.normal(&node, &face)
+    }
+
+    /// Gap that is round-off of the positions \[m\].
+    pub(in crate::dynamics) fn resolution(&self, contact: usize) -> f64 {
+        let [node, face] = self.sides(contact);
+        let moved = node.shift.length() + face.shift.length();
+        let by_edge = self.edge(contact).map_or(1.0, |edge| edge.amplification(&edge.ends(&node, &face)).max(1.0));
+        RESOLUTION * (self.world.contacts[contact].geometry.size + moved) * by_edge
     }
 
     /// Whether the node is in contact with another face of the same body, of which it touches one at a time.

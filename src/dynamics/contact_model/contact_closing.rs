@@ -152,7 +152,8 @@ impl ContactClosing<'_, '_> {
             }
             let here = self.states.at().local(contact);
             let site = self.states.site(contact);
-            if here.gap >= 0.0 {
+            // What touches as placed is behind by round-off at the most: it closes as the bodies press on each other.
+            if here.gap >= -self.states.at().resolution(contact) {
                 continue;
             }
             // An edge node is at its crossing.

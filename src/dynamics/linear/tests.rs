@@ -33,6 +33,24 @@ fn matrices(free: bool) -> [DMatrix<f64>; 2] {
     both
 }
 
+#[test]
+fn a_motion_that_only_rounding_holds_is_told_by_what_its_exponentials_leave_at_the_start() {
+    let [stiffness, damping] = matrices(false);
+    let sound = Spectrum::of(&stiffness, &damping).expect("a spectrum").start_error(2.0);
+    // A coordinate that moves with two others only, which are a million times as stiff.
+    let row = DMatrix::<f64>::from_row_slice(1, 3, &[1.0, 0.3, -0.2]);
+    let mut held = row.transpose() * row;
+    (held[(1, 1)], held[(2, 2)]) = (held[(1, 1)] + 1e6, held[(2, 2)] + 2e6);
+    let with = |spring: f64| {
+        let mut stiffness = held.clone();
+        // With the others at rest there is no spring but this one.
+        stiffness[(0, 0)] = held[(0, 1)].powi(2) / held[(1, 1)] + held[(0, 2)].powi(2) / held[(2, 2)] + spring;
+        Spectrum::of(&stiffness, &DMatrix::zeros(3, 3)).map_or(f64::INFINITY, |spectrum| spectrum.start_error(2.0))
+    };
+    assert!(sound < 1e-13 && with(1.0) < 1e-12, "{sound} and {}", with(1.0));
+    assert!(with(1e-14) > 1e-6, "{}", with(1e-14));
+}
+
 fn grounds() -> [Ground; 3] {
     let samples = [0.0, 1.5, -2.0, 0.7, 3.0, -1.0, 0.4, 0.0, -0.8, 2.2, 0.3, 0.0];
     let many = (0..40).map(|n| DVec3::new(samples[n % 12], 0.7 * samples[(n + 5) % 12], 0.0));

@@ -99,8 +99,9 @@ impl<A: FnMut(f64) -> GapSample, C: FnMut(&GapSample, f64) -> f64, N: FnMut(f64)
         let later = sample((at + self.delay).min(after.t));
         let first = self.evidence(&later);
         if first > 0.0 {
-            // Without motion at `at` the rate there has no sign.
-            return if (self.rate_error)(at) > 0.0 { at } else { later.t };
+            // Of bodies that move alike until `at` the rate there has no sign.
+            let there = (self.sample)(at);
+            return if self.evidence(&there) > 0.0 { at } else { later.t };
         }
         let last = self.evidence(after);
         let evidence = |t: f64| {

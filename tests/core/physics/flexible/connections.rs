@@ -73,6 +73,29 @@ fn modes_that_decay_at_once_cost_no_steps_of_their_own() {
 }
 
 #[test]
+fn a_deck_that_one_bearing_leaves_free_to_turn_turns_as_in_steps() {
+    // The turning has no spring: of the springs' matrix, coupled with the modes, rounding is left.
+    let on = |bearing: &str, more: &str| {
+        run(&scene(&format!(
+            "name = \"deck\"\nduration_s = 2.0\n[[girder]]\nname = \"deck\"\nlength_m = 30.0\nwidth_m = 10.0\nthickness_m = 1.5\n\
+             mass_kg = 6e5\nskew_deg = 110.0\nelastic = {{ area_m2 = 8.0, modes = 11 }}\ninitial = {{ velocity_m_s = [0.1, -0.07] }}\n\
+             bearings = [{{ at_m = [-4.9, 0.0], damping_n_s_per_m = [0, 0], {bearing} }}{more}]\n"
+        )))
+    };
+    // In steps: a part that yields far away.
+    let wanted = on("stiffness_n_per_m = [1e6, 1e6], yield_force_n = 9e11, yield_displacement_m = 1e5", "");
+    assert!(wanted.effort().steps > 0 && wanted.motion(0, 2.0).theta.abs() > 1e-3, "it turns, in steps");
+    for spring in [0.0, 1e-6, 1e-3] {
+        let second = format!(
+            ", {{ at_m = [3.0, 0.0], damping_n_s_per_m = [0, 0], stiffness_n_per_m = [{spring:?}, {spring:?}] }}"
+        );
+        let more = if spring > 0.0 { second.as_str() } else { "" };
+        let history = on("stiffness_n_per_m = [1e7, 1e7]", more);
+        within(&format!("beside {spring} N/m"), apart(&history, &wanted, 0), 1e-8);
+    }
+}
+
+#[test]
 fn bearings_on_a_pier_that_hardly_moves_are_on_the_ground() {
     let ground = run(&deck(CONCRETE, &|_| LINEAR.to_owned(), ""));
     let on_pier = |x: f64| if x < 0.0 { format!("{LINEAR}, on = \"p\"") } else { LINEAR.to_owned() };
