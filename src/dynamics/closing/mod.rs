@@ -14,4 +14,4 @@ mod link_motion;
 pub mod next_closing;
 mod phase_end;
 pub(in crate::dynamics) mod shared;
-mod step_samples;
+pub(in crate::dynamics) mod step_samples;

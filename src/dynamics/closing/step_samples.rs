@@ -27,6 +27,11 @@ pub(super) fn resolution(world: &World, contact: usize, t: f64) -> f64 {
     RESOLUTION * (track.geometry.size + moved)
 }
 
+/// The same with node's and face's body in these poses \[m\].
+pub(in crate::dynamics) fn resolution_in(world: &World, contact: usize, sides: [&Frame; 2]) -> f64 {
+    RESOLUTION * (world.contacts[contact].geometry.size + sides.map(|side| side.shift.length()).iter().sum::<f64>())
+}
+
 /// Poses of a pair's bodies at the sample times of a planned step, shared by its contacts.
 pub(super) struct StepSamples {
     pub times: [f64; STEP_SAMPLES],

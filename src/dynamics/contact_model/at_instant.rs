@@ -7,10 +7,10 @@ use glam::{DMat2, DMat3, DVec2, DVec3};
 use crate::contact::parameters::is_over;
 use crate::contact::{Frame, FrictionLaw, Home, Law, Local, Mode, NormalLaw, locate};
 use crate::dynamics::closing::constants::CLOSING_INTERVAL;
+use crate::dynamics::closing::step_samples::resolution_in;
 use crate::dynamics::contact_model::constants::{REGULARISATION_CLOCK, REGULARISATION_FRICTION, REGULARISATION_LEAST};
 use crate::dynamics::contact_model::islands::assemble;
 use crate::dynamics::integrator::step_control::ControllerState;
-use crate::dynamics::locate::constants::RESOLUTION;
 use crate::dynamics::model::body::Point;
 use crate::dynamics::model::coordinates::state_layout::StateLayout;
 use crate::dynamics::model::edge_node::Edge;
@@ -171,9 +171,8 @@ impl AtInstant<'_> {
     /// Gap that is round-off of the positions \[m\].
     pub(in crate::dynamics) fn resolution(&self, contact: usize) -> f64 {
         let [node, face] = self.sides(contact);
-        let moved = node.shift.length() + face.shift.length();
         let by_edge = self.edge(contact).map_or(1.0, |edge| edge.amplification(&edge.ends(&node, &face)).max(1.0));
-        RESOLUTION * (self.world.contacts[contact].geometry.size + moved) * by_edge
+        resolution_in(self.world, contact, [&node, &face]) * by_edge
     }
 
     /// Whether the node is in contact with another face of the same body, of which it touches one at a time.

@@ -1,6 +1,7 @@
 //! Closing of contacts at an event (`docs/physics.md#closing`): at the face, inside it, at t = 0.
 
 use glam::DVec2;
+use smallvec::SmallVec;
 
 use crate::contact::{Mode, NormalLaw};
 use crate::dynamics::contact_model::contact_law;
@@ -8,6 +9,7 @@ use crate::dynamics::contact_model::contact_states::ContactStates;
 use crate::dynamics::contact_model::vertices::VertexNodes;
 use crate::dynamics::penalty3d::contact_state::{ClosedContact, Contact};
 use crate::dynamics::record::event::EventKind;
+use crate::dynamics::world::contact_points;
 use crate::dynamics::world::tracks::ContactTrack;
 
 /// Closes contacts.
@@ -97,21 +99,38 @@ impl ContactClosing<'_, '_> {
         self.states.log(contact, Contact::Closed(closed), kind, -closed.law.entry_energy(&here));
     }
 
-    /// Closing of a contact whose node is inside already, in place of the contact `left` of the same two bodies, which was in state `before`.
-    /// The energy of the normal spring is at most that of the one before: where it would be more, this contact's part of K and C is
-    /// the smaller. It is kept up to `kept` beyond the edges of its face \[m\].
-    pub(super) fn close_in_place_of(&mut self, (left, before): (usize, &ClosedContact), contact: usize, kept: f64) {
-        let [energy, whole] = [
-            before.law.normal.stored_energy(self.states.here(left).penetration()),
-            contact_law::of(self.states.world, contact, self.states.now).entry_energy(&self.states.here(contact)),
-        ];
-        let track = &mut self.states.world.contacts[contact];
-        track.has_part = true;
-        if energy > 0.0 && whole > energy {
-            track.sharers *= whole / energy;
+    /// Closing of a contact whose node is inside already, and of the other node of its crossing, in place of contacts `left` of the same two
+    /// bodies, which were in these states. The energy of the normal springs is at most that of those before: where it would be more, the
+    /// parts of K and C are the smaller. They are kept up to `kept` beyond the edges of their faces \[m\].
+    pub(super) fn close_in_place_of(&mut self, left: &[(usize, ClosedContact)], contact: usize, kept: f64) {
+        let other = contact_points::twin(self.states.world, contact).filter(|&other| {
+            let poses = |c: usize| self.states.at().sides(c);
+            self.states.world.contacts[other].state.closed().is_none()
+                && contact_points::crossing_of_met(self.states.world, other, &poses).is_some()
+        });
+        let entering: SmallVec<[usize; 2]> = std::iter::once(contact).chain(other).collect();
+        for &node in &entering {
+            self.states.place(node, 0.0);
         }
-        self.states.world.contacts[left].has_part = false;
-        self.close_inside(contact, kept);
+        let energy = |(left, before): &(usize, ClosedContact)| {
+            before.law.normal.stored_energy(self.states.here(*left).penetration())
+        };
+        let energy: f64 = left.iter().map(energy).sum();
+        let whole = |&node: &usize| {
+            contact_law::of(self.states.world, node, self.states.now).entry_energy(&self.states.here(node))
+        };
+        let whole: f64 = entering.iter().map(whole).sum();
+        for (left, _) in left {
+            self.states.world.contacts[*left].has_part = false;
+        }
+        for node in entering {
+            let track = &mut self.states.world.contacts[node];
+            track.has_part = true;
+            if energy > 0.0 && whole > energy {
+                track.sharers *= whole / energy;
+            }
+            self.close_inside(node, kept);
+        }
     }
 
     /// State of a contact whose node is inside already: stick with the anchor at the projection, slip where `μ_s = 0`.

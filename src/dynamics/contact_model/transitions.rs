@@ -1,6 +1,7 @@
 //! Transitions of a closed contact at an event: breakaway, stop, opening, leaving its face (`docs/physics.md#contact-events`).
 
 use glam::DVec3;
+use smallvec::{SmallVec, smallvec};
 
 use crate::contact::{FrictionLaw, Mode, locate};
 use crate::dynamics::contact_model::contact_closing::ContactClosing;
@@ -10,6 +11,7 @@ use crate::dynamics::contact_model::vertices::VertexNodes;
 use crate::dynamics::penalty3d::contact_state::{ClosedContact, Contact};
 use crate::dynamics::penalty3d::due::Reason;
 use crate::dynamics::record::event::EventKind;
+use crate::dynamics::world::contact_points;
 use crate::dynamics::world::tracks::ChangeCount;
 
 /// Changes closed contacts.
@@ -79,8 +81,7 @@ impl<'a> Transitions<'_, 'a> {
         let open = self.states.world.contacts[least.contact].state.closed().is_none();
         let carried = passed_on || self.states.at().is_carried_beside(contact, least.depth);
         if open && !carried && !self.states.at().touches_elsewhere(least.contact) {
-            self.states.place(least.contact, 0.0);
-            self.closing().close_in_place_of((contact, &closed), least.contact, 2.0 * least.depth);
+            self.closing().close_in_place_of(&[(contact, closed)], least.contact, 2.0 * least.depth);
         }
     }
 
@@ -96,8 +97,13 @@ impl<'a> Transitions<'_, 'a> {
             self.states.world.contacts[contact].granted = 2.0 * (least - here).max(counts);
             return;
         };
-        // Not to the nodes at its vertex, which are no deeper.
-        self.release(contact, closed, EventKind::LeftFace);
+        // Not to the nodes at its vertex, which are no deeper: the other one of the same crossing goes with it.
+        let mut left: SmallVec<[(usize, ClosedContact); 2]> = smallvec![(contact, *closed)];
+        let other = contact_points::twin(self.states.world, contact).filter(|&other| other != to);
+        left.extend(other.and_then(|other| Some((other, *self.states.world.contacts[other].state.closed()?))));
+        for (leaving, closed) in &left {
+            self.release(*leaving, closed, EventKind::LeftFace);
+        }
         self.states.forget_sharers_of_open(contact);
         for rival in self.states.world.contacts[to].rivals.clone() {
             if let Some(state) = self.states.world.contacts[rival].state.closed().copied() {
@@ -105,8 +111,7 @@ impl<'a> Transitions<'_, 'a> {
             }
         }
         if self.states.world.contacts[to].state.closed().is_none() {
-            self.states.place(to, 0.0);
-            self.closing().close_in_place_of((contact, closed), to, 2.0 * least);
+            self.closing().close_in_place_of(&left, to, 2.0 * least);
         }
     }
 

@@ -8,6 +8,7 @@ use glam::DVec2;
 use crate::contact::{Local, Mode, NormalLaw};
 use crate::dynamics::contact_model::contact_law;
 use crate::dynamics::contact_model::contact_states::ContactStates;
+use crate::dynamics::model::edge_node::LEAST_SINE;
 use crate::dynamics::model::edge_node::node_place::NodePlace;
 use crate::dynamics::penalty3d::contact_force::to_world;
 use crate::dynamics::penalty3d::contact_state::{ClosedContact, Contact};
@@ -76,9 +77,10 @@ impl VertexNodes<'_, '_> {
         if have_met && tilt > FLUSH {
             return None;
         }
-        // Faces that are not parallel see a vertex at places that differ by the depth times the sine of their angle; a node that took over
-        // when that was more has gone on as far beside its face.
-        let apart = self.states.here(contact).penetration().max(0.0) * tilt + closed.solver.passes_at.unwrap_or(0.0);
+        // Faces that are not parallel see a vertex at places that differ, across an edge, by the depth times the sine of their angle; a corner
+        // that took over beside its face has gone on as far. Along the other edge that is more by the sine of the angle between the two.
+        let beside = self.states.here(contact).penetration().max(0.0) * tilt;
+        let apart = (beside + closed.solver.passes_at.unwrap_or(closed.solver.kept)) / LEAST_SINE;
         let reaches = [[0.0, 0.0], [apart, 0.0], [apart, apart]].into_iter();
         reaches.map(|reach| (self.at_vertex_of(contact, reach), reach[1])).find(|([nodes, _], _)| !nodes.is_empty())
     }

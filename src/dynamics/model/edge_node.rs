@@ -25,7 +25,7 @@ pub mod node_place;
 
 /// Least sine of the angle between an edge and a side that it crosses \[–\]: 30°. Edges closer to parallel
 /// cross anywhere along their length at the least roll, and bound a sliver only.
-const LEAST_SINE: f64 = 0.5;
+pub(in crate::dynamics) const LEAST_SINE: f64 = 0.5;
 
 /// Two edges of bodies that have met have no contact where the sine of their angle is below [`LEAST_SINE`] and its product with the sine
 /// of the angle between their common perpendicular and the nearer face's normal is below this \[–\]: a corner enters before the edges

@@ -36,9 +36,11 @@ pub(in crate::dynamics) fn sharers(world: &World, pair: usize, poses: Poses<'_>)
     let corners = contacts.clone().filter_map(|c| Some((c, corner_vertex(world, c, poses, slack(world, c))?)));
     let mut vertices = gathered(corners, near);
     let crossings = contacts.clone().filter_map(|c| Some((c, edge_vertex(world, c, poses, slack(world, c))?.1)));
-    let free = crossings.filter(|(_, at)| vertices.iter().all(|vertex| (vertex.at - *at).length() > near));
+    let crossings: Vec<(usize, DVec2)> = crossings.collect();
+    let seen = crossings.iter().map(|&crossing| (crossing.0, seen_once(world, &crossings, crossing)));
+    let free = seen.filter(|(_, at)| vertices.iter().all(|vertex| (vertex.at - *at).length() > near));
     let free: Vec<(usize, DVec2)> = free.collect();
-    vertices.extend(gathered(free.iter().map(|&crossing| (crossing.0, seen_once(world, &free, crossing))), near));
+    vertices.extend(gathered(free.into_iter(), near));
     let nodes = |contact: usize| {
         let own = vertices.iter().find(|vertex| vertex.nodes.contains(&contact));
         own.map_or(if is_shared(world, contact) { 2 } else { 1 }, |vertex| vertex.nodes.len())
@@ -46,15 +48,16 @@ pub(in crate::dynamics) fn sharers(world: &World, pair: usize, poses: Poses<'_>)
     (vertices.len().max(1), contacts.map(nodes).collect())
 }
 
-/// Place of a crossing: of two nodes at one crossing of bodies that have met that of the first. Faces at any angle see two edges that
-/// are apart cross at different places.
+/// Place of a crossing: of two nodes at one crossing that of the first. Faces that are not parallel see two edges that are apart cross at
+/// different places.
 fn seen_once(world: &World, all: &[(usize, DVec2)], (node, at): (usize, DVec2)) -> DVec2 {
-    let has_met = world.pairs[world.contacts[node].pair].meeting.is_some();
-    if !has_met || !is_shared(world, node) || is_of_first(world, node) {
-        return at;
-    }
-    // The two nodes of a crossing are declared one after the other.
-    all.iter().find(|(other, _)| other + 1 == node).map_or(at, |(_, first)| *first)
+    let first = twin(world, node).filter(|&other| other < node);
+    first.and_then(|first| all.iter().find(|(other, _)| *other == first)).map_or(at, |(_, seen)| *seen)
+}
+
+/// The other of two nodes at one crossing, on the other edge: they are declared one after the other, that of the first side first.
+pub(in crate::dynamics) fn twin(world: &World, contact: usize) -> Option<usize> {
+    is_shared(world, contact).then(|| if is_of_first(world, contact) { contact + 1 } else { contact - 1 })
 }
 
 /// The nodes at the vertex that the node of `contact` has left, or, with an extra distance, the nearest one as far as that, with a
@@ -67,7 +70,7 @@ pub(in crate::dynamics) fn at_vertex_of(
     poses: Poses<'_>,
 ) -> [Vec<usize>; 2] {
     let pair = world.contacts[contact].pair;
-    let left = place(world, contact, poses);
+    let (left, other) = (place(world, contact, poses), twin(world, contact));
     let near = one_vertex(world, pair) + extra + if is_edge(world, contact) { slide(world, contact) } else { 0.0 };
     let here = |c: usize| {
         let at = if is_edge(world, c) {
@@ -75,7 +78,8 @@ pub(in crate::dynamics) fn at_vertex_of(
         } else {
             corner_vertex(world, c, poses, beyond)
         };
-        let distance = (at? - left).length();
+        // The other node of the same crossing is at the vertex wherever its face sees that.
+        let distance = if other == Some(c) { at.map(|_| 0.0)? } else { (at? - left).length() };
         (c != contact && distance <= near).then_some((c, distance))
     };
     let contacts = world.pairs[pair].contacts.clone();
@@ -86,7 +90,7 @@ pub(in crate::dynamics) fn at_vertex_of(
     let gone = |&c: &usize| {
         let near = near + if is_edge(world, c) { slide(world, c) } else { 0.0 };
         let is_closed = world.contacts[c].state.closed().is_some();
-        is_closed && !nodes.contains(&c) && (place(world, c, poses) - left).length() <= near
+        is_closed && !nodes.contains(&c) && (other == Some(c) || (place(world, c, poses) - left).length() <= near)
     };
     let gone = contacts.filter(gone).collect();
     [nodes, gone]

@@ -233,3 +233,24 @@ fn decks_that_touch_side_by_side_as_placed_do_not_pass_through_each_other() {
         expect_carried(&touching);
     }
 }
+
+#[test]
+fn the_order_of_girders_in_the_file_does_not_matter_where_a_block_lands_over_an_edge() {
+    let base = format!(
+        "[[girder]]\nname = \"base\"\nlength_m = 0.3\nwidth_m = 0.2\nthickness_m = 0.05\nmass_kg = 4.0\nposition_m = [0, 0, 0]\n{FIXED}"
+    );
+    let block = "[[girder]]\nname = \"block\"\nlength_m = 0.12\nwidth_m = 0.1\nthickness_m = 0.04\nmass_kg = 1.5\n\
+                 position_m = [-0.02, -0.07, 0.06]\nheading_deg = 14.0\n\
+                 initial = { velocity_m_s = [0.16, -0.05, -0.35], roll_deg = -0.2, pitch_deg = 0.6, spin_deg_s = 17.0 }\n";
+    let lands = |girders: [&str; 2], own: usize| {
+        let history = run(&scene(&format!(
+            "name = \"landing\"\nkind = \"spatial\"\nduration_s = 0.15\n[contact]\nstiffness_n_per_m = 5e4\nrestitution_normal = 0.6\n\
+             mu_static = 0.0\nmu_kinetic = 0.0\n{}{}",
+            girders[0], girders[1]
+        )));
+        history.motion(own, history.end())
+    };
+    let (first, second) = (lands([&base, block], 1), lands([block, &base], 0));
+    within("place", (first.displacement - second.displacement).length(), 1e-9);
+    within("attitude", (first.attitude.xyz() - second.attitude.xyz()).length(), 1e-9);
+}
