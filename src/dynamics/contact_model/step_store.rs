@@ -148,7 +148,7 @@ fn logged_states(world: &World, island: &Island) -> Option<Vec<LoggedState>> {
         let entry = track.log.latest()?;
         let mut logged = active.closed;
         // What these decide are events, not the forces of a step.
-        (logged.solver.retries, logged.solver.passes_at) = (0, None);
+        (logged.solver.retries, logged.solver.passes_at, logged.solver.beside) = (0, None, 0.0);
         let same = track.log.closed(entry) == Some(logged);
         same.then_some(LoggedState { site: u32::try_from(track.site).ok()?, entry })
     };

@@ -80,7 +80,7 @@ impl VertexNodes<'_, '_> {
         // Faces that are not parallel see a vertex at places that differ, across an edge, by the depth times the sine of their angle; a corner
         // that took over beside its face has gone on as far. Along the other edge that is more by the sine of the angle between the two.
         let beside = self.states.here(contact).penetration().max(0.0) * tilt;
-        let apart = (beside + closed.solver.passes_at.unwrap_or(closed.solver.kept)) / LEAST_SINE;
+        let apart = (beside + closed.solver.beside) / LEAST_SINE;
         let reaches = [[0.0, 0.0], [apart, 0.0], [apart, apart]].into_iter();
         reaches.map(|reach| (self.at_vertex_of(contact, reach), reach[1])).find(|([nodes, _], _)| !nodes.is_empty())
     }
@@ -221,7 +221,7 @@ impl VertexNodes<'_, '_> {
         let mut closed = ClosedContact::new(law, mode, regularisation);
         closed.solver.kept = if self.states.at().edge(node).is_some() { 0.0 } else { carried.kept };
         // It may be beside its face by as much as the faces' angle has it seen there.
-        closed.solver.passes_at = Some(carried.kept);
+        (closed.solver.passes_at, closed.solver.beside) = (Some(carried.kept), carried.kept);
         self.states.world.contacts[node].closing = None;
         let place = self.states.world.contacts[node].place;
         self.enter(node, (closed, kind), (place, carried.depth, at(along)), 0.0);

@@ -52,6 +52,8 @@ pub struct SolverState {
     /// Between bodies that have met, how far beyond the polygon of its face a corner's projection passes its vertex on \[m\]; `None` for one
     /// that has, or that closed beyond: the planes of the faces around bound the contact.
     pub passes_at: Option<f64>,
+    /// How far beside its face a corner may have been where it took over a vertex from another node \[m\].
+    pub beside: f64,
 }
 
 impl ClosedContact {
