@@ -54,6 +54,8 @@ cargo build --locked --bin girderbench --profile web --target "$target" --no-def
 mkdir -p "$out"
 wasm-bindgen --target web --no-typescript --remove-name-section --remove-producers-section --out-dir "$out" \
   "${CARGO_TARGET_DIR:-target}/$target/web/girderbench.wasm"
+# Comments and indentation of the generated script, 1.4 kB of its 23 compressed.
+sed -i -E '/^ *(\/\/|\/\*\*|\*)/d; s/^ +//' "$out/girderbench.js"
 cp assets/web/index.html "$out/"
 size=$(cat "$out"/* | gzip -9 | wc -c)
 echo "web: $out, $size bytes gzipped"

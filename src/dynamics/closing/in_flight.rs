@@ -10,9 +10,9 @@ use crate::dynamics::closing::constants::CUT_SEARCH_WORK;
 use crate::dynamics::closing::flight_view::{FlightSample, horizon, remember};
 use crate::dynamics::closing::found::NextClosing;
 use crate::dynamics::closing::shared::{Shared, in_block};
+use crate::dynamics::closing::step_samples::resolution_of;
 use crate::dynamics::locate::advancement::{AdvanceOutcome, Advancement, BoundedGap, polish};
 use crate::dynamics::locate::constants::MAX_ADVANCES;
-use crate::dynamics::locate::constants::RESOLUTION;
 use crate::dynamics::locate::positive_again::is_positive_again;
 use crate::dynamics::locate::root::root;
 use crate::dynamics::model::motion_bounds::MotionBounds;
@@ -106,7 +106,7 @@ fn open<'a>(world: &'a World, pair: usize, [t, until]: [f64; 2], sample: &Flight
         let mut open_contact = OpenContact { contact, site, geometry, sides, sections, advancement };
         let of_corner = (sections != own).then(|| FlightSample::of(world, slots, sections, t, until));
         let sample = of_corner.as_ref().unwrap_or(sample);
-        let (here, resolution) = (open_contact.bounded_gap(sample), RESOLUTION * (geometry.size + moved));
+        let (here, resolution) = (open_contact.bounded_gap(sample), resolution_of(world, contact, moved));
         let armed = armed || is_positive_again(here.gap, here.rate, t, resolution);
         open_contact.advancement = Advancement::begin(here, armed, resolution);
         Some(open_contact)

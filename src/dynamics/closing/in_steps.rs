@@ -6,7 +6,6 @@ use crate::dynamics::closing::edge_in_step;
 use crate::dynamics::closing::gap_curvature::GapCurvature;
 use crate::dynamics::closing::shared::Shared;
 use crate::dynamics::closing::step_samples::{StepSamples, excursion, rate_error, resolution};
-use crate::dynamics::locate::constants::RESOLUTION;
 use crate::dynamics::locate::positive_again::is_positive_again;
 use crate::dynamics::locate::subdivision::{GapSample, Subdivision};
 use crate::dynamics::penalty3d::contact_state::Contact;
@@ -162,8 +161,7 @@ fn in_step(world: &World, contact: usize, samples: &mut StepSamples, armed: bool
     if armed && before.gap > excursions.sum::<f64>() {
         return (None, None);
     }
-    let moved: f64 = track.slots.iter().map(|&slot| slot.map_or(0.0, |_| samples.side(slot, 0).shift.length())).sum();
-    let resolution = RESOLUTION * (track.geometry.size + moved);
+    let resolution = samples.resolution(world, contact);
     if armed
         && before.gap <= resolution
         && before.gap_rate < -rate_error(world, contact, samples.sides(world, contact, 0))

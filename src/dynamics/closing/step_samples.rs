@@ -21,15 +21,14 @@ const CORNERS: usize = 8;
 /// Depth of an excursion of the gap below zero that is round-off at `t` \[m\].
 pub(super) fn resolution(world: &World, contact: usize, t: f64) -> f64 {
     let track = &world.contacts[contact];
-    // The round-off of positions grows with the displacement of the bodies.
     let sides = track.slots.into_iter().zip(track.sections);
-    let moved: f64 = sides.filter_map(|(slot, section)| Some(world.frame(slot?, section, t).shift.length())).sum();
-    RESOLUTION * (track.geometry.size + moved)
+    let moved = sides.filter_map(|(slot, section)| Some(world.frame(slot?, section, t).shift.length()));
+    resolution_of(world, contact, moved.sum())
 }
 
-/// The same with node's and face's body in these poses \[m\].
-pub(in crate::dynamics) fn resolution_in(world: &World, contact: usize, sides: [&Frame; 2]) -> f64 {
-    RESOLUTION * (world.contacts[contact].geometry.size + sides.map(|side| side.shift.length()).iter().sum::<f64>())
+/// The same with the bodies `moved` together from where they were placed \[m\]: the round-off of positions grows with that.
+pub(in crate::dynamics) fn resolution_of(world: &World, contact: usize, moved: f64) -> f64 {
+    RESOLUTION * (world.contacts[contact].geometry.size + moved)
 }
 
 /// Poses of a pair's bodies at the sample times of a planned step, shared by its contacts.
@@ -145,7 +144,7 @@ impl StepSamples {
     pub(super) fn resolution(&self, world: &World, contact: usize) -> f64 {
         let track = &world.contacts[contact];
         let moved: f64 = track.slots.into_iter().flatten().map(|slot| self.side(Some(slot), 0).shift.length()).sum();
-        RESOLUTION * (track.geometry.size + moved)
+        resolution_of(world, contact, moved)
     }
 
     pub(super) fn local(&self, world: &World, contact: usize, i: usize) -> Local {

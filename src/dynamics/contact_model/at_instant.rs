@@ -7,7 +7,7 @@ use glam::{DMat2, DMat3, DVec2, DVec3};
 use crate::contact::parameters::is_over;
 use crate::contact::{Frame, FrictionLaw, Home, Law, Local, Mode, NormalLaw, locate};
 use crate::dynamics::closing::constants::CLOSING_INTERVAL;
-use crate::dynamics::closing::step_samples::resolution_in;
+use crate::dynamics::closing::step_samples::resolution_of;
 use crate::dynamics::contact_model::constants::{REGULARISATION_CLOCK, REGULARISATION_FRICTION, REGULARISATION_LEAST};
 use crate::dynamics::contact_model::islands::assemble;
 use crate::dynamics::integrator::step_control::ControllerState;
@@ -169,10 +169,10 @@ impl AtInstant<'_> {
     }
 
     /// Gap that is round-off of the positions \[m\].
-    pub(in crate::dynamics) fn resolution(&self, contact: usize) -> f64 {
+    pub(super) fn resolution(&self, contact: usize) -> f64 {
         let [node, face] = self.sides(contact);
         let by_edge = self.edge(contact).map_or(1.0, |edge| edge.amplification(&edge.ends(&node, &face)).max(1.0));
-        resolution_in(self.world, contact, [&node, &face]) * by_edge
+        resolution_of(self.world, contact, node.shift.length() + face.shift.length()) * by_edge
     }
 
     /// Whether the node is in contact with another face of the same body, of which it touches one at a time.

@@ -1,7 +1,6 @@
 //! Closing of contacts at an event (`docs/physics.md#closing`): at the face, inside it, at t = 0.
 
 use glam::DVec2;
-use smallvec::SmallVec;
 
 use crate::contact::{Mode, NormalLaw};
 use crate::dynamics::contact_model::contact_law;
@@ -103,12 +102,13 @@ impl ContactClosing<'_, '_> {
     /// bodies, which were in these states. The energy of the normal springs is at most that of those before: where it would be more, the
     /// parts of K and C are the smaller. They are kept up to `kept` beyond the edges of their faces \[m\].
     pub(super) fn close_in_place_of(&mut self, left: &[(usize, ClosedContact)], contact: usize, kept: f64) {
-        let other = contact_points::twin(self.states.world, contact).filter(|&other| {
+        let other = contact_points::other_of_crossing(self.states.world, contact).filter(|&other| {
             let poses = |c: usize| self.states.at().sides(c);
             self.states.world.contacts[other].state.closed().is_none()
+                && left.iter().all(|(left, _)| *left != other)
                 && contact_points::crossing_of_met(self.states.world, other, &poses).is_some()
         });
-        let entering: SmallVec<[usize; 2]> = std::iter::once(contact).chain(other).collect();
+        let entering: Vec<usize> = std::iter::once(contact).chain(other).collect();
         for &node in &entering {
             self.states.place(node, 0.0);
         }

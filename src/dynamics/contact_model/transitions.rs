@@ -1,7 +1,6 @@
 //! Transitions of a closed contact at an event: breakaway, stop, opening, leaving its face (`docs/physics.md#contact-events`).
 
 use glam::DVec3;
-use smallvec::{SmallVec, smallvec};
 
 use crate::contact::{FrictionLaw, Mode, locate};
 use crate::dynamics::contact_model::contact_closing::ContactClosing;
@@ -98,8 +97,8 @@ impl<'a> Transitions<'_, 'a> {
             return;
         };
         // Not to the nodes at its vertex, which are no deeper: the other one of the same crossing goes with it.
-        let mut left: SmallVec<[(usize, ClosedContact); 2]> = smallvec![(contact, *closed)];
-        let other = contact_points::twin(self.states.world, contact).filter(|&other| other != to);
+        let mut left = vec![(contact, *closed)];
+        let other = contact_points::other_of_crossing(self.states.world, contact).filter(|&other| other != to);
         left.extend(other.and_then(|other| Some((other, *self.states.world.contacts[other].state.closed()?))));
         for (leaving, closed) in &left {
             self.release(*leaving, closed, EventKind::LeftFace);

@@ -53,18 +53,19 @@ impl Spectrum {
         Some(Self { size, drifts, exponents: all.into_iter().map(|pair| pair.exponent).collect(), shapes, left })
     }
 
-    /// What the exponentials leave, for rounding, of displacements that begin at 0 with unit speeds, which sum to 0: in parts of what the
-    /// speeds move in a run of `duration` \[s\]. Each exponential is as large as the speed over its exponent: of bodies that no spring
-    /// keeps from turning the rounding of the others' stiffness does, and their displacements are differences of what is 1e8 times as large.
+    /// Rounding of the displacements of motions that begin at 0 with unit speeds, where the exponentials should sum to 0, in parts of
+    /// what these speeds move in a run of `duration` \[s\], or in `1/|λ|` of the slowest exponent. An exponential is as large as the speed
+    /// over its exponent: of a motion that only the rounding of the stiffness holds, 1e7 and more times the displacement.
     pub fn start_error(&self, duration: f64) -> f64 {
-        let mut left = DMatrix::<f64>::zeros(self.size, self.size);
-        for k in 0..self.exponents.len() {
-            let part = self.shapes.column(k) * self.left.view((k, self.size), (1, self.size));
-            left += part.map(|part| part.re * self.share(k));
-        }
+        let n = self.size;
+        let left = |i: usize, j: usize| -> f64 {
+            let part = |k: usize| self.share(k) * (self.shapes[(i, k)] * self.left[(k, n + j)]).re;
+            (0..self.exponents.len()).map(part).sum()
+        };
+        let left: f64 = (0..n * n).map(|place| left(place / n, place % n).powi(2)).sum();
         let rates = self.exponents.iter().map(|exponent| exponent.norm());
         let slowest = rates.reduce(f64::min).unwrap_or(0.0);
-        left.norm() * slowest.max(duration.recip())
+        left.sqrt() * slowest.max(duration.recip())
     }
 
     /// What the real part of `v_k c_k` counts: twice for one of a conjugate pair.

@@ -68,7 +68,7 @@ impl ElasticBody {
     }
 
     /// Largest rates of its modes on their own springs and dashpots.
-    pub(in crate::dynamics) fn rates(&self) -> ModalRates {
+    pub(in crate::dynamics) fn modal_rates(&self) -> ModalRates {
         of_both!(self, girder => girder.springs().rates())
     }
 

@@ -97,7 +97,7 @@ fn one(scene: &Scene, elastic: &Elastic, (number, facings): (usize, &[Facing]), 
         if has_met {
             made.add_flanks();
         }
-        (body.rate_bounds.mobility, body.rate_bounds.modal) = (made.mobility(), made.rates());
+        (body.rate_bounds.mobility, body.rate_bounds.modal) = (made.mobility(), made.modal_rates());
         // No closed form of motion along an axis in space.
         body.straight = body.straight.map(|straight| straight && matches!(made, ElasticBody::Plan(_)));
         body.coordinates = made.coordinates();

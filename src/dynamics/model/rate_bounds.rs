@@ -24,6 +24,13 @@ pub struct ModalRates {
     pub decay: f64,
 }
 
+impl ModalRates {
+    /// The larger ones of both.
+    pub(in crate::dynamics) fn max(self, other: Self) -> Self {
+        Self { change: self.change.max(other.change), decay: self.decay.max(other.decay) }
+    }
+}
+
 impl RateBounds {
     /// Of a body of that shape and mass, free in these directions, on these bearings.
     pub(in crate::dynamics) fn of(

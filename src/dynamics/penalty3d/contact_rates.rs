@@ -40,15 +40,15 @@ fn mobility(model: &Model, active: &ActiveContact) -> f64 {
     pair.bodies.iter().flatten().map(|&b| model.bodies[b].rate_bounds.mobility).sum::<f64>()
 }
 
-/// Upper bound of the decay rate of all dashpots acting together \[1/s\]: the largest sum of the row sums
-/// (Gershgorin) of the two bodies of a connection, with levers as placed, and of their modes.
+/// Upper bound of the decay rate of all dashpots of connections acting together \[1/s\]: the largest sum of the row sums
+/// (Gershgorin) of the two bodies of a connection, with levers as placed.
 pub(in crate::dynamics) fn decay(
     model: &Model,
     bodies: &[usize],
     active: &[ActiveContact],
     links: &[ActiveLink],
 ) -> f64 {
-    let mut sums: Vec<f64> = bodies.iter().map(|&b| model.bodies[b].rate_bounds.modal.decay).collect();
+    let mut sums = vec![0.0; bodies.len()];
     for a in active {
         let home = model.contacts[a.site].home_at(&a.closed.place);
         let [node, face] = model.sections(a.site);
@@ -65,7 +65,7 @@ pub(in crate::dynamics) fn decay(
     }
     let apart = |sides: [Option<usize>; 2]| sides.into_iter().flatten().map(|i| sums[i]).sum::<f64>();
     let sides = active.iter().map(|a| [a.node, a.face]).chain(links.iter().map(|link| link.ends));
-    sides.map(apart).chain(sums.iter().copied()).fold(0.0, f64::max)
+    sides.map(apart).fold(0.0, f64::max)
 }
 
 /// Upper bound of the decay rate that the dashpots of one contact give one body \[1/s\]: largest row sum of

@@ -3,6 +3,7 @@
 use crate::contact::Frame;
 use crate::dynamics::Model;
 use crate::dynamics::model::coordinates::state_layout::StateLayout;
+use crate::dynamics::model::rate_bounds::ModalRates;
 use crate::dynamics::model::reference_pose::ReferencePose;
 use crate::dynamics::penalty3d::active_contact::ActiveContact;
 use crate::dynamics::penalty3d::active_link::ActiveLink;
@@ -32,6 +33,8 @@ pub(in crate::dynamics) struct CoupledSystem {
     pub omega: f64,
     /// Largest decay rate of the dashpot of a single connection \[1/s\].
     pub quickest: f64,
+    /// Largest rates of the modes of its girders.
+    pub modal: ModalRates,
     /// Upper bound of the decay rate of all dashpots together \[1/s\]; `None` until it is needed.
     decay: Option<f64>,
 }
@@ -74,6 +77,7 @@ impl CoupledSystem {
             met,
             omega: fastest(model, &bodies, &active, &links),
             quickest: quickest(model, &active, &links),
+            modal: bodies.iter().fold(ModalRates::default(), |most, &b| most.max(model.bodies[b].rate_bounds.modal)),
             ..Self::without_rates((bodies, layout, bases), active, links, radii)
         };
         for section in of_met {
@@ -94,8 +98,8 @@ impl CoupledSystem {
         let of_contacts = active.iter().flat_map(|a| ends([a.node, a.face], a.sections));
         let of_links = links.iter().flat_map(|link| ends(link.ends, link.sections));
         first.chain(of_contacts).chain(of_links).for_each(|section| acted_on[section] = true);
-        let (met, omega, quickest) = (Vec::new(), 0.0, 0.0);
-        Self { bodies, layout, bases, active, met, links, acted_on, radii, omega, quickest, decay: None }
+        let (met, omega, quickest, modal) = (Vec::new(), 0.0, 0.0, ModalRates::default());
+        Self { bodies, layout, bases, active, met, links, acted_on, radii, omega, quickest, modal, decay: None }
     }
 
     /// Whether no force acts between its bodies, or on them from the ground, but those of their bearings, standing or lost.
@@ -126,7 +130,7 @@ impl CoupledSystem {
 
     /// Upper bound of the decay rate of all dashpots together \[1/s\].
     pub(in crate::dynamics) fn decay_bound(&mut self, model: &Model) -> f64 {
-        *self.decay.get_or_insert_with(|| decay(model, &self.bodies, &self.active, &self.links))
+        *self.decay.get_or_insert_with(|| self.modal.decay + decay(model, &self.bodies, &self.active, &self.links))
     }
 }
 

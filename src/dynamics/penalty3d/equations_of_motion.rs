@@ -139,8 +139,8 @@ impl ImplicitSystem for EquationsOfMotion<'_> {
     }
 
     fn rate_bound(&self) -> f64 {
-        let modes = self.system.bodies.iter().map(|&b| self.model.bodies[b].rate_bounds.modal.change);
-        modes.fold(self.scale.omega.max(quickest(self.model, &self.system.active, &self.system.links)), f64::max)
+        let connections = quickest(self.model, &self.system.active, &self.system.links);
+        self.scale.omega.max(connections).max(self.system.modal.change)
     }
 
     fn relative_tolerance(&self) -> f64 {

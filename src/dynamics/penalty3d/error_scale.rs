@@ -160,8 +160,7 @@ impl Island {
     fn decay_time(&mut self, model: &Model) -> f64 {
         let pace = self.stepper.state();
         // A sum of the largest single rates bounds the decay rate; the sharper bound is computed only near the limit.
-        let modes = self.system.bodies.iter().map(|&b| model.bodies[b].rate_bounds.modal.decay).fold(0.0, f64::max);
-        let sum = modes + self.system.quickest * self.system.connection_count() as f64;
+        let sum = self.system.modal.decay + self.system.quickest * self.system.connection_count() as f64;
         if pace.step > 0.0 && pace.step * sum < RESOLVED_DECAY {
             return f64::INFINITY;
         }

@@ -51,12 +51,12 @@ pub(in crate::dynamics) fn sharers(world: &World, pair: usize, poses: Poses<'_>)
 /// Place of a crossing: of two nodes at one crossing that of the first. Faces that are not parallel see two edges that are apart cross at
 /// different places.
 fn seen_once(world: &World, all: &[(usize, DVec2)], (node, at): (usize, DVec2)) -> DVec2 {
-    let first = twin(world, node).filter(|&other| other < node);
+    let first = other_of_crossing(world, node).filter(|&other| other < node);
     first.and_then(|first| all.iter().find(|(other, _)| *other == first)).map_or(at, |(_, seen)| *seen)
 }
 
 /// The other of two nodes at one crossing, on the other edge: they are declared one after the other, that of the first side first.
-pub(in crate::dynamics) fn twin(world: &World, contact: usize) -> Option<usize> {
+pub(in crate::dynamics) fn other_of_crossing(world: &World, contact: usize) -> Option<usize> {
     is_shared(world, contact).then(|| if is_of_first(world, contact) { contact + 1 } else { contact - 1 })
 }
 
@@ -70,7 +70,7 @@ pub(in crate::dynamics) fn at_vertex_of(
     poses: Poses<'_>,
 ) -> [Vec<usize>; 2] {
     let pair = world.contacts[contact].pair;
-    let (left, other) = (place(world, contact, poses), twin(world, contact));
+    let (left, other) = (place(world, contact, poses), other_of_crossing(world, contact));
     let near = one_vertex(world, pair) + extra + if is_edge(world, contact) { slide(world, contact) } else { 0.0 };
     let here = |c: usize| {
         let at = if is_edge(world, c) {
@@ -78,8 +78,9 @@ pub(in crate::dynamics) fn at_vertex_of(
         } else {
             corner_vertex(world, c, poses, beyond)
         };
+        let at = at?;
         // The other node of the same crossing is at the vertex wherever its face sees that.
-        let distance = if other == Some(c) { at.map(|_| 0.0)? } else { (at? - left).length() };
+        let distance = if other == Some(c) { 0.0 } else { (at - left).length() };
         (c != contact && distance <= near).then_some((c, distance))
     };
     let contacts = world.pairs[pair].contacts.clone();

@@ -51,10 +51,8 @@ impl ModalSprings {
 
     /// The largest rates among them.
     pub(in crate::dynamics) fn rates(&self) -> ModalRates {
-        self.iter().fold(ModalRates::default(), |most, &[k, c]| ModalRates {
-            change: most.change.max(k.sqrt()).max(c),
-            decay: most.decay.max(c),
-        })
+        let of = |&[k, c]: &[f64; 2]| ModalRates { change: k.sqrt().max(c), decay: c };
+        self.iter().map(of).fold(ModalRates::default(), ModalRates::max)
     }
 
     /// Strain energy by the modal coordinates \[J\].

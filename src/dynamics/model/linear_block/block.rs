@@ -8,6 +8,11 @@ use super::reach::{Reach, Shapes};
 use crate::dynamics::linear::{LinearMotion, Parts, PowerForm, Spectrum};
 use crate::motion::Ground;
 
+/// Largest [`Spectrum::start_error`] of a decomposition that is relied on \[–\]; beyond it the bodies are integrated. Measured: 1e-14 of
+/// decks on their bearings; 1e-11 of one that a second bearing of 1e-3 of the stiffness of its only other one keeps from turning, 8e-10 by
+/// 1e-5, 4e-8 by 1e-7, and 29 by rounding alone.
+const RELIED: f64 = 1e-11;
+
 /// The free motion of the bodies of a block, prepared once. Its coordinates are those that are not held, each times the root of its
 /// mass, member by member.
 #[derive(Debug)]
@@ -84,10 +89,6 @@ impl<'a> Order<'a> {
         both
     }
 }
-
-/// Largest [`Spectrum::start_error`] of a decomposition that is relied on \[–\]. Measured: 1e-14 of decks on their bearings, 1e-11 of one
-/// that is kept from turning by 1e-5 of its stiffness, 1e-9 by 1e-7 and 3 by rounding alone. Beyond it the bodies are integrated.
-const RELIED: f64 = 1e-11;
 
 impl LinearBlock {
     /// Of these bodies with the bearings between them, in a run of this duration \[s\]; `None` where their motion has no closed form
