@@ -1,17 +1,23 @@
 //! Whether the polynomials of elastic girders suffice: the same run with half as many again, or with two thirds of them where there can
 //! be no more.
 
-use super::History;
+use std::collections::BTreeMap;
+
 use super::quadrature::integrate;
+use super::{History, Touch};
 use crate::dynamics::elastic::degree::{LARGEST_DEGREE, SMALLEST_DEGREE};
 use crate::geometry::End;
+use crate::scene::facing::SolidId;
 use crate::scene::{Degree, Scene};
 
 /// Instants at which places of the ends are compared.
 const COMPARED: u32 = 400;
 
-/// Differences from a run of degree `⌈3n/2⌉`, of `⌊2n/3⌋` where that is more than there can be, each in parts of the greatest of its
-/// kind.
+/// A value of every two bodies that touched.
+type OfBodies = BTreeMap<[SolidId; 2], f64>;
+
+/// Differences from a run of degree `⌈3n/2⌉`, of `⌊2n/3⌋` where that is more than there can be: the largest of all pairs or girders,
+/// each in parts of the greatest of its kind of that pair or girder.
 #[derive(Clone, Copy, Debug, PartialEq, serde::Serialize)]
 pub struct DegreeCheck {
     /// Largest degree of a girder, and what it was compared with.
@@ -19,11 +25,11 @@ pub struct DegreeCheck {
     /// Where the other run gave up before the end of this one: until when both were compared \[s\].
     #[serde(skip_serializing_if = "Option::is_none")]
     pub until: Option<f64>,
-    /// Of the largest force of a contact.
+    /// Of the largest force of a contact of a pair.
     pub force: f64,
-    /// Of the impulses of all contacts.
+    /// Of the impulses of all contacts of a pair.
     pub impulse: f64,
-    /// Of the displacements of both ends of every girder.
+    /// Of the displacements of both ends of a girder.
     pub ends: f64,
     /// Of the largest normal force at mid-span.
     pub section: f64,
@@ -50,23 +56,32 @@ impl History {
 
     /// The differences from a run of another degree that is as long.
     fn compare(&self, degree: [usize; 2], against: &Self) -> DegreeCheck {
-        let [force, other] = [self, against].map(Self::largest_force);
-        let [impulse, other_impulse] = [self, against].map(Self::impulse);
-        let [[section, own @ ..], [other_section, others @ ..]] = [self, against].map(Self::largest_at_mid_span);
-        let part = |a: f64, b: f64| if b == 0.0 { 0.0 } else { (a - b).abs() / b };
-        DegreeCheck {
+        let part = |a: f64, b: f64| if a == b { 0.0 } else { (a - b).abs() / a.max(b) };
+        // Where two bodies touched in one of the runs alone the difference is the whole.
+        let pairs = |of: fn(&Self) -> OfBodies| {
+            let (own, other) = (of(self), of(against));
+            let value = |of: &OfBodies, bodies: &[SolidId; 2]| of.get(bodies).copied().unwrap_or(0.0);
+            let bodies = own.keys().chain(other.keys());
+            bodies.map(|bodies| part(value(&own, bodies), value(&other, bodies))).fold(0.0, f64::max)
+        };
+        let mut check = DegreeCheck {
             degree,
             until: None,
-            force: part(force, other),
-            impulse: part(impulse, other_impulse),
+            force: pairs(Self::largest_forces),
+            impulse: pairs(Self::impulses),
             ends: self.ends_apart(against),
-            section: part(section, other_section),
-            moments: {
-                let apart = own.iter().zip(others).map(|(a, b)| (a - b).abs()).fold(0.0, f64::max);
-                let largest = others.into_iter().fold(0.0, f64::max);
-                if largest == 0.0 { 0.0 } else { apart / largest }
-            },
+            section: 0.0,
+            moments: 0.0,
+        };
+        for girder in 0..self.model().girders().len() {
+            let both = [self, against].map(|history| history.largest_at_mid_span(girder));
+            let [Some([section, own @ ..]), Some([other_section, others @ ..])] = both else { continue };
+            check.section = check.section.max(part(section, other_section));
+            let apart = own.iter().zip(others).map(|(a, b)| (a - b).abs()).fold(0.0, f64::max);
+            let largest = others.into_iter().fold(0.0, f64::max);
+            check.moments = check.moments.max(if apart == 0.0 { 0.0 } else { apart / largest });
         }
+        check
     }
 
     /// The scene with girders of other degrees, and that of its finest girder before and after.
@@ -87,9 +102,19 @@ impl History {
         (largest[1] != largest[0]).then_some((scene, largest))
     }
 
+    /// Largest force of a contact \[N\].
+    fn largest_forces(&self) -> OfBodies {
+        let mut largest = OfBodies::new();
+        for touch in self.touches() {
+            let own = largest.entry(self.model().pairs[touch.pair].solids()).or_default();
+            *own = own.max(touch.peak_force);
+        }
+        largest
+    }
+
     /// Impulses of all contacts \[N·s\].
-    fn impulse(&self) -> f64 {
-        let of = |touch: &super::Touch| {
+    fn impulses(&self) -> OfBodies {
+        let of = |touch: &Touch| {
             let site = &self.model().contacts[touch.contact];
             let bodies = [site.node_body, site.face_body].into_iter().flatten();
             let mut borders: Vec<f64> = bodies
@@ -101,14 +126,18 @@ impl History {
             let force = |t: f64| [self.contact_at(touch.contact, t).map_or(0.0, |now| now.force.length())];
             borders.windows(2).map(|w| integrate(w[0], w[1], force)[0]).sum::<f64>()
         };
-        self.touches().iter().map(of).sum()
+        let mut sums = OfBodies::new();
+        self.touches()
+            .iter()
+            .for_each(|touch| *sums.entry(self.model().pairs[touch.pair].solids()).or_default() += of(touch));
+        sums
     }
 
     fn ends_apart(&self, other: &Self) -> f64 {
-        let (mut apart, mut largest) = (0.0f64, f64::MIN_POSITIVE);
-        for i in 0..=COMPARED {
-            let t = self.end().min(other.end()) * f64::from(i) / f64::from(COMPARED);
-            for girder in 0..self.model().girders().len() {
+        let of = |girder: usize| {
+            let (mut apart, mut largest) = (0.0f64, f64::MIN_POSITIVE);
+            for i in 0..=COMPARED {
+                let t = self.end().min(other.end()) * f64::from(i) / f64::from(COMPARED);
                 for end in End::BOTH {
                     let place = |history: &Self| history.section_place(girder, end, t);
                     let (one, two) = (place(self), place(other));
@@ -116,8 +145,9 @@ impl History {
                     largest = largest.max(two.length());
                 }
             }
-        }
-        apart / largest
+            apart / largest
+        };
+        (0..self.model().girders().len()).map(of).fold(0.0, f64::max)
     }
 
     /// Displacement of the centre of an end from where it was placed \[m\].

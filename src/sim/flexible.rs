@@ -2,8 +2,8 @@
 
 use glam::DVec3;
 
-use super::peaks::first_largest;
-use super::readings::{Extreme, largest, largest_of_each};
+use super::readings::{Extreme, largest_of_each};
+use super::section_peaks::{Sections, at_mid_span};
 use super::{History, Touch};
 use crate::dynamics::elastic::Fields;
 use crate::dynamics::model::coordinates::section_forces::{Equilibrium, SectionForces};
@@ -13,16 +13,6 @@ use crate::dynamics::model::pair::{Carrier, Pair};
 use crate::dynamics::model::wrench::Wrench;
 use crate::language::Text;
 
-/// Equal parts of the length at whose borders stress is looked for, beside the stations where loads act. Chosen: two in a half wave of
-/// an eighth of the length.
-const PARTS: usize = 16;
-/// Distance to the section before a load, in parts of half the length: a load is not beyond its own station. Chosen: moments change by
-/// as small a part over it.
-const BEFORE: f64 = 1e-9;
-/// Transits of an axial wave after the end of a step for which section forces are looked at as densely as waves run.
-const TRANSITS: f64 = 6.0;
-/// Looks a transit.
-const PER_TRANSIT: f64 = 12.0;
 /// Bound of a neglected term from which a run warns.
 pub const NEGLIGIBLE: f64 = 1e-2;
 /// How many frequencies are listed.
@@ -111,7 +101,7 @@ impl History {
     }
 
     /// The same of a girder that is in this state at `t`.
-    fn equilibrium_in(&self, girder: usize, made: &ElasticBody, (t, state): (f64, &[f64])) -> Equilibrium {
+    pub(super) fn equilibrium_in(&self, girder: usize, made: &ElasticBody, (t, state): (f64, &[f64])) -> Equilibrium {
         let body = &self.model().bodies[girder];
         let mut wrenches = vec![Wrench::default(); body.sections()];
         let pairs = self.model().pairs.iter().filter(|pair| pair.bodies.contains(&Some(girder)));
@@ -193,49 +183,27 @@ impl History {
         bending.map(|(girder, flexible, made)| self.flexible_reading(girder, flexible, made)).collect()
     }
 
-    /// Largest |N| \[N\], |M|, |`M_y`| and |T| \[N·m\] at mid-span of all elastic girders that bend.
-    pub(super) fn largest_at_mid_span(&self) -> [f64; 4] {
-        let of = |girder: usize| {
-            let times = self.wave_looks(girder, self.flexible(girder)?);
-            let most = largest_of_each(&times, |t| {
-                let forces = self.section_forces(girder, 0.0, t);
-                [forces.axial, forces.moment, forces.vertical_moment, forces.torque].map(f64::abs)
-            });
-            Some(most.map(|most| most.value))
-        };
-        let all = (0..self.model().girders().len()).filter_map(of);
-        all.fold([0.0; 4], |most, own| std::array::from_fn(|i| most[i].max(own[i])))
+    /// Largest |N| \[N\], |M|, |`M_y`| and |T| \[N·m\] at mid-span of an elastic girder that bends.
+    pub(super) fn largest_at_mid_span(&self, girder: usize) -> Option<[f64; 4]> {
+        let made = self.flexible(girder)?.girder.as_ref()?;
+        Some(self.largest_in_sections(girder, made, at_mid_span).map(|most| most.value))
     }
 
     fn flexible_reading(&self, girder: usize, flexible: &Flexible, made: &ElasticBody) -> FlexibleReading {
-        let half = 0.5 * flexible.beam.length;
-        let times = self.wave_looks(girder, flexible);
-        let stress_at = |equilibrium: &Equilibrium, s: f64| self.stress_of(girder, flexible, &equilibrium.at(s));
-        let [axial, moment, stress, thrust, spin, bent] = largest_of_each(&times, |t| {
-            let state = self.state(girder, t);
-            let equilibrium = self.equilibrium_in(girder, made, (t, &state));
-            let middle = equilibrium.at(0.0);
-            let [spin, bent] = made.spin_and_deflection(&state);
-            let along = stations(&equilibrium, half).into_iter().map(|s| equilibrium.at(s));
-            let [stress, thrust] = along.fold([0.0, 0.0], |[stress, thrust]: [f64; 2], forces| {
-                [stress.max(self.stress_of(girder, flexible, &forces)), thrust.max(forces.axial.abs())]
+        let fibre = |forces: &SectionForces| self.stress_of(girder, flexible, forces);
+        let [axial, moment, vertical, torque, stress, thrust] =
+            self.largest_in_sections(girder, made, |sections: &Sections<'_>| {
+                let [axial, moment, vertical, torque] = at_mid_span(sections);
+                let most = sections.all().fold([0.0, 0.0], |[stress, thrust]: [f64; 2], forces| {
+                    [stress.max(fibre(&forces)), thrust.max(forces.axial.abs())]
+                });
+                [axial, moment, vertical, torque, most[0], most[1]]
             });
-            [middle.axial.abs(), middle.moment.abs(), stress, thrust, spin, bent]
-        });
-        let in_space = flexible.space.map(|_| {
-            largest_of_each(&times, |t| {
-                let middle = self.section_forces(girder, 0.0, t);
-                [middle.vertical_moment.abs(), middle.torque.abs()]
-            })
-        });
+        let in_space = flexible.space.map(|_| [vertical, torque]);
+        let times = super::touches::looks(self, girder);
+        let [spin, bent] = largest_of_each(&times, |t| made.spin_and_deflection(&self.state(girder, t)));
         let by_strain = self.equilibrium(girder, axial.t).map_or(0.0, |e| e.by_strain(0.0).axial.abs());
-        let at_worst = self.equilibrium_in(girder, made, (stress.t, &self.state(girder, stress.t)));
-        let (stressed_at, _) = first_largest(&stations(&at_worst, half), |s| stress_at(&at_worst, s));
-        // The time was found at the stations that are looked at: once more at the one between them.
-        let [before, after] =
-            [times.partition_point(|t| *t < stress.t).saturating_sub(1), times.partition_point(|t| *t <= stress.t)];
-        let around = [times[before], stress.t, times[after.min(times.len() - 1)]];
-        let stress = largest(&around, |t| self.stress(girder, stressed_at, t));
+        let (stress, stressed_at) = self.between_stations(girder, made, stress, fibre);
         let frequencies: Vec<f64> = made.frequencies().into_iter().take(LISTED).collect();
         let first = frequencies.first().copied().unwrap_or(f64::INFINITY);
         let bending = flexible.space.map_or(f64::INFINITY, |space| space.bending).min(flexible.beam.bending);
@@ -276,21 +244,6 @@ impl History {
         self.touches().iter().filter(is_on_side).filter_map(from_end).fold(0.0, f64::max)
     }
 
-    /// Times at which section forces are looked at: within steps, and after them as long as waves run.
-    fn wave_looks(&self, girder: usize, flexible: &Flexible) -> Vec<f64> {
-        let mut times = super::touches::looks(self, girder);
-        let transit = flexible.beam.transit_time();
-        let spans: Vec<_> = self.paths[girder].spans().collect();
-        for span in spans.iter().filter(|span| span.flies && span.from > 0.0) {
-            let until = span.until.min(span.from + TRANSITS * transit).min(self.end());
-            let looks = std::iter::successors(Some(span.from), |t| Some(t + transit / PER_TRANSIT));
-            times.extend(looks.take_while(|t| *t < until));
-        }
-        times.sort_by(f64::total_cmp);
-        times.dedup();
-        times
-    }
-
     /// The hardest hit of an elastic girder that bends.
     pub fn elastic_hit(&self, girder: usize) -> Option<ElasticHit> {
         let (flexible, model) = (self.flexible(girder)?, self.model());
@@ -325,14 +278,4 @@ impl History {
             ringing: self.ringing(girder, span[1]),
         })
     }
-}
-
-/// Stations at which stress is looked for, in order \[m\]: even ones, and on both sides of every load.
-fn stations(equilibrium: &Equilibrium, half: f64) -> Vec<f64> {
-    let even = (0..=PARTS).map(|part| (2.0 * part as f64 / PARTS as f64 - 1.0) * half);
-    let loads = equilibrium.loaded().flat_map(|s| [s - BEFORE * half, s]);
-    let mut stations: Vec<f64> = even.chain(loads.map(|s| s.clamp(-half, half))).collect();
-    stations.sort_by(f64::total_cmp);
-    stations.dedup();
-    stations
 }

@@ -36,6 +36,7 @@ mod resultants;
 pub mod seat_on;
 pub mod seats;
 pub mod section_field;
+mod section_peaks;
 mod section_quantity;
 mod session;
 pub mod spectra;

@@ -173,6 +173,18 @@ impl BodyMotion {
         matches!(self, Self::Custom(form) if form.has_works())
     }
 
+    /// [`ClosedForm::shapes`]; none of a rigid girder in plan.
+    pub fn shapes(&self) -> Vec<[Vec<f64>; 2]> {
+        let Self::Custom(form) = self else { return Vec::new() };
+        form.shapes()
+    }
+
+    /// [`ClosedForm::second_derivatives`] of a flight.
+    pub fn second_derivatives(&self, flight: &BodyFlight, span: [f64; 2]) -> Vec<f64> {
+        let (Self::Custom(form), BodyFlight::Custom(own)) = (self, flight) else { return Vec::new() };
+        form.second_derivatives(own.start, &own.numbers, span)
+    }
+
     /// [`ClosedForm::fastest`]; 0 for a rigid girder in plan, whose fastest frequency is that of its body alone \[rad/s\].
     pub fn fastest(&self) -> f64 {
         match self {

@@ -201,6 +201,14 @@ impl Driven {
         self.by_ground[0][k].norm().hypot(self.by_ground[1][k].norm()) * peak
     }
 
+    /// By how much the slope of the ground's acceleration jumps within a stretch, in all \[m/s³\].
+    pub(super) fn kinks(&self, [from, until]: [f64; 2]) -> f64 {
+        let Way::Record { ground, .. } = &self.ground else { return 0.0 };
+        let slope = |number: usize| ground.piece(number).rate().truncate();
+        let numbers = ground.piece_number(from)..=ground.piece_number(until);
+        numbers.clone().skip(1).map(|number| (slope(number) - slope(number - 1)).length()).sum()
+    }
+
     /// Modulus of the constant part of a coefficient.
     pub fn constant_size(&self, k: usize) -> f64 {
         let constant = self.constant[k];

@@ -1,5 +1,6 @@
 //! Flights of a linear block: what they begin with, where they are, how far they go.
 
+use super::driven::Forced;
 use super::{Complex, Driven, Spectrum};
 use crate::motion::Ground;
 
@@ -136,6 +137,28 @@ impl LinearMotion {
     /// steady \[m/s²\].
     pub fn unsteady_peak(&self) -> f64 {
         if self.driven.is_steady() { 0.0 } else { self.peak }
+    }
+
+    /// Bounds of the second derivative of each coefficient over a stretch from `from` to `until` \[s\]. Under a record it is that of the
+    /// part that swings about the line that the ground's line would hold it at, and grows by what a kink adds.
+    pub fn second_derivatives(&self, flight: Flight<'_>, [from, until]: [f64; 2]) -> Vec<f64> {
+        let parts = self.at(flight, from);
+        let free = || parts.free.iter().zip(&self.sizes).map(|(c, [fast, _])| fast * fast * c.norm());
+        match self.driven.forced(&self.spectrum, from) {
+            Forced::None => free().collect(),
+            Forced::Steady { omega, parts } => {
+                let steady = parts.iter().map(|[up, down]| omega * omega * (up.norm() + down.norm()));
+                free().zip(steady).map(|(free, steady)| free + steady).collect()
+            }
+            Forced::Line(lines) => {
+                let kinks = self.driven.kinks([from, until]);
+                let swinging = |(k, ([on_line, _], [fast, _])): (usize, (&[Complex; 2], &[f64; 2]))| {
+                    let off = parts.all[k] - self.driven.constant(k) - *on_line;
+                    fast * fast * off.norm() + self.driven.fastest_gain(k, kinks)
+                };
+                lines.iter().zip(&self.sizes).enumerate().map(swinging).collect()
+            }
+        }
     }
 
     /// Bounds of a drift from a look on for a window: place, speed, acceleration.

@@ -34,6 +34,37 @@ fn matrices(free: bool) -> [DMatrix<f64>; 2] {
 }
 
 #[test]
+fn second_derivatives_of_coefficients_are_not_above_their_bounds() {
+    let [stiffness, damping] = matrices(false);
+    for ground in grounds() {
+        let spectrum = Spectrum::of(&stiffness, &damping).expect("a spectrum");
+        let motion = LinearMotion::of(spectrum, &LOAD, [&BY_X, &BY_Y], (&ground, 4.0)).expect("a closed form");
+        let numbers = motion.begin(0.013, &PLACES, &SPEEDS);
+        let flight = Flight { start: 0.013, numbers: &numbers };
+        let at = |t: f64| motion.at(flight, t).all;
+        // Stretches that hold a kink of the record, and none.
+        for (from, width) in [(0.013, 0.03), (0.02, 0.2), (0.4, 0.012), (1.3, 0.07)] {
+            let bounds = motion.second_derivatives(flight, [from, from + width]);
+            let mut most = vec![0.0f64; bounds.len()];
+            let step = 1e-4;
+            for i in 1..200 {
+                let t = from + step + (width - 2.0 * step) * f64::from(i) / 200.0;
+                let [before, here, after] = [t - step, t, t + step].map(at);
+                for (k, most) in most.iter_mut().enumerate() {
+                    *most = most.max((before[k] - here[k] * 2.0 + after[k]).norm() / (step * step));
+                }
+            }
+            for (most, bound) in most.iter().zip(&bounds) {
+                assert!(*most <= bound * (1.0 + 1e-4) + 1e-7, "{most} of {bound} under {ground:?} from {from}");
+                // A kink adds all that it could.
+                let kinked = matches!(ground, Ground::Record { .. }) && width > 0.05;
+                assert!(kinked || *most > 0.2 * bound, "{most} of {bound} under {ground:?} from {from}: a tight bound");
+            }
+        }
+    }
+}
+
+#[test]
 fn a_motion_that_only_rounding_holds_is_told_by_what_its_exponentials_leave_at_the_start() {
     let [stiffness, damping] = matrices(false);
     let sound = Spectrum::of(&stiffness, &damping).expect("a spectrum").start_error(2.0);

@@ -53,6 +53,17 @@ pub trait ClosedForm: Debug + Send + Sync {
     /// Bounds on the motion of any section in a flight from `t` on for at most `horizon` \[s\].
     fn bounds(&self, start: f64, numbers: &[f64], t: f64, horizon: f64) -> MotionBounds;
 
+    /// States of the body by a unit coefficient of each exponential of its motion, 1 and i, beside that at rest; none of a motion that is
+    /// no sum of exponentials.
+    fn shapes(&self) -> Vec<[Vec<f64>; 2]> {
+        Vec::new()
+    }
+
+    /// Bounds of the second derivatives of their coefficients in a flight over a stretch, in the same order.
+    fn second_derivatives(&self, _start: f64, _numbers: &[f64], _span: [f64; 2]) -> Vec<f64> {
+        Vec::new()
+    }
+
     /// Fastest circular frequency of the motion of the bodies that move together, as rigid ones; 0 where that is the body's own \[rad/s\].
     fn fastest(&self) -> f64 {
         0.0

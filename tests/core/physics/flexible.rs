@@ -4,6 +4,7 @@ mod closed_forms;
 mod connections;
 mod invariants;
 mod joint;
+mod peaks;
 mod reference;
 mod scenes;
 mod side_hit;

@@ -155,6 +155,11 @@ impl Equilibrium {
         SectionForces::of(force, moment)
     }
 
+    /// Half of the length \[m\].
+    pub fn half(&self) -> f64 {
+        0.5 * self.size[0]
+    }
+
     /// Where loads act \[m\]: moments have kinks there and forces jump.
     pub fn loaded(&self) -> impl Iterator<Item = f64> + '_ {
         self.loads.iter().map(|load| load.station)

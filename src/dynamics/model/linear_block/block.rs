@@ -5,7 +5,7 @@ use nalgebra::DMatrix;
 use super::joint::Joint;
 use super::part::{LinearPart, RIGID};
 use super::reach::{Reach, Shapes};
-use crate::dynamics::linear::{LinearMotion, Parts, PowerForm, Spectrum};
+use crate::dynamics::linear::{Complex, LinearMotion, Parts, PowerForm, Spectrum};
 use crate::motion::Ground;
 
 /// Largest [`Spectrum::start_error`] of a decomposition that is relied on \[–\]; beyond it the bodies are integrated. Measured: 1e-14 of
@@ -143,6 +143,23 @@ impl LinearBlock {
             }
         }
         self.motion.begin(start, &places, &speeds)
+    }
+
+    /// States of a member by a unit coefficient of each exponential, 1 and i, beside that at rest.
+    pub(super) fn shapes(&self, member: usize) -> Vec<[Vec<f64>; 2]> {
+        let own = &self.members[member];
+        let rest = own.start.iter().copied().chain(own.start.iter().map(|_| 0.0));
+        let spectrum = &self.motion.spectrum;
+        let (drifts, count) = (vec![[0.0; 2]; spectrum.drifts.len()], spectrum.exponents.len());
+        let state = |k: usize, unit: Complex| {
+            let mut parts = Parts { drifts: drifts.clone(), free: Vec::new(), all: vec![Complex::from(0.0); count] };
+            parts.all[k] = unit;
+            let mut state = vec![0.0; 2 * own.start.len()];
+            self.write(member, &parts, &mut state);
+            state.iter_mut().zip(rest.clone()).for_each(|(x, rest)| *x -= rest);
+            state
+        };
+        (0..count).map(|k| [Complex::from(1.0), Complex::i()].map(|unit| state(k, unit))).collect()
     }
 
     /// Writes places and rates of a member from a flight's parts.

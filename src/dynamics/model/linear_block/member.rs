@@ -38,6 +38,14 @@ impl ClosedForm for BlockMember {
         self.block.member_bounds(self.member, parts, horizon)
     }
 
+    fn shapes(&self) -> Vec<[Vec<f64>; 2]> {
+        self.block.shapes(self.member)
+    }
+
+    fn second_derivatives(&self, start: f64, numbers: &[f64], span: [f64; 2]) -> Vec<f64> {
+        self.block.motion.second_derivatives(Flight { start, numbers }, span)
+    }
+
     fn fastest(&self) -> f64 {
         self.block.fastest
     }

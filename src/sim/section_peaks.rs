@@ -1,0 +1,258 @@
+//! Largest section forces and stress of an elastic girder: in flights bounds of their second derivatives leave no peak unseen, in steps
+//! they are looked for several times.
+
+use super::peaks::{exceeds, first_largest, golden};
+use super::readings::Extreme;
+use super::{History, touches};
+use crate::dynamics::free_flight::body_motion::{BodyFlight, BodyMotion};
+use crate::dynamics::model::coordinates::section_forces::{Equilibrium, SectionForces};
+use crate::dynamics::model::elastic_body::ElasticBody;
+use crate::dynamics::model::wrench::Wrench;
+use crate::dynamics::trajectory::stored_path::StoredMotion;
+
+/// Fewest stations beside those where loads act.
+const FEWEST: usize = 17;
+/// Distance to the section before a load, in parts of half the length: a load is not beyond its own station. Chosen: moments change by
+/// as small a part over it.
+const BEFORE: f64 = 1e-9;
+/// Part of the largest value by which a peak has to be able to be larger to be looked for.
+const PART: f64 = 1e-5;
+/// Part of the highest look from which a peak between looks in steps is looked for.
+const NEAR: f64 = 0.9;
+/// Factor on bounds by strain, for the difference of section forces by strain and from equilibrium, and for values between stations.
+const MARGIN: f64 = 2.0;
+/// Searches along the girder and in time by turns about the largest stress at the stations. Chosen: a fourth changes no printed digit.
+const ALTERNATIONS: usize = 3;
+/// Parts of the time of an axial wave from end to end on both sides of a peak within which its time is searched at another station.
+const PER_TRANSIT: f64 = 24.0;
+/// Most halvings of the time between two looks.
+const DEEPEST: u32 = 40;
+
+/// Section forces along a girder at one instant.
+pub(super) struct Sections<'a> {
+    /// At a station \[m\].
+    at: &'a dyn Fn(f64) -> SectionForces,
+    /// Stations in order, those at both sides of every load among them \[m\].
+    stations: &'a [f64],
+    /// Stations at mid-span: two where a load acts there.
+    middle: &'a [f64],
+}
+
+impl Sections<'_> {
+    /// Of every station.
+    pub(super) fn all(&self) -> impl Iterator<Item = SectionForces> + '_ {
+        self.stations.iter().map(|s| (self.at)(*s))
+    }
+}
+
+/// Largest |N| \[N\], |M|, |`M_y`| and |T| \[N·m\] of both sides of mid-span.
+pub(super) fn at_mid_span(sections: &Sections<'_>) -> [f64; 4] {
+    sections.middle.iter().fold([0.0; 4], |most, s| {
+        let forces = (sections.at)(*s);
+        let own = [forces.axial, forces.moment, forces.vertical_moment, forces.torque];
+        std::array::from_fn(|i| most[i].max(own[i].abs()))
+    })
+}
+
+/// Two looks that follow one another, with the flight between them.
+struct Interval<'a> {
+    span: [f64; 2],
+    flight: Option<&'a BodyFlight>,
+}
+
+/// The largest value seen, and how far from it on both sides the next looks are \[s\].
+#[derive(Clone, Copy)]
+struct Seen {
+    largest: Extreme,
+    apart: [f64; 2],
+}
+
+impl History {
+    /// Largest values of what `of` reads from section forces, not negative and no larger of a sum of forces than the sum of its values,
+    /// over the run.
+    pub(super) fn largest_in_sections<const N: usize>(
+        &self,
+        girder: usize,
+        made: &ElasticBody,
+        of: impl Fn(&Sections<'_>) -> [f64; N],
+    ) -> [Extreme; N] {
+        let values = |t: f64| {
+            let equilibrium = self.equilibrium_in(girder, made, (t, &self.state(girder, t)));
+            let (stations, middle) = (stations(&equilibrium, made.degree()), middle(&equilibrium));
+            of(&Sections { at: &|s| equilibrium.at(s), stations: &stations, middle: &middle })
+        };
+        let gains = self.gains(girder, made, &of);
+        let bound = |interval: &Interval<'_>| -> Option<[f64; N]> {
+            let second = self.free_motion(girder)?.second_derivatives(interval.flight?, interval.span);
+            let add = |sum: [f64; N], (gain, second): (&[f64; N], f64)| {
+                std::array::from_fn(|i| sum[i] + MARGIN * gain[i] * second)
+            };
+            Some(gains.iter().zip(second).fold([0.0; N], add))
+        };
+        largest(&self.intervals(girder), values, bound)
+    }
+
+    /// By how much a unit coefficient of each exponential of the girder's free motion changes each value at most, by strain.
+    fn gains<const N: usize>(
+        &self,
+        girder: usize,
+        made: &ElasticBody,
+        of: &impl Fn(&Sections<'_>) -> [f64; N],
+    ) -> Vec<[f64; N]> {
+        let at_rest = vec![Wrench::default(); self.model().bodies[girder].sections()];
+        let by = |state: &Vec<f64>| {
+            let equilibrium = made.equilibrium(state, &at_rest, glam::DVec3::ZERO);
+            let stations = stations(&equilibrium, made.degree());
+            of(&Sections { at: &|s| equilibrium.by_strain(s), stations: &stations, middle: &[0.0] })
+        };
+        let shapes = self.free_motion(girder).map_or(Vec::new(), BodyMotion::shapes);
+        let both = |[real, imaginary]: &[Vec<f64>; 2]| {
+            let (one, other) = (by(real), by(imaginary));
+            std::array::from_fn(|i| one[i] + other[i])
+        };
+        shapes.iter().map(both).collect()
+    }
+
+    /// The run of a girder, cut where it is looked at: as bodies are, and at every kink of the ground's motion in flights.
+    fn intervals(&self, girder: usize) -> Vec<Interval<'_>> {
+        let (ground, path) = (&self.model().ground, &self.paths[girder]);
+        let looks = touches::looks(self, girder);
+        let mut intervals = Vec::with_capacity(looks.len());
+        for pair in looks.windows(2) {
+            let flight = match path.at(pair[0]) {
+                Some((_, StoredMotion::Flight(flight))) => Some(flight),
+                _ => None,
+            };
+            let mut from = pair[0];
+            while flight.is_some() && ground.next_kink(from) < pair[1] {
+                let kink = ground.next_kink(from);
+                intervals.push(Interval { span: [from, kink], flight });
+                from = kink;
+            }
+            intervals.push(Interval { span: [from, pair[1]], flight });
+        }
+        intervals
+    }
+
+    /// The largest value over the stations about the time at which it is largest of those that are looked at, and where.
+    pub(super) fn between_stations(
+        &self,
+        girder: usize,
+        made: &ElasticBody,
+        seen: Extreme,
+        value: impl Fn(&SectionForces) -> f64,
+    ) -> (Extreme, f64) {
+        let at = |t: f64| self.equilibrium_in(girder, made, (t, &self.state(girder, t)));
+        let near = self.flexible(girder).map_or(0.0, |flexible| flexible.beam.transit_time()) / PER_TRANSIT;
+        let mut most = (seen, 0.0);
+        for _ in 0..ALTERNATIONS {
+            let here = at(most.0.t);
+            let (station, _) = first_largest(&stations(&here, made.degree()), |s| value(&here.at(s)));
+            let around = [-near, 0.0, near].map(|dt| (most.0.t + dt).clamp(0.0, self.end()));
+            let (t, value) = first_largest(&around, |t| value(&at(t).at(station)));
+            most = (Extreme { value, t }, station);
+        }
+        most
+    }
+}
+
+/// What has been seen of each value.
+struct Search<const N: usize>([Seen; N]);
+
+impl<const N: usize> Search<N> {
+    fn see(&mut self, t: f64, values: &[f64; N], apart: [f64; 2]) {
+        for (seen, &value) in self.0.iter_mut().zip(values) {
+            if exceeds(value, seen.largest.value) {
+                *seen = Seen { largest: Extreme { value, t }, apart };
+            }
+        }
+    }
+
+    /// Whether a value between two looks can be larger than the largest by more than [`PART`] of it.
+    fn may_hide(&self, [one, other]: [&[f64; N]; 2], second: &[f64; N], width: f64) -> bool {
+        let hides = |(i, seen): (usize, &Seen)| {
+            one[i].max(other[i]) + second[i] * width * width / 8.0 > seen.largest.value * (1.0 + PART)
+        };
+        self.0.iter().enumerate().any(hides)
+    }
+
+    /// Takes note that an interval was halved.
+    fn halved(&mut self, [from, until]: [f64; 2]) {
+        let half = 0.5 * (until - from);
+        for Seen { largest, apart: [before, after] } in &mut self.0 {
+            if largest.t == from {
+                *after = half;
+            } else if largest.t == until {
+                *before = half;
+            }
+        }
+    }
+}
+
+/// Largest values over intervals that follow one another. Where second derivatives are bounded, |f″| ≤ B, no value between looks that are
+/// h apart is above both by more than `B h²/8`: intervals are halved until none can hide a larger one.
+fn largest<const N: usize>(
+    intervals: &[Interval<'_>],
+    values: impl Fn(f64) -> [f64; N],
+    bound: impl Fn(&Interval<'_>) -> Option<[f64; N]>,
+) -> [Extreme; N] {
+    let Some(last) = intervals.last() else { return [Extreme { value: f64::NAN, t: 0.0 }; N] };
+    let times: Vec<f64> = intervals.iter().map(|interval| interval.span[0]).chain([last.span[1]]).collect();
+    let looks: Vec<[f64; N]> = times.iter().map(|t| values(*t)).collect();
+    let around = |i: usize| [times[i] - times[i.saturating_sub(1)], times[(i + 1).min(times.len() - 1)] - times[i]];
+    let nothing = Seen { largest: Extreme { value: 0.0, t: times[0] }, apart: around(0) };
+    let mut search = Search([nothing; N]);
+    for (i, look) in looks.iter().enumerate() {
+        search.see(times[i], look, around(i));
+    }
+    for (i, interval) in intervals.iter().enumerate() {
+        let Some(second) = bound(interval) else { continue };
+        let mut open = vec![(interval.span, [looks[i], looks[i + 1]], 0)];
+        while let Some(([from, until], [one, other], depth)) = open.pop() {
+            if depth == DEEPEST || !search.may_hide([&one, &other], &second, until - from) {
+                continue;
+            }
+            let t = f64::midpoint(from, until);
+            let middle = values(t);
+            search.halved([from, until]);
+            search.see(t, &middle, [0.5 * (until - from); 2]);
+            open.push(([t, until], [middle, other], depth + 1));
+            open.push(([from, t], [one, middle], depth + 1));
+        }
+    }
+    // In steps: about every look that is not below its neighbours and near the highest.
+    let in_steps = (1..intervals.len()).filter(|i| intervals[i - 1].flight.and(intervals[*i].flight).is_none());
+    let peaks: Vec<usize> = in_steps.collect();
+    std::array::from_fn(|own| {
+        let Seen { largest, apart: [before, after] } = search.0[own];
+        let own_peaks = peaks.iter().copied().filter(|&i| {
+            let [one, here, other] = [i - 1, i, i + 1].map(|i| looks[i][own]);
+            here >= one && here >= other && here > NEAR * largest.value && (exceeds(here, one) || exceeds(here, other))
+        });
+        let spans = own_peaks.map(|i| [times[i - 1], times[i + 1]]);
+        spans.chain([[largest.t - before, largest.t + after]]).fold(largest, |most, [from, until]| {
+            let (t, value) = golden(|t| values(t)[own], from, until);
+            if exceeds(value, most.value) { Extreme { value, t } } else { most }
+        })
+    })
+}
+
+/// Stations at which section forces are looked at, in order \[m\]: on both sides of every load, and four for every turn that a polynomial of
+/// the moment's degree can take, closer at the ends as its turns are.
+fn stations(equilibrium: &Equilibrium, degree: usize) -> Vec<f64> {
+    let half = equilibrium.half();
+    let last = (FEWEST - 1).max(4 * (degree + 2));
+    let even = (0..=last).map(|i| -half * (std::f64::consts::PI * i as f64 / last as f64).cos());
+    let loads = equilibrium.loaded().flat_map(|s| [s - BEFORE * half, s]);
+    let mut stations: Vec<f64> = even.chain(loads.map(|s| s.clamp(-half, half))).collect();
+    stations.sort_by(f64::total_cmp);
+    stations.dedup();
+    stations
+}
+
+/// Stations at mid-span \[m\]: the sections on both sides where a load acts there.
+fn middle(equilibrium: &Equilibrium) -> Vec<f64> {
+    let near = BEFORE * equilibrium.half();
+    let loaded = equilibrium.loaded().any(|s| s.abs() <= near);
+    if loaded { vec![-2.0 * near, 2.0 * near] } else { vec![0.0] }
+}
