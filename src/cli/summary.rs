@@ -326,9 +326,9 @@ fn accuracy(report: &Report) -> Vec<Line> {
     let ledger = &report.ledger;
     let share = if ledger.scale > 0.0 { ledger.residual.abs() / ledger.scale } else { 0.0 };
     let unbalanced = if report.balances { String::new() } else { Text::new("run-unbalanced").into() };
-    let error = match report.estimated_error {
+    let error = match report.error_in_words() {
         Some(error) => {
-            let of = said!("run-error-of", "error" => format!("{error:.2e}"), "tolerance" => format!("{:e}", report.tolerance));
+            let of = said!("run-error-of", "error" => error, "tolerance" => format!("{:e}", report.tolerance));
             of + &Report::as_far_as(report.estimated_until)
         }
         None => Text::new("run-error-not").into(),

@@ -66,8 +66,8 @@ pub(super) fn departures(report: &Report) -> String {
 pub(super) fn section(report: &Report) -> String {
     let l = &report.ledger;
     let joule = |value: f64| format!("{:.4e} J", value + 0.0);
-    let error = report.estimated_error.map_or(Text::new("report-not-computed").into(), |e| {
-        let of = said!("report-error", "error" => format!("{e:.2e}"), "tolerance" => format!("{:e}", report.tolerance));
+    let error = report.error_in_words().map_or(Text::new("report-not-computed").into(), |e| {
+        let of = said!("report-error", "error" => e, "tolerance" => format!("{:e}", report.tolerance));
         of + &Report::as_far_as(report.estimated_until)
     });
     let balance = said!("report-residual-of", "residual" => joule(l.residual), "bound" => joule(report.residual_bound));

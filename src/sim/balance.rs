@@ -1,7 +1,7 @@
 //! Whether the energy ledger balances: what its residual may be, as the stability study holds every answer to
 //! (`docs/stability.md`).
 
-use super::{ContactNow, History};
+use super::{ContactNow, History, Touch};
 use crate::language::said;
 
 /// Residual per tolerance. A step errs by the tolerance, relative to the motion in hand, its energy by twice that; errors of many
@@ -44,7 +44,11 @@ impl History {
         let residual = if ledger.scale > 0.0 { ledger.residual.abs() / ledger.scale } else { 0.0 };
         let stride = self.touches().len().div_ceil(LOOKS).max(1);
         let touches = self.touches().iter().step_by(stride);
-        let pressed = touches.filter_map(|touch| self.contact_at(touch.contact, touch.peak_time));
+        // The force of a dashpot is largest where a hit begins, with no depth yet: within a touch too.
+        let inside = |touch: &Touch, part: f64| touch.start + part * (touch.end - touch.start);
+        let times = |touch: &Touch| [touch.peak_time, inside(touch, 0.25), inside(touch, 0.5), inside(touch, 0.75)];
+        let pressed =
+            touches.flat_map(|touch| times(touch).into_iter().filter_map(|t| self.contact_at(touch.contact, t)));
         Balance { residual, bound: self.residual_bound(ledger.scale, pressed) }
     }
 

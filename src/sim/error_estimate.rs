@@ -3,24 +3,29 @@
 use super::{Cause, History, Session};
 use crate::scene::{FINEST_TOLERANCE, ModelKind};
 
-/// The estimated error of displacements, and until when it is known.
+/// The estimated error of displacements and attitudes, and until when it is known.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct ErrorEstimate {
-    /// Largest difference in displacement from the finer run \[m\]; NaN where there is none.
+    /// Largest difference in displacement of G from the finer run \[m\]; NaN where there is none.
     pub error: f64,
+    /// Largest difference in attitude \[rad\].
+    pub rotation: f64,
     /// Where the finer run gave up before the end of this one: until when they were compared \[s\].
     pub until: Option<f64>,
 }
 
 impl ErrorEstimate {
-    /// The error \[m\] where it is one of the whole run.
-    pub fn of_whole(&self) -> Option<f64> {
-        self.until.is_none().then_some(self.error)
+    /// Of a run without a finer one to compare it with.
+    pub const UNKNOWN: Self = Self { error: f64::NAN, rotation: f64::NAN, until: None };
+
+    /// The error where it is one of the whole run.
+    pub fn of_whole(self) -> Option<Self> {
+        self.until.is_none().then_some(self)
     }
 }
 
 impl History {
-    /// Largest displacement difference from a run at a hundredth of the tolerance.
+    /// Largest differences in displacement and attitude from a run at a hundredth of the tolerance.
     pub fn estimate_error(&self) -> ErrorEstimate {
         let mut finer = self.scene().clone();
         finer.model.kind = if self.impact().is_some() { ModelKind::Impact } else { ModelKind::Contact };
@@ -31,10 +36,11 @@ impl History {
         }
         // The scene has been run before: it has no complaint.
         let Ok(session) = Session::with_met(&finer, self.model().bodies_met()) else {
-            return ErrorEstimate { error: f64::NAN, until: None };
+            return ErrorEstimate::UNKNOWN;
         };
         let finer = session.complete();
-        ErrorEstimate { error: self.difference(&finer), until: finer.ends_before(self) }
+        let [error, rotation] = self.differences(&finer);
+        ErrorEstimate { error, rotation, until: finer.ends_before(self) }
     }
 
     /// Until when it was computed \[s\], where its computation gave up before another run ends.
@@ -48,7 +54,28 @@ impl History {
 mod tests {
     use super::*;
     use crate::dynamics::Model;
+    use crate::scene::format;
     use crate::scene::presets;
+
+    #[test]
+    fn a_girder_that_only_tumbles_errs_in_its_attitude() {
+        let scene = format::parse(
+            "name = \"spin\"\nkind = \"spatial\"\nduration_s = 2.0\ngravity_m_s2 = 0.0\n[[girder]]\nname = \"deck\"\n\
+             length_m = 10.0\nwidth_m = 3.0\nthickness_m = 1.0\nmass_kg = 2e4\n\
+             initial = { spin_deg_s = 1.0, roll_deg_s = 2.0, pitch_deg_s = 600.0 }\n[solver]\ntolerance = 1e-6\n",
+            "spin",
+        );
+        let (rough, mut finest) = (scene.clone().expect("a scene"), scene.expect("a scene"));
+        finest.solver.tolerance = 1e-12;
+        let [rough, finest] = [rough, finest].map(|scene| History::of(&scene).expect("runs"));
+        let corner = |run: &History, t| run.motion(0, t).attitude * glam::DVec3::new(5.0, 1.5, 0.5);
+        let times = (0..=100).map(|i| 0.02 * f64::from(i));
+        let off = times.map(|t| (corner(&rough, t) - corner(&finest, t)).length()).fold(0.0, f64::max);
+        let ErrorEstimate { error, rotation, .. } = rough.estimate_error();
+        let told = error + rough.model().bodies[0].radius * rotation;
+        assert!(off > 1e-8, "it errs: {off} m");
+        assert!((off..4.0 * off).contains(&told), "a corner is {off} m off, told {error} m and {rotation} rad");
+    }
 
     #[test]
     fn a_run_that_gives_up_is_no_measure_of_what_comes_after() {
@@ -63,6 +90,6 @@ mod tests {
         let until = stopped.ends_before(&whole);
         assert!(until.is_some_and(|t| 0.0 < t && t == stopped.end() && t < 12.0), "{until:?}");
         assert_eq!((whole.ends_before(&stopped), whole.ends_before(&whole)), (None, None));
-        assert_eq!(ErrorEstimate { error: 1e-9, until }.of_whole(), None);
+        assert_eq!(ErrorEstimate { error: 1e-9, rotation: 1e-10, until }.of_whole(), None);
     }
 }

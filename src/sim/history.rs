@@ -341,18 +341,28 @@ impl History {
         &self.events
     }
 
-    /// Largest difference in displacement from another run of the same bodies \[m\].
+    /// Largest difference in displacement of G from another run of the same bodies \[m\].
     pub fn difference(&self, other: &Self) -> f64 {
+        self.differences(other)[0]
+    }
+
+    /// Largest differences in displacement of G \[m\] and in attitude \[rad\] from another run of the same bodies.
+    pub fn differences(&self, other: &Self) -> [f64; 2] {
         let end = self.end.min(other.end);
         let bodies = self.model.bodies.len().min(other.model.bodies.len());
-        let displacement = |run: &Self, body, t| Motion::of(&run.model, body, &run.state(body, t)).displacement;
-        let difference = |body, t| (displacement(self, body, t) - displacement(other, body, t)).length();
+        let difference = |body: usize, t| {
+            let [one, two] = [self, other].map(|run| Motion::of(&run.model, body, &run.state(body, t)));
+            // |q₁ − q₂| = 2 sin(α/4) for a rotation by α between them; q and −q are one attitude.
+            let apart = (one.attitude - two.attitude).length().min((one.attitude + two.attitude).length());
+            [(one.displacement - two.displacement).length(), 4.0 * (0.5 * apart).min(1.0).asin()]
+        };
+        let larger = |a: [f64; 2], b: [f64; 2]| [a[0].max(b[0]), a[1].max(b[1])];
         let of_some = |some: usize| {
             let first = some * COMPARED_TOGETHER;
             let instants = (0..=COMPARED).map(|i| end * f64::from(i) / f64::from(COMPARED));
             let own = |t| (first..bodies.min(first + COMPARED_TOGETHER)).map(move |body| difference(body, t));
-            instants.flat_map(own).fold(0.0, f64::max)
+            instants.flat_map(own).fold([0.0; 2], larger)
         };
-        (0..bodies.div_ceil(COMPARED_TOGETHER)).into_par_iter().map(of_some).reduce(|| 0.0, f64::max)
+        (0..bodies.div_ceil(COMPARED_TOGETHER)).into_par_iter().map(of_some).reduce(|| [0.0; 2], larger)
     }
 }

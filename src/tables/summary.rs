@@ -87,13 +87,19 @@ pub struct Report {
     pub assumed: Vec<String>,
     /// Local error per step that was asked for.
     pub tolerance: f64,
-    /// Largest displacement difference from a run at a hundredth of the tolerance, when asked for \[m\].
+    /// Largest displacement difference of any G from a run at a hundredth of the tolerance, when asked for \[m\].
     pub estimated_error: Option<f64>,
+    /// Largest difference in attitude of any body from that run \[rad\].
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub estimated_rotation_error: Option<f64>,
     /// Until when that is known, where the finer run gave up before the end of this one \[s\].
     #[serde(skip_serializing_if = "Option::is_none")]
     pub estimated_until: Option<f64>,
-    /// Whether that is more than `LARGE_ERROR` of the largest displacement.
+    /// Whether a corner errs by more than `LARGE_ERROR` of the largest motion of one, as far as that is known by both.
     pub error_is_large: bool,
+    /// What it errs by in parts of that.
+    #[serde(skip)]
+    pub error_share: f64,
     /// The energy ledger at the end \[J\].
     pub ledger: Ledger,
     /// Bound of the ledger's |residual| \[J\].
@@ -112,7 +118,7 @@ pub struct Report {
     pub files: Vec<String>,
 }
 
-/// Part of the largest displacement above which an estimated error is said to be large \[–\]. Chosen: a pixel of a curve that fills a
+/// Part of the largest motion of a corner above which an estimated error is said to be large \[–\]. Chosen: a pixel of a curve that fills a
 /// screen.
 const LARGE_ERROR: f64 = 1e-3;
 
@@ -148,8 +154,12 @@ impl Report {
     pub fn of(history: &History, options: &TableOptions) -> Self {
         let (scene, ledger, balance) = (history.scene(), history.ledger(history.end()), history.balance());
         let (upright, numbers) = (history.uprights(), history.summary());
-        let large = LARGE_ERROR * numbers.max_displacement;
-        let error_is_large = options.estimated_error.is_some_and(|estimate| estimate.error > large);
+        let max_tilt = upright.iter().map(|girder| girder.tilt.value).reduce(f64::max);
+        let radius = history.model().girders().iter().map(|body| body.radius).fold(0.0, f64::max);
+        let turned = numbers.max_rotation.max(max_tilt.unwrap_or(0.0));
+        let of_corner = |displacement: f64, rotation: f64| displacement + radius * rotation;
+        let error = options.estimated_error.map_or(0.0, |estimate| of_corner(estimate.error, estimate.rotation));
+        let error_share = if error > 0.0 { error / of_corner(numbers.max_displacement, turned) } else { 0.0 };
         Self {
             scene: scene.name.clone(),
             kind: scene.kind,
@@ -158,7 +168,7 @@ impl Report {
             end: history.end(),
             gave_up: history.stop().cloned(),
             numbers,
-            max_tilt: upright.iter().map(|girder| girder.tilt.value).reduce(f64::max),
+            max_tilt,
             pairs: pairs(history),
             verdicts: verdicts::of(history),
             seats: seats::of(history),
@@ -179,8 +189,10 @@ impl Report {
             assumed: scene.assumed_numbers().into_iter().map(|(path, _)| path).chain(scene.chosen_numbers()).collect(),
             tolerance: scene.solver.tolerance,
             estimated_error: options.estimated_error.map(|estimate| estimate.error),
+            estimated_rotation_error: options.estimated_error.map(|estimate| estimate.rotation),
             estimated_until: options.estimated_error.and_then(|estimate| estimate.until),
-            error_is_large,
+            error_is_large: error_share > LARGE_ERROR,
+            error_share,
             ledger,
             residual_bound: balance.bound * ledger.scale,
             balances: balance.holds(),
@@ -199,9 +211,13 @@ impl Report {
 
     /// In words, that the estimated error is large; none where it is not, or not known.
     pub fn uncertain(&self) -> Option<String> {
-        let error = self.estimated_error.filter(|_| self.error_is_large)?;
-        let share = format!("{:.2}", 100.0 * error / self.numbers.max_displacement);
-        Some(said!("uncertain", "error" => format!("{error:.2e}"), "share" => share))
+        let error = self.error_in_words().filter(|_| self.error_is_large)?;
+        Some(said!("uncertain", "error" => error, "share" => format!("{:.2}", 100.0 * self.error_share)))
+    }
+
+    /// The estimated error with units; nothing where it is not known.
+    pub fn error_in_words(&self) -> Option<String> {
+        Some(format!("{:.2e} m, {:.2e} rad", self.estimated_error?, self.estimated_rotation_error?))
     }
 
     /// The file's bytes. A number that is not finite is written as `null`, −0 as 0.

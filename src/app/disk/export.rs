@@ -8,7 +8,6 @@ use crate::app::run::answer::Answer;
 use crate::app::text;
 use crate::files::{FileSet, earlier_files, remove_files, write_atomic};
 use crate::render::{Gpu, Packing, Quality, Renderer};
-use crate::sim::ErrorEstimate;
 use crate::tables::{SUMMARIES, Table, TableOptions, all, all_beside, named_in};
 use crate::view::DrawList;
 
@@ -48,7 +47,7 @@ pub(in crate::app) fn report(answer: &Arc<Answer>, path: &Path) -> Result<Told, 
 /// What tables cannot know from the answer alone.
 fn options(answer: &Answer) -> TableOptions {
     let run_time = Some(answer.took.as_secs_f64());
-    let estimated_error = answer.error().filter(|e| e.is_finite()).map(|error| ErrorEstimate { error, until: None });
+    let estimated_error = answer.error().filter(|estimate| estimate.error.is_finite());
     TableOptions { estimated_error, run_time, ..TableOptions::default() }
 }
 

@@ -13,7 +13,8 @@ use crate::sim::readings::{self, Extreme, Passed, Reading};
 use crate::sim::seats::{self, OrbitPoint};
 use crate::sim::verdict::{self, Verdict};
 use crate::sim::{
-    Balance, ContactState, DeviceReading, Dropped, EventKind, History, Hit, Overlap, Quantity, Summary, TooDeep,
+    Balance, ContactState, DeviceReading, Dropped, ErrorEstimate, EventKind, History, Hit, Overlap, Quantity, Summary,
+    TooDeep,
 };
 use crate::tables::{self, BackfillReport, PierReport};
 
@@ -91,7 +92,7 @@ pub struct Answer {
     pub moved: Vec<MovedSupport>,
     /// Motions that the run cuts.
     pub cut: Vec<Message>,
-    error: OnceLock<f64>,
+    error: OnceLock<ErrorEstimate>,
     passed: OnceLock<Vec<Passed>>,
     falls: OnceLock<Vec<(usize, Verdict)>>,
     readings: OnceLock<Vec<OnceLock<Reading>>>,
@@ -255,13 +256,13 @@ impl Answer {
         self.quantities().iter().find(|(known, _)| known == name).map(|(_, quantity)| *quantity)
     }
 
-    /// Estimated error, once it is known; NaN when it could not be had \[m\].
-    pub fn error(&self) -> Option<f64> {
+    /// Estimated error, once it is known; NaN when it could not be had.
+    pub fn error(&self) -> Option<ErrorEstimate> {
         self.error.get().copied()
     }
 
     /// Keeps the estimated error.
-    pub fn set_error(&self, error: f64) {
+    pub fn set_error(&self, error: ErrorEstimate) {
         // The first estimate stands: the answer does not change.
         let _ = self.error.set(error);
     }

@@ -14,7 +14,7 @@ use crate::app::run::answer::Answer;
 use crate::app::run::job::{self, Job};
 use crate::scene::{Limits, Scene, SceneErrors};
 use crate::sim::readings::Passed;
-use crate::sim::{History, Session};
+use crate::sim::{ErrorEstimate, History, Session};
 
 /// How long a run may hold up a frame before it goes on on a thread.
 const FRAME_BUDGET: Duration = Duration::from_millis(30);
@@ -47,7 +47,7 @@ struct Next {
 /// An estimate on a thread.
 struct Estimate {
     of: u64,
-    done: Receiver<f64>,
+    done: Receiver<ErrorEstimate>,
 }
 
 /// What the scene's answer is, or what became of it.
@@ -283,7 +283,7 @@ impl Runner {
             Ok(error) => error,
             Err(TryRecvError::Empty) => return,
             // Not to be tried again and again.
-            Err(TryRecvError::Disconnected) => f64::NAN,
+            Err(TryRecvError::Disconnected) => ErrorEstimate::UNKNOWN,
         };
         if let Some(answer) = self.answer().filter(|a| a.number == estimate.of) {
             answer.set_error(error);
@@ -303,7 +303,7 @@ impl Runner {
         }
         if !THREADS && answer.took > STANDSTILL {
             // It takes a few times as long as the run.
-            answer.set_error(f64::NAN);
+            answer.set_error(ErrorEstimate::UNKNOWN);
             return None;
         }
         let (send, done) = channel();
@@ -311,7 +311,7 @@ impl Runner {
         // It ends by itself.
         let _ = spawn(move || {
             // Nobody listens any more when the window has closed: nothing to do then.
-            let _ = send.send(asked.history.estimate_error().of_whole().unwrap_or(f64::NAN));
+            let _ = send.send(asked.history.estimate_error().of_whole().unwrap_or(ErrorEstimate::UNKNOWN));
             wake();
         });
         self.estimate = Some(Estimate { of: answer.number, done });

@@ -198,7 +198,7 @@ pub const MEASURES: &[Measure] = &[
         unit: "m",
         meaning: "largest difference in displacement from a run at a hundredth of the tolerance, which is computed for it",
         drawn: MILLIMETRES,
-        of: |run| run.estimate_error().of_whole(),
+        of: |run| run.estimate_error().of_whole().map(|estimate| estimate.error),
     },
     Measure {
         name: "energy_residual",

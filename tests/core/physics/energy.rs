@@ -79,3 +79,16 @@ fn a_girder_that_the_ground_leaves_at_rest_balances_against_what_moved() {
     assert!(ledger.scale > 0.5 * largest && ledger.scale <= largest * (1.0 + 1e-9), "{} of {largest}", ledger.scale);
     assert!(history.balance().holds(), "{:?}", history.balance());
 }
+
+#[test]
+fn the_bound_of_the_ledger_knows_the_depth_of_a_hit_whose_dashpot_is_largest_at_closing() {
+    let history = run(&scene(
+        "name = \"soft\"\nkind = \"planar\"\nduration_s = 0.5\n[[girder]]\nname = \"deck\"\nlength_m = 10.0\nwidth_m = 4.0\n\
+         thickness_m = 1.0\nmass_kg = 6e4\ninitial = { velocity_m_s = [1.0, 0.0] }\n[[abutment]]\nname = \"wall\"\nfaces = \"deck\"\n\
+         gap_m = 0.1\n[contact]\nstiffness_n_per_m = 1e9\nrestitution_normal = 0.02\n",
+    ));
+    let hit = history.touches()[0];
+    assert!(hit.peak_time < hit.start + 1e-3 * (hit.end - hit.start), "the largest force is where it begins: {hit:?}");
+    let balance = history.balance();
+    assert!(balance.holds() && balance.bound < 1e-6, "{balance:?}");
+}

@@ -386,8 +386,10 @@ fn what_a_cable_did_is_the_closed_form_s() {
 fn an_error_that_is_known_of_a_part_of_the_run_says_so() {
     let history = hit("planar", 0.0);
     let said = |until: Option<f64>| {
-        let options =
-            TableOptions { estimated_error: Some(ErrorEstimate { error: 1e-9, until }), ..TableOptions::default() };
+        let options = TableOptions {
+            estimated_error: Some(ErrorEstimate { error: 1e-9, rotation: 1e-10, until }),
+            ..TableOptions::default()
+        };
         let json = String::from_utf8(Report::of(&history, &options).to_json()).expect("text");
         (
             json.contains("\"estimated_until\": 1.25"),
