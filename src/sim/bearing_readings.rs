@@ -53,7 +53,7 @@ impl History {
             };
             let of_bearing = |number: usize| {
                 let values: Vec<f64> = seen.iter().skip(number).step_by(count).map(|sizes| sizes[of]).collect();
-                let (t, value) = peaks::largest_seen(&times, &values, |t| at(number, t));
+                let (t, value) = peaks::largest_seen(&times, &values, &|t| at(number, t));
                 (number, Extreme { value, t })
             };
             // Of equals the first.

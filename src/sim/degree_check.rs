@@ -1,8 +1,6 @@
 //! Whether the polynomials of elastic girders suffice: the same run with half as many again, or with two thirds of them where there can
 //! be no more.
 
-use std::collections::BTreeMap;
-
 use super::quadrature::integrate;
 use super::{History, Touch};
 use crate::dynamics::elastic::degree::{LARGEST_DEGREE, SMALLEST_DEGREE};
@@ -14,7 +12,17 @@ use crate::scene::{Degree, Scene};
 const COMPARED: u32 = 400;
 
 /// A value of every two bodies that touched.
-type OfBodies = BTreeMap<[SolidId; 2], f64>;
+type OfBodies = Vec<([SolidId; 2], f64)>;
+
+/// The value of two bodies, 0 at first.
+fn of_two(of: &mut OfBodies, bodies: [SolidId; 2]) -> &mut f64 {
+    let known = of.iter().position(|(own, _)| *own == bodies);
+    let number = known.unwrap_or(of.len());
+    if known.is_none() {
+        of.push((bodies, 0.0));
+    }
+    &mut of[number].1
+}
 
 /// Differences from a run of degree `⌈3n/2⌉`, of `⌊2n/3⌋` where that is more than there can be: the largest of all pairs or girders,
 /// each in parts of the greatest of its kind of that pair or girder.
@@ -59,10 +67,10 @@ impl History {
         let part = |a: f64, b: f64| if a == b { 0.0 } else { (a - b).abs() / a.max(b) };
         // Where two bodies touched in one of the runs alone the difference is the whole.
         let pairs = |of: fn(&Self) -> OfBodies| {
-            let (own, other) = (of(self), of(against));
-            let value = |of: &OfBodies, bodies: &[SolidId; 2]| of.get(bodies).copied().unwrap_or(0.0);
-            let bodies = own.keys().chain(other.keys());
-            bodies.map(|bodies| part(value(&own, bodies), value(&other, bodies))).fold(0.0, f64::max)
+            let (mut own, mut other) = (of(self), of(against));
+            let bodies: Vec<[SolidId; 2]> = own.iter().chain(&other).map(|(bodies, _)| *bodies).collect();
+            let apart = |bodies| part(*of_two(&mut own, bodies), *of_two(&mut other, bodies));
+            bodies.into_iter().map(apart).fold(0.0, f64::max)
         };
         let mut check = DegreeCheck {
             degree,
@@ -106,7 +114,7 @@ impl History {
     fn largest_forces(&self) -> OfBodies {
         let mut largest = OfBodies::new();
         for touch in self.touches() {
-            let own = largest.entry(self.model().pairs[touch.pair].solids()).or_default();
+            let own = of_two(&mut largest, self.model().pairs[touch.pair].solids());
             *own = own.max(touch.peak_force);
         }
         largest
@@ -127,9 +135,9 @@ impl History {
             borders.windows(2).map(|w| integrate(w[0], w[1], force)[0]).sum::<f64>()
         };
         let mut sums = OfBodies::new();
-        self.touches()
-            .iter()
-            .for_each(|touch| *sums.entry(self.model().pairs[touch.pair].solids()).or_default() += of(touch));
+        for touch in self.touches() {
+            *of_two(&mut sums, self.model().pairs[touch.pair].solids()) += of(touch);
+        }
         sums
     }
 

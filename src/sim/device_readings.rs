@@ -41,7 +41,7 @@ impl History {
         self.link_logs.get(links.start)?;
         let strength = links.clone().filter_map(|link| self.link(link, 0.0)?.strength).reduce(f64::min);
         let times = self.device_looks(links.clone());
-        let [force, greatest, least] = largest_of_each(&times, |t| {
+        let [force, greatest, least] = largest_of_each(&times, &|t| {
             let sides: Vec<LinkNow> = links.clone().filter_map(|link| self.link(link, t)).collect();
             let force = sides.iter().map(|side| side.force.length()).fold(0.0, f64::max);
             let along = sides.first().map_or(0.0, |side| side.along.deformation[0]);

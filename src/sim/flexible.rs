@@ -3,7 +3,6 @@
 use glam::DVec3;
 
 use super::readings::{Extreme, largest_of_each};
-use super::section_peaks::{Sections, at_mid_span};
 use super::{History, Touch};
 use crate::dynamics::elastic::Fields;
 use crate::dynamics::model::coordinates::section_forces::{Equilibrium, SectionForces};
@@ -186,24 +185,18 @@ impl History {
     /// Largest |N| \[N\], |M|, |`M_y`| and |T| \[N·m\] at mid-span of an elastic girder that bends.
     pub(super) fn largest_at_mid_span(&self, girder: usize) -> Option<[f64; 4]> {
         let made = self.flexible(girder)?.girder.as_ref()?;
-        Some(self.largest_in_sections(girder, made, at_mid_span).map(|most| most.value))
+        let [axial, moment, vertical, torque, ..] = self.largest_in_sections(girder, made, None);
+        Some([axial, moment, vertical, torque].map(|most| most.value))
     }
 
     fn flexible_reading(&self, girder: usize, flexible: &Flexible, made: &ElasticBody) -> FlexibleReading {
         let fibre = |forces: &SectionForces| self.stress_of(girder, flexible, forces);
-        let [axial, moment, vertical, torque, stress, thrust] =
-            self.largest_in_sections(girder, made, |sections: &Sections<'_>| {
-                let [axial, moment, vertical, torque] = at_mid_span(sections);
-                let most = sections.all().fold([0.0, 0.0], |[stress, thrust]: [f64; 2], forces| {
-                    [stress.max(fibre(&forces)), thrust.max(forces.axial.abs())]
-                });
-                [axial, moment, vertical, torque, most[0], most[1]]
-            });
+        let [axial, moment, vertical, torque, stress, thrust] = self.largest_in_sections(girder, made, Some(&fibre));
         let in_space = flexible.space.map(|_| [vertical, torque]);
         let times = super::touches::looks(self, girder);
-        let [spin, bent] = largest_of_each(&times, |t| made.spin_and_deflection(&self.state(girder, t)));
+        let [spin, bent] = largest_of_each(&times, &|t| made.spin_and_deflection(&self.state(girder, t)));
         let by_strain = self.equilibrium(girder, axial.t).map_or(0.0, |e| e.by_strain(0.0).axial.abs());
-        let (stress, stressed_at) = self.between_stations(girder, made, stress, fibre);
+        let (stress, stressed_at) = self.between_stations(girder, made, stress, &fibre);
         let frequencies: Vec<f64> = made.frequencies().into_iter().take(LISTED).collect();
         let first = frequencies.first().copied().unwrap_or(f64::INFINITY);
         let bending = flexible.space.map_or(f64::INFINITY, |space| space.bending).min(flexible.beam.bending);

@@ -89,7 +89,7 @@ impl History {
             let part = (touch.end - touch.start) / f64::from(PARTS);
             let times: Vec<f64> = (0..=PARTS).map(|i| touch.start + part * f64::from(i)).collect();
             let depth = |t: f64| self.contact_at(touch.contact, t).map_or(0.0, |now| now.penetration);
-            TooDeep { contact: touch.contact, depth: largest(&times, depth), allowed }
+            TooDeep { contact: touch.contact, depth: largest(&times, &depth), allowed }
         });
         deepest
             .filter(|deep| deep.depth.value > allowed)

@@ -1,4 +1,4 @@
-//! Largest values of functions of time, and when they are reached first.
+//! Largest values of functions of time, and when they are reached first. Functions come as references, so that each search is there once.
 
 /// Part of a value by which another one has to be larger to count as larger, so that a value that stays, as the force of what yields, is
 /// dated to where it is first reached: the rounding of a sum of some thousand terms, far below every tolerance of a run.
@@ -10,7 +10,7 @@ pub(super) fn exceeds(value: f64, seen: f64) -> bool {
 }
 
 /// Highest value of a function with one hump.
-pub(super) fn golden(f: impl Fn(f64) -> f64, mut a: f64, mut b: f64) -> (f64, f64) {
+pub(super) fn golden(f: &dyn Fn(f64) -> f64, mut a: f64, mut b: f64) -> (f64, f64) {
     const RATIO: f64 = 0.618_033_988_749_894_9;
     let (mut x, mut y) = (b - RATIO * (b - a), a + RATIO * (b - a));
     let (mut fx, mut fy) = (f(x), f(y));
@@ -31,23 +31,23 @@ pub(super) fn golden(f: impl Fn(f64) -> f64, mut a: f64, mut b: f64) -> (f64, f6
 
 /// Largest value over `times`, in rising order, and over a golden-section search about every look that is not below its neighbours and
 /// above 0.9 of the highest look.
-pub(super) fn largest(times: &[f64], value: impl Fn(f64) -> f64) -> f64 {
+pub(super) fn largest(times: &[f64], value: &dyn Fn(f64) -> f64) -> f64 {
     first_largest(times, value).1
 }
 
 /// The same, and when it is reached first.
-pub(super) fn first_largest(times: &[f64], value: impl Fn(f64) -> f64) -> (f64, f64) {
+pub(super) fn first_largest(times: &[f64], value: &dyn Fn(f64) -> f64) -> (f64, f64) {
     let values: Vec<f64> = times.iter().map(|&t| value(t)).collect();
     largest_seen(times, &values, value)
 }
 
 /// The same where the values at the looks are known.
-pub(super) fn largest_seen(times: &[f64], values: &[f64], value: impl Fn(f64) -> f64) -> (f64, f64) {
+pub(super) fn largest_seen(times: &[f64], values: &[f64], value: &dyn Fn(f64) -> f64) -> (f64, f64) {
     let higher = |best: (f64, f64), next: (f64, f64)| if exceeds(next.1, best.1) { next } else { best };
     let seen = times.iter().copied().zip(values.iter().copied()).fold((0.0, 0.0), higher);
     let peaks = values.windows(3).zip(times.windows(3));
     let peaks = peaks.filter(|(v, _)| v[1] >= v[0] && v[1] >= v[2] && v[1] > 0.9 * seen.1);
     // Within a plateau there is nothing to look for.
     let peaks = peaks.filter(|(v, _)| exceeds(v[1], v[0]) || exceeds(v[1], v[2]));
-    peaks.map(|(_, t)| golden(&value, t[0], t[2])).fold(seen, higher)
+    peaks.map(|(_, t)| golden(value, t[0], t[2])).fold(seen, higher)
 }

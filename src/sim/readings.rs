@@ -133,14 +133,14 @@ pub fn gap(history: &History, pair: usize, t: f64) -> f64 {
 /// The numbers of a girder.
 pub fn reading(history: &History, girder: usize) -> Reading {
     let times = touches::looks(history, girder);
-    let rotation = largest(&times, |t| history.motion(girder, t).theta.abs());
+    let rotation = largest(&times, &|t| history.motion(girder, t).theta.abs());
     let rotation = Extreme { value: history.motion(girder, rotation.t).theta, ..rotation };
-    let drift = |corner| largest(&times, |t| corner_way(history, girder, corner, t).truncate().length());
+    let drift = |corner| largest(&times, &|t| corner_way(history, girder, corner, t).truncate().length());
     let pairs = history.model().pairs.iter().enumerate().filter(|(_, p)| p.bodies.contains(&Some(girder)));
     let pairs: Vec<usize> = pairs.map(|(i, _)| i).collect();
     let facing = pairs.iter().filter(|&&pair| !history.model().pairs[pair].met);
     let gaps = facing.map(|&pair| {
-        let closest = largest(&times, |t| -gap(history, pair, t));
+        let closest = largest(&times, &|t| -gap(history, pair, t));
         Extreme { value: -closest.value, ..closest }
     });
     let touches = history.touches().iter().filter(|touch| pairs.contains(&touch.pair));
@@ -157,14 +157,14 @@ pub fn reading(history: &History, girder: usize) -> Reading {
 }
 
 /// The largest value over ordered times, refined between the neighbours of the best one.
-pub(super) fn largest(times: &[f64], value: impl Fn(f64) -> f64) -> Extreme {
-    let [largest] = largest_of_each(times, |t| [value(t)]);
+pub(super) fn largest(times: &[f64], value: &dyn Fn(f64) -> f64) -> Extreme {
+    let [largest] = largest_of_each(times, &|t| [value(t)]);
     largest
 }
 
 /// The same of each of several values that are computed together. A value that stays, as the force of a device that yields, is dated
 /// to where it is first reached: what lies within [`peaks::PLATEAU`] of a largest value is as large.
-pub(super) fn largest_of_each<const N: usize>(times: &[f64], values: impl Fn(f64) -> [f64; N]) -> [Extreme; N] {
+pub(super) fn largest_of_each<const N: usize>(times: &[f64], values: &dyn Fn(f64) -> [f64; N]) -> [Extreme; N] {
     let mut best: [Option<(usize, Extreme)>; N] = [None; N];
     for (i, &t) in times.iter().enumerate() {
         for (best, value) in best.iter_mut().zip(values(t)) {
@@ -177,7 +177,7 @@ pub(super) fn largest_of_each<const N: usize>(times: &[f64], values: impl Fn(f64
     std::array::from_fn(|own| {
         let Some((i, best)) = best[own] else { return Extreme { value: f64::NAN, t: 0.0 } };
         let around = [times[i.saturating_sub(1)], times[(i + 1).min(times.len() - 1)]];
-        let (t, refined) = peaks::golden(|t| values(t)[own], around[0], around[1]);
+        let (t, refined) = peaks::golden(&|t| values(t)[own], around[0], around[1]);
         if peaks::exceeds(refined, best.value) { Extreme { value: refined, t } } else { best }
     })
 }
@@ -228,7 +228,7 @@ fn of_girder(history: &History, girder: usize, name: &str, all: &mut Vec<Passed>
     let times = touches::looks(history, girder);
     let mut watch = |limit: Limit, end: Option<End>, (most, sign): (f64, f64), value: &dyn Fn(f64) -> f64| {
         if let Some(t) = first(&times, history.end(), |t| sign * (value(t) - most)) {
-            let reached = sign * largest(&times, |t| sign * value(t)).value;
+            let reached = sign * largest(&times, &|t| sign * value(t)).value;
             all.push(Passed { limit, whose: name.to_owned(), end, t, reached });
         }
     };
@@ -262,7 +262,7 @@ fn of_bearings(history: &History, girder: usize, limit: f64) -> Vec<Passed> {
         let size = |t: f64| size(t).unwrap_or(0.0);
         let t = first(&times, history.end(), |t| size(t) - limit)?;
         let whose = format!("{}.bearing{}", body.name, number + 1);
-        Some(Passed { limit: Limit::BearingDisplacement, whose, end: None, t, reached: largest(&times, size).value })
+        Some(Passed { limit: Limit::BearingDisplacement, whose, end: None, t, reached: largest(&times, &size).value })
     };
     (0..body.bearings.len()).filter_map(passed).collect()
 }
@@ -273,7 +273,7 @@ fn of_pier(history: &History, pier: usize, limit: f64) -> Option<Passed> {
     let drift = |t: f64| history.pier(pier, t).map_or(0.0, |now| now.displacement.truncate().length());
     let t = first(&times, history.end(), |t| drift(t) - limit)?;
     let whose = history.scene().piers[pier].name.clone();
-    Some(Passed { limit: Limit::PierDrift, whose, end: None, t, reached: largest(&times, drift).value })
+    Some(Passed { limit: Limit::PierDrift, whose, end: None, t, reached: largest(&times, &drift).value })
 }
 
 /// Those of some times in rising order that are before `last`, and that one.

@@ -116,7 +116,7 @@ impl History {
             let force = |contact| Some(self.contact_at(contact, t)?.force * self.sign(contact, solids)?);
             contacts.into_iter().filter_map(force).sum::<DVec3>().length()
         };
-        let (t, value) = first_largest(&looks_in_hit(self, hit), sum);
+        let (t, value) = first_largest(&looks_in_hit(self, hit), &sum);
         Extreme { value, t }
     }
 }

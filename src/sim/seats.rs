@@ -331,7 +331,7 @@ fn scan(times: &[f64], values: &[f64], at: &dyn Fn(f64) -> f64) -> Scanned {
         if !matters || around[0] == around[1] {
             continue;
         }
-        let (t, height) = peaks::golden(|t| -at(t), times[around[0]], times[around[1]]);
+        let (t, height) = peaks::golden(&|t| -at(t), times[around[0]], times[around[1]]);
         if -height < least.value {
             least = Extreme { value: -height, t };
         }

@@ -28,30 +28,32 @@ const PER_TRANSIT: f64 = 24.0;
 /// Most halvings of the time between two looks.
 const DEEPEST: u32 = 40;
 
-/// Section forces along a girder at one instant.
-pub(super) struct Sections<'a> {
-    /// At a station \[m\].
-    at: &'a dyn Fn(f64) -> SectionForces,
-    /// Stations in order, those at both sides of every load among them \[m\].
-    stations: &'a [f64],
-    /// Stations at mid-span: two where a load acts there.
-    middle: &'a [f64],
+/// Largest |N| \[N\], |M|, |`M_y`| and |T| \[N·m\] of both sides of mid-span; stress of the extreme fibre \[Pa\] and |N| of all stations.
+pub(super) const VALUES: usize = 6;
+
+/// What is read from section forces: not negative, and of a sum of forces no larger than the sum of what is read from each.
+struct Reading<'a> {
+    /// Stress of the extreme fibre; `None` where no values of all stations are asked for.
+    fibre: Option<&'a dyn Fn(&SectionForces) -> f64>,
 }
 
-impl Sections<'_> {
-    /// Of every station.
-    pub(super) fn all(&self) -> impl Iterator<Item = SectionForces> + '_ {
-        self.stations.iter().map(|s| (self.at)(*s))
+impl Reading<'_> {
+    /// At one instant, from section forces at a station and the stations: all of them, and those at mid-span.
+    fn values(&self, at: &dyn Fn(f64) -> SectionForces, [all, middle]: [&[f64]; 2]) -> [f64; VALUES] {
+        let mut most = [0.0f64; VALUES];
+        for s in middle {
+            let forces = at(*s);
+            let own = [forces.axial, forces.moment, forces.vertical_moment, forces.torque];
+            most.iter_mut().zip(own).for_each(|(most, own)| *most = most.max(own.abs()));
+        }
+        let Some(fibre) = self.fibre else { return most };
+        for s in all {
+            let forces = at(*s);
+            most[4] = most[4].max(fibre(&forces));
+            most[5] = most[5].max(forces.axial.abs());
+        }
+        most
     }
-}
-
-/// Largest |N| \[N\], |M|, |`M_y`| and |T| \[N·m\] of both sides of mid-span.
-pub(super) fn at_mid_span(sections: &Sections<'_>) -> [f64; 4] {
-    sections.middle.iter().fold([0.0; 4], |most, s| {
-        let forces = (sections.at)(*s);
-        let own = [forces.axial, forces.moment, forces.vertical_moment, forces.torque];
-        std::array::from_fn(|i| most[i].max(own[i].abs()))
-    })
 }
 
 /// Two looks that follow one another, with the flight between them.
@@ -68,47 +70,44 @@ struct Seen {
 }
 
 impl History {
-    /// Largest values of what `of` reads from section forces, not negative and no larger of a sum of forces than the sum of its values,
-    /// over the run.
-    pub(super) fn largest_in_sections<const N: usize>(
+    /// The largest of each of the [`VALUES`] over the run; without `fibre`, its stress of section forces, 0 in place of the last two.
+    pub(super) fn largest_in_sections(
         &self,
         girder: usize,
         made: &ElasticBody,
-        of: impl Fn(&Sections<'_>) -> [f64; N],
-    ) -> [Extreme; N] {
+        fibre: Option<&dyn Fn(&SectionForces) -> f64>,
+    ) -> [Extreme; VALUES] {
+        let reading = Reading { fibre };
         let values = |t: f64| {
             let equilibrium = self.equilibrium_in(girder, made, (t, &self.state(girder, t)));
-            let (stations, middle) = (stations(&equilibrium, made.degree()), middle(&equilibrium));
-            of(&Sections { at: &|s| equilibrium.at(s), stations: &stations, middle: &middle })
+            let (all, middle) = (stations(&equilibrium, made.degree()), middle(&equilibrium));
+            reading.values(&|s| equilibrium.at(s), [&all, &middle])
         };
-        let gains = self.gains(girder, made, &of);
-        let bound = |interval: &Interval<'_>| -> Option<[f64; N]> {
+        let gains = self.gains(girder, made, &reading);
+        let bound = |interval: &Interval<'_>| -> Option<[f64; VALUES]> {
             let second = self.free_motion(girder)?.second_derivatives(interval.flight?, interval.span);
-            let add = |sum: [f64; N], (gain, second): (&[f64; N], f64)| {
-                std::array::from_fn(|i| sum[i] + MARGIN * gain[i] * second)
-            };
-            Some(gains.iter().zip(second).fold([0.0; N], add))
+            let mut sum = [0.0; VALUES];
+            for (gain, second) in gains.iter().zip(second) {
+                sum.iter_mut().zip(gain).for_each(|(sum, gain)| *sum += MARGIN * gain * second);
+            }
+            Some(sum)
         };
-        largest(&self.intervals(girder), values, bound)
+        largest(&self.intervals(girder), &values, &bound)
     }
 
     /// By how much a unit coefficient of each exponential of the girder's free motion changes each value at most, by strain.
-    fn gains<const N: usize>(
-        &self,
-        girder: usize,
-        made: &ElasticBody,
-        of: &impl Fn(&Sections<'_>) -> [f64; N],
-    ) -> Vec<[f64; N]> {
+    fn gains(&self, girder: usize, made: &ElasticBody, reading: &Reading<'_>) -> Vec<[f64; VALUES]> {
         let at_rest = vec![Wrench::default(); self.model().bodies[girder].sections()];
         let by = |state: &Vec<f64>| {
             let equilibrium = made.equilibrium(state, &at_rest, glam::DVec3::ZERO);
-            let stations = stations(&equilibrium, made.degree());
-            of(&Sections { at: &|s| equilibrium.by_strain(s), stations: &stations, middle: &[0.0] })
+            let all = stations(&equilibrium, made.degree());
+            reading.values(&|s| equilibrium.by_strain(s), [&all, &[0.0]])
         };
         let shapes = self.free_motion(girder).map_or(Vec::new(), BodyMotion::shapes);
         let both = |[real, imaginary]: &[Vec<f64>; 2]| {
-            let (one, other) = (by(real), by(imaginary));
-            std::array::from_fn(|i| one[i] + other[i])
+            let (mut one, other) = (by(real), by(imaginary));
+            one.iter_mut().zip(other).for_each(|(one, other)| *one += other);
+            one
         };
         shapes.iter().map(both).collect()
     }
@@ -140,16 +139,16 @@ impl History {
         girder: usize,
         made: &ElasticBody,
         seen: Extreme,
-        value: impl Fn(&SectionForces) -> f64,
+        value: &dyn Fn(&SectionForces) -> f64,
     ) -> (Extreme, f64) {
         let at = |t: f64| self.equilibrium_in(girder, made, (t, &self.state(girder, t)));
         let near = self.flexible(girder).map_or(0.0, |flexible| flexible.beam.transit_time()) / PER_TRANSIT;
         let mut most = (seen, 0.0);
         for _ in 0..ALTERNATIONS {
             let here = at(most.0.t);
-            let (station, _) = first_largest(&stations(&here, made.degree()), |s| value(&here.at(s)));
+            let (station, _) = first_largest(&stations(&here, made.degree()), &|s| value(&here.at(s)));
             let around = [-near, 0.0, near].map(|dt| (most.0.t + dt).clamp(0.0, self.end()));
-            let (t, value) = first_largest(&around, |t| value(&at(t).at(station)));
+            let (t, value) = first_largest(&around, &|t| value(&at(t).at(station)));
             most = (Extreme { value, t }, station);
         }
         most
@@ -157,10 +156,10 @@ impl History {
 }
 
 /// What has been seen of each value.
-struct Search<const N: usize>([Seen; N]);
+struct Search([Seen; VALUES]);
 
-impl<const N: usize> Search<N> {
-    fn see(&mut self, t: f64, values: &[f64; N], apart: [f64; 2]) {
+impl Search {
+    fn see(&mut self, t: f64, values: &[f64; VALUES], apart: [f64; 2]) {
         for (seen, &value) in self.0.iter_mut().zip(values) {
             if exceeds(value, seen.largest.value) {
                 *seen = Seen { largest: Extreme { value, t }, apart };
@@ -169,7 +168,7 @@ impl<const N: usize> Search<N> {
     }
 
     /// Whether a value between two looks can be larger than the largest by more than [`PART`] of it.
-    fn may_hide(&self, [one, other]: [&[f64; N]; 2], second: &[f64; N], width: f64) -> bool {
+    fn may_hide(&self, [one, other]: [&[f64; VALUES]; 2], second: &[f64; VALUES], width: f64) -> bool {
         let hides = |(i, seen): (usize, &Seen)| {
             one[i].max(other[i]) + second[i] * width * width / 8.0 > seen.largest.value * (1.0 + PART)
         };
@@ -191,17 +190,17 @@ impl<const N: usize> Search<N> {
 
 /// Largest values over intervals that follow one another. Where second derivatives are bounded, |f″| ≤ B, no value between looks that are
 /// h apart is above both by more than `B h²/8`: intervals are halved until none can hide a larger one.
-fn largest<const N: usize>(
+fn largest(
     intervals: &[Interval<'_>],
-    values: impl Fn(f64) -> [f64; N],
-    bound: impl Fn(&Interval<'_>) -> Option<[f64; N]>,
-) -> [Extreme; N] {
-    let Some(last) = intervals.last() else { return [Extreme { value: f64::NAN, t: 0.0 }; N] };
+    values: &dyn Fn(f64) -> [f64; VALUES],
+    bound: &dyn Fn(&Interval<'_>) -> Option<[f64; VALUES]>,
+) -> [Extreme; VALUES] {
+    let Some(last) = intervals.last() else { return [Extreme { value: f64::NAN, t: 0.0 }; VALUES] };
     let times: Vec<f64> = intervals.iter().map(|interval| interval.span[0]).chain([last.span[1]]).collect();
-    let looks: Vec<[f64; N]> = times.iter().map(|t| values(*t)).collect();
+    let looks: Vec<[f64; VALUES]> = times.iter().map(|t| values(*t)).collect();
     let around = |i: usize| [times[i] - times[i.saturating_sub(1)], times[(i + 1).min(times.len() - 1)] - times[i]];
     let nothing = Seen { largest: Extreme { value: 0.0, t: times[0] }, apart: around(0) };
-    let mut search = Search([nothing; N]);
+    let mut search = Search([nothing; VALUES]);
     for (i, look) in looks.iter().enumerate() {
         search.see(times[i], look, around(i));
     }
@@ -231,7 +230,7 @@ fn largest<const N: usize>(
         });
         let spans = own_peaks.map(|i| [times[i - 1], times[i + 1]]);
         spans.chain([[largest.t - before, largest.t + after]]).fold(largest, |most, [from, until]| {
-            let (t, value) = golden(|t| values(t)[own], from, until);
+            let (t, value) = golden(&|t| values(t)[own], from, until);
             if exceeds(value, most.value) { Extreme { value, t } } else { most }
         })
     })

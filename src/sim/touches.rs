@@ -96,7 +96,7 @@ fn of_contact(history: &History, contact: usize) -> Vec<Touch> {
 /// Largest force of a contact in one state, and when.
 fn peak(history: &History, contact: usize, from: f64, until: f64) -> (f64, f64) {
     let force = |t: f64| history.contact(contact, t.min(until)).map_or(0.0, |now| now.force.length());
-    first_largest(&in_order(looks_in_state(history, contact, from, until)), force)
+    first_largest(&in_order(looks_in_state(history, contact, from, until)), &force)
 }
 
 /// Times at which the forces of a hit are looked at: the beginning of every state of every contact, and in every step.

@@ -58,7 +58,7 @@ pub(in crate::sim) fn of(history: &History, record: &Record) -> Vec<Touch> {
             }
             let times: Vec<f64> = looks(from, until).collect();
             let force = |t: f64| history.contact_at(contact, t).map_or(0.0, |now| now.force.length());
-            let (t, force) = first_largest(&times, force);
+            let (t, force) = first_largest(&times, &force);
             if force > touch.peak_force {
                 (touch.peak_time, touch.peak_force) = (t, force);
             }

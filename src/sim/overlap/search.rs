@@ -280,7 +280,7 @@ impl Meeting<'_> {
         let (next, _) = self.next(&self.sample(followed, deepest.t), self.bounds(deepest.t), history.end());
         let step = next - deepest.t;
         let around = [(deepest.t - step).max(intervals[0][0]), (deepest.t + step).min(history.end())];
-        let (t, value) = golden(|t| self.sample(followed, t).excess, around[0], around[1]);
+        let (t, value) = golden(&|t| self.sample(followed, t).excess, around[0], around[1]);
         let depth = if value > deepest.value { Extreme { value, t } } else { deepest };
         let place = solids.shared(self.pair, &solids.placed(history, self.pair, depth.t));
         Overlap { bodies: self.pair.map(|number| solids.id(number)), intervals, depth, place }
