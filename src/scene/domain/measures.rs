@@ -122,14 +122,37 @@ pub(super) fn start_displacements(girder: &Girder) -> [f64; 2] {
 }
 
 /// How deep the starts of two girders, or of one before an abutment, press their ends into each other along the first one's axis,
-/// turns left out; 0 where they do not \[m\].
+/// turns left out; 0 where they do not, as where one starts above the other \[m\].
 pub(super) fn pressed_by(scene: &Scene, facing: &Facing) -> f64 {
     let Side::Girder(first, end) = facing.first else { return 0.0 };
+    if scene.kind == Kind::Spatial
+        && let [Some([bottom, top]), Some([other_bottom, other_top])] =
+            [facing.first, facing.second].map(|side| heights(scene, side))
+        && (bottom > other_top || other_bottom > top)
+    {
+        return 0.0;
+    }
     let displacement =
         |side: Side| side.girder().map_or(DVec3::ZERO, |n| DVec3::from(scene.girders[n].initial.displacement));
     let outward = placed::axes(&scene.girders[first]).x_axis * end.sign();
     let closer = (displacement(facing.first) - displacement(facing.second)).dot(outward);
     (closer - facing.gap).max(0.0)
+}
+
+/// Lowest and highest place that a face reaches at the start, however its body is tilted by then \[m\]; `None` of a face along a body.
+fn heights(scene: &Scene, side: Side) -> Option<[f64; 2]> {
+    let (corners, start, more) = match side {
+        Side::Girder(number, end) => {
+            let girder = &scene.girders[number];
+            let [roll, pitch, _] = girder.initial.angles().map(f64::abs);
+            let lifted = radius(girder) * (roll + pitch).min(1.0);
+            (placed::end_face(girder, end), girder.initial.displacement[2], lifted)
+        }
+        Side::Abutment(number) => (placed::abutment_face(scene, &scene.abutments[number])?, 0.0, 0.0),
+        Side::Flank(..) | Side::Rear(..) => return None,
+    };
+    let reach = |pick: fn(f64, f64) -> f64| corners.iter().map(|corner| corner.z).reduce(pick);
+    Some([reach(f64::min)? + start - more, reach(f64::max)? + start + more])
 }
 
 /// Acceleration of G by the constant force, and of the farthest corner about G by the constant moment \[m/s²\].

@@ -237,6 +237,19 @@ fn a_displaced_start_counts_by_the_speed_that_it_leads_to() {
 }
 
 #[test]
+fn a_start_above_a_wall_is_not_pressed_into_it() {
+    let mut deck = presets::load("deck-30m").unwrap_or_else(|errors| panic!("{errors}"));
+    deck.girders[0].bearings = None;
+    let mut started = |z: f64, roll: f64| {
+        let initial = &mut deck.girders[0].initial;
+        (initial.displacement, initial.roll_deg) = ([20.0, 0.0, z], Some(roll));
+        outside(&deck).into_iter().filter(|departure| departure.pair.is_some()).count()
+    };
+    assert_eq!([started(0.0, 0.0), started(50.0, 0.0), started(50.0, 90.0)], [1, 0, 0], "beside, and above, the wall");
+    assert_eq!(started(10.0, 60.0), 1, "a corner may be lower");
+}
+
+#[test]
 fn gravity_counts_in_a_spatial_scene() {
     assert_eq!(with(|s| s.gravity = -200.0), [], "a planar scene has none");
     let mut deck = presets::load("deck-30m").unwrap_or_else(|errors| panic!("{errors}"));
