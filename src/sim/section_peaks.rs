@@ -15,20 +15,24 @@ const FEWEST: usize = 17;
 /// Distance to the section before a load, in parts of half the length: a load is not beyond its own station. Chosen: moments change by
 /// as small a part over it.
 const BEFORE: f64 = 1e-9;
-/// Part of the largest value by which a peak has to be able to be larger to be looked for.
+/// Part of the largest value by which a peak has to be able to be larger to be looked for. Chosen: the fifth printed digit.
 const PART: f64 = 1e-5;
-/// Part of the highest look from which a peak between looks in steps is looked for.
+/// Part of the highest look from which a peak between looks in steps is looked for. Chosen, as for forces of contacts.
 const NEAR: f64 = 0.9;
 /// Factor on bounds by strain, for the difference of section forces by strain and from equilibrium, and for values between stations.
+/// Measured: with it none of 8000 looks at 81 stations of 30 random girders was above what was found by more than [`PART`].
 const MARGIN: f64 = 2.0;
-/// Searches along the girder and in time by turns about the largest stress at the stations. Chosen: a fourth changes no printed digit.
+/// Searches along the girder and in time by turns about the largest stress at the stations. Chosen: each begins at the
+/// largest value of the one before.
 const ALTERNATIONS: usize = 3;
-/// Parts of the time of an axial wave from end to end on both sides of a peak within which its time is searched at another station.
+/// Parts of the time of an axial wave from end to end on both sides of a peak within which its time is searched at another station. Chosen: half a
+/// period of a wave of a twelfth of the length.
 const PER_TRANSIT: f64 = 24.0;
-/// Most halvings of the time between two looks.
+/// Most halvings of the time between two looks: a guard, where values are rounding alone.
 const DEEPEST: u32 = 40;
 
-/// Largest |N| \[N\], |M|, |`M_y`| and |T| \[N·m\] of both sides of mid-span; stress of the extreme fibre \[Pa\] and |N| of all stations.
+/// How many values are searched: the largest |N| \[N\], |M|, |`M_y`| and |T| \[N·m\] of both sides of mid-span; the largest stress of the
+/// extreme fibre \[Pa\] and |N| of all stations.
 pub(super) const VALUES: usize = 6;
 
 /// What is read from section forces: not negative, and of a sum of forces no larger than the sum of what is read from each.
