@@ -2,6 +2,7 @@
 //! be no more.
 
 use super::quadrature::integrate;
+use super::section_peaks::rounding;
 use super::{History, Touch};
 use crate::dynamics::elastic::degree::{LARGEST_DEGREE, SMALLEST_DEGREE};
 use crate::geometry::End;
@@ -10,6 +11,16 @@ use crate::scene::{Degree, Scene};
 
 /// Instants at which places of the ends are compared.
 const COMPARED: u32 = 400;
+
+/// Part of the largest force, or impulse, of two bodies below which that of others is not compared: nothing to a designer. Chosen.
+const GRAZE: f64 = 1e-6;
+/// Part of a girder's length below which a displacement of its ends is rounding of places.
+const STILL: f64 = 1e-12;
+
+/// The difference of two values in parts of the larger one, or of what is `nothing` beside others.
+fn part(a: f64, b: f64, nothing: f64) -> f64 {
+    if a == b { 0.0 } else { (a - b).abs() / a.max(b).max(nothing) }
+}
 
 /// A value of every two bodies that touched.
 type OfBodies = Vec<([SolidId; 2], f64)>;
@@ -64,12 +75,12 @@ impl History {
 
     /// The differences from a run of another degree that is as long.
     fn compare(&self, degree: [usize; 2], against: &Self) -> DegreeCheck {
-        let part = |a: f64, b: f64| if a == b { 0.0 } else { (a - b).abs() / a.max(b) };
-        // Where two bodies touched in one of the runs alone the difference is the whole.
         let pairs = |of: fn(&Self) -> OfBodies| {
             let (mut own, mut other) = (of(self), of(against));
+            // A touch that is nothing beside the others is no force to be compared.
+            let nothing = GRAZE * own.iter().chain(&other).map(|(_, value)| *value).fold(0.0, f64::max);
             let bodies: Vec<[SolidId; 2]> = own.iter().chain(&other).map(|(bodies, _)| *bodies).collect();
-            let apart = |bodies| part(*of_two(&mut own, bodies), *of_two(&mut other, bodies));
+            let apart = |bodies| part(*of_two(&mut own, bodies), *of_two(&mut other, bodies), nothing);
             bodies.into_iter().map(apart).fold(0.0, f64::max)
         };
         let mut check = DegreeCheck {
@@ -82,11 +93,15 @@ impl History {
             moments: 0.0,
         };
         for girder in 0..self.model().girders().len() {
-            let both = [self, against].map(|history| history.largest_at_mid_span(girder));
-            let [Some([section, own @ ..]), Some([other_section, others @ ..])] = both else { continue };
-            check.section = check.section.max(part(section, other_section));
-            let apart = own.iter().zip(others).map(|(a, b)| (a - b).abs()).fold(0.0, f64::max);
-            let largest = others.into_iter().fold(0.0, f64::max);
+            let made = |history: &Self| history.flexible(girder)?.girder.clone();
+            let (Some(own), Some(other)) = (made(self), made(against)) else { continue };
+            let half = 0.5 * self.model().bodies[girder].prism.length;
+            let most = |history: &Self, made| history.largest_in_sections(girder, made, None).map(|most| most.value);
+            let (own, other) = (most(self, &own), most(against, &other));
+            let [nothing, of_moments, ..] = rounding(&other, half);
+            check.section = check.section.max(part(own[0], other[0], nothing));
+            let apart = (1..4).map(|i| (own[i] - other[i]).abs()).fold(0.0, f64::max);
+            let largest = (1..4).map(|i| other[i]).fold(of_moments, f64::max);
             check.moments = check.moments.max(if apart == 0.0 { 0.0 } else { apart / largest });
         }
         check
@@ -143,7 +158,7 @@ impl History {
 
     fn ends_apart(&self, other: &Self) -> f64 {
         let of = |girder: usize| {
-            let (mut apart, mut largest) = (0.0f64, f64::MIN_POSITIVE);
+            let (mut apart, mut largest) = (0.0f64, STILL * self.model().bodies[girder].prism.length);
             for i in 0..=COMPARED {
                 let t = self.end().min(other.end()) * f64::from(i) / f64::from(COMPARED);
                 for end in End::BOTH {

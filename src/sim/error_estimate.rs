@@ -43,6 +43,11 @@ impl History {
         ErrorEstimate { error, rotation, until: finer.ends_before(self) }
     }
 
+    /// Largest distance of a corner of a girder from its G, by which rotations move it \[m\].
+    pub fn farthest_corner(&self) -> f64 {
+        self.model().girders().iter().map(|body| body.radius).fold(0.0, f64::max)
+    }
+
     /// Until when it was computed \[s\], where its computation gave up before another run ends.
     pub(super) fn ends_before(&self, other: &Self) -> Option<f64> {
         let stop = self.stop().filter(|stop| stop.cause == Cause::Computation)?;

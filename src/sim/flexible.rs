@@ -182,13 +182,6 @@ impl History {
         bending.map(|(girder, flexible, made)| self.flexible_reading(girder, flexible, made)).collect()
     }
 
-    /// Largest |N| \[N\], |M|, |`M_y`| and |T| \[N·m\] at mid-span of an elastic girder that bends.
-    pub(super) fn largest_at_mid_span(&self, girder: usize) -> Option<[f64; 4]> {
-        let made = self.flexible(girder)?.girder.as_ref()?;
-        let [axial, moment, vertical, torque, ..] = self.largest_in_sections(girder, made, None);
-        Some([axial, moment, vertical, torque].map(|most| most.value))
-    }
-
     fn flexible_reading(&self, girder: usize, flexible: &Flexible, made: &ElasticBody) -> FlexibleReading {
         let fibre = |forces: &SectionForces| self.stress_of(girder, flexible, forces);
         let [axial, moment, vertical, torque, stress, thrust] = self.largest_in_sections(girder, made, Some(&fibre));

@@ -17,6 +17,8 @@ const FEWEST: usize = 17;
 const BEFORE: f64 = 1e-9;
 /// Part of the largest value by which a peak has to be able to be larger to be looked for. Chosen: the fifth printed digit.
 const PART: f64 = 1e-5;
+/// Part of the forces of a girder's sections below which one of them is rounding of the others. Chosen: seven digits above rounding.
+const ROUNDING: f64 = 1e-9;
 /// Part of the highest look from which a peak between looks in steps is looked for. Chosen, as for forces of contacts.
 const NEAR: f64 = 0.9;
 /// Factor on bounds by strain, for the difference of section forces by strain and from equilibrium, and for values between stations.
@@ -34,6 +36,15 @@ const DEEPEST: u32 = 40;
 /// How many values are searched: the largest |N| \[N\], |M|, |`M_y`| and |T| \[N·m\] of both sides of mid-span; the largest stress of the
 /// extreme fibre \[Pa\] and |N| of all stations.
 pub(super) const VALUES: usize = 6;
+
+/// Below which each of the [`VALUES`] of a girder of this half length \[m\] is rounding of the others: its force is 1e-9 of N, and of the
+/// moments over half the length.
+pub(super) fn rounding(values: &[f64; VALUES], half: f64) -> [f64; VALUES] {
+    let [axial, moment, vertical, torque, stress, along] = *values;
+    let moments = moment.max(vertical).max(torque);
+    let force = ROUNDING * axial.max(along).max(moments / half);
+    [force, force * half, force * half, force * half, ROUNDING * stress, force]
+}
 
 /// What is read from section forces: not negative, and of a sum of forces no larger than the sum of what is read from each.
 struct Reading<'a> {
@@ -74,7 +85,7 @@ struct Seen {
 }
 
 impl History {
-    /// The largest of each of the [`VALUES`] over the run; without `fibre`, its stress of section forces, 0 in place of the last two.
+    /// The largest of each of the [`VALUES`] over the run; without `fibre`, its stress by section forces, 0 in place of the last two.
     pub(super) fn largest_in_sections(
         &self,
         girder: usize,
@@ -96,7 +107,8 @@ impl History {
             }
             Some(sum)
         };
-        largest(&self.intervals(girder), &values, &bound)
+        let half = 0.5 * self.model().bodies[girder].prism.length;
+        largest((&self.intervals(girder), half), &values, &bound)
     }
 
     /// By how much a unit coefficient of each exponential of the girder's free motion changes each value at most, by strain.
@@ -160,29 +172,34 @@ impl History {
 }
 
 /// What has been seen of each value.
-struct Search([Seen; VALUES]);
+struct Search {
+    values: [Seen; VALUES],
+    /// Below which each is rounding.
+    rounding: [f64; VALUES],
+}
 
 impl Search {
     fn see(&mut self, t: f64, values: &[f64; VALUES], apart: [f64; 2]) {
-        for (seen, &value) in self.0.iter_mut().zip(values) {
+        for (seen, &value) in self.values.iter_mut().zip(values) {
             if exceeds(value, seen.largest.value) {
                 *seen = Seen { largest: Extreme { value, t }, apart };
             }
         }
     }
 
-    /// Whether a value between two looks can be larger than the largest by more than [`PART`] of it.
+    /// Whether a value between two looks can be larger than the largest by more than [`PART`] of it, and than rounding.
     fn may_hide(&self, [one, other]: [&[f64; VALUES]; 2], second: &[f64; VALUES], width: f64) -> bool {
         let hides = |(i, seen): (usize, &Seen)| {
-            one[i].max(other[i]) + second[i] * width * width / 8.0 > seen.largest.value * (1.0 + PART)
+            let resolved = (PART * seen.largest.value).max(self.rounding[i]);
+            one[i].max(other[i]) + second[i] * width * width / 8.0 > seen.largest.value + resolved
         };
-        self.0.iter().enumerate().any(hides)
+        self.values.iter().enumerate().any(hides)
     }
 
     /// Takes note that an interval was halved.
     fn halved(&mut self, [from, until]: [f64; 2]) {
         let half = 0.5 * (until - from);
-        for Seen { largest, apart: [before, after] } in &mut self.0 {
+        for Seen { largest, apart: [before, after] } in &mut self.values {
             if largest.t == from {
                 *after = half;
             } else if largest.t == until {
@@ -195,7 +212,7 @@ impl Search {
 /// Largest values over intervals that follow one another. Where second derivatives are bounded, |f″| ≤ B, no value between looks that are
 /// h apart is above both by more than `B h²/8`: intervals are halved until none can hide a larger one.
 fn largest(
-    intervals: &[Interval<'_>],
+    (intervals, half): (&[Interval<'_>], f64),
     values: &dyn Fn(f64) -> [f64; VALUES],
     bound: &dyn Fn(&Interval<'_>) -> Option<[f64; VALUES]>,
 ) -> [Extreme; VALUES] {
@@ -204,10 +221,11 @@ fn largest(
     let looks: Vec<[f64; VALUES]> = times.iter().map(|t| values(*t)).collect();
     let around = |i: usize| [times[i] - times[i.saturating_sub(1)], times[(i + 1).min(times.len() - 1)] - times[i]];
     let nothing = Seen { largest: Extreme { value: 0.0, t: times[0] }, apart: around(0) };
-    let mut search = Search([nothing; VALUES]);
+    let mut search = Search { values: [nothing; VALUES], rounding: [0.0; VALUES] };
     for (i, look) in looks.iter().enumerate() {
         search.see(times[i], look, around(i));
     }
+    search.rounding = rounding(&search.values.map(|seen| seen.largest.value), half);
     for (i, interval) in intervals.iter().enumerate() {
         let Some(second) = bound(interval) else { continue };
         let mut open = vec![(interval.span, [looks[i], looks[i + 1]], 0)];
@@ -227,7 +245,7 @@ fn largest(
     let in_steps = (1..intervals.len()).filter(|i| intervals[i - 1].flight.and(intervals[*i].flight).is_none());
     let peaks: Vec<usize> = in_steps.collect();
     std::array::from_fn(|own| {
-        let Seen { largest, apart: [before, after] } = search.0[own];
+        let Seen { largest, apart: [before, after] } = search.values[own];
         let own_peaks = peaks.iter().copied().filter(|&i| {
             let [one, here, other] = [i - 1, i, i + 1].map(|i| looks[i][own]);
             here >= one && here >= other && here > NEAR * largest.value && (exceeds(here, one) || exceeds(here, other))
@@ -245,7 +263,7 @@ fn largest(
 fn stations(equilibrium: &Equilibrium, degree: usize) -> Vec<f64> {
     let half = equilibrium.half();
     let last = (FEWEST - 1).max(4 * (degree + 2));
-    let even = (0..=last).map(|i| -half * (std::f64::consts::PI * i as f64 / last as f64).cos());
+    let even = (0..=last).map(|i| half * (std::f64::consts::PI * (i as f64 / last as f64 - 0.5)).sin());
     let loads = equilibrium.loaded().flat_map(|s| [s - BEFORE * half, s]);
     let mut stations: Vec<f64> = even.chain(loads.map(|s| s.clamp(-half, half))).collect();
     stations.sort_by(f64::total_cmp);

@@ -155,7 +155,7 @@ impl Report {
         let (scene, ledger, balance) = (history.scene(), history.ledger(history.end()), history.balance());
         let (upright, numbers) = (history.uprights(), history.summary());
         let max_tilt = upright.iter().map(|girder| girder.tilt.value).reduce(f64::max);
-        let radius = history.model().girders().iter().map(|body| body.radius).fold(0.0, f64::max);
+        let radius = history.farthest_corner();
         let turned = numbers.max_rotation.max(max_tilt.unwrap_or(0.0));
         let of_corner = |displacement: f64, rotation: f64| displacement + radius * rotation;
         let error = options.estimated_error.map_or(0.0, |estimate| of_corner(estimate.error, estimate.rotation));

@@ -161,10 +161,9 @@ fn numbers(ui: &mut Ui, answer: &Answer, room: f32, out: &mut Vec<Command>) {
     let error = match answer.error() {
         None => "…".to_owned(),
         Some(estimate) => {
-            let radius = answer.history.model().girders().iter().map(|body| body.radius).fold(0.0, f64::max);
             let length = text::length(estimate.error);
             // The rotation too where a corner errs by that more.
-            if radius * estimate.rotation > estimate.error {
+            if answer.history.farthest_corner() * estimate.rotation > estimate.error {
                 format!("{length}, {}°", text::short(estimate.rotation.to_degrees()))
             } else {
                 length

@@ -162,7 +162,8 @@ impl Equilibrium {
 
     /// Where loads act \[m\]: moments have kinks there and forces jump.
     pub fn loaded(&self) -> impl Iterator<Item = f64> + '_ {
-        self.loads.iter().map(|load| load.station)
+        let acting = self.loads.iter().filter(|load| load.force != DVec3::ZERO || load.moment != DVec3::ZERO);
+        acting.map(|load| load.station)
     }
 
     /// The same by the strain of the series: `E A u'`, `k_s G A (v' − φ_z)`, `k_s G A (w' + φ_y)`, `G J_t ψ'`, `E I φ'`.
