@@ -19,7 +19,8 @@ impl Room {
     /// the slope of a length there \[m\].
     pub fn excess(&self, w: f64) -> f64 {
         let (before, beyond) = (w - self.from, self.to - w);
-        match (before.is_finite(), beyond.is_finite()) {
+        // By the room's own ends: a displacement that is bounded by nothing is beyond it.
+        match (self.from.is_finite(), self.to.is_finite()) {
             (true, true) => -before * beyond / (self.to - self.from),
             (true, false) => -before,
             (false, true) => -beyond,
@@ -183,6 +184,10 @@ mod tests {
                 assert!((rate - room.excess_rate(w, speed)).abs() < 1e-8, "{room:?} at {w}");
                 let second = (at(w, step) - 2.0 * at(w, 0.0) + at(w, -step)) / (step * step);
                 assert!(second.abs() <= room.excess_curvature(w.abs(), speed, acceleration) + 1e-4, "{room:?} at {w}");
+            }
+            let beyond = [(room.from, f64::NEG_INFINITY), (room.to, f64::INFINITY)];
+            for (_, far) in beyond.into_iter().filter(|(end, _)| end.is_finite()) {
+                assert_eq!(room.excess(far), f64::INFINITY, "{room:?} is not endless");
             }
             let ends = [room.from, room.to].into_iter().filter(|end| end.is_finite());
             ends.for_each(|end| assert!(room.excess(end).abs() < 1e-15 && room.excess(0.0) < 0.0, "{room:?}"));

@@ -156,6 +156,33 @@ fn a_girder_in_space_that_loses_all_legs_falls_freely_until_its_corners_have_dro
     within("ledger", books.residual / books.scale, 1e-9);
 }
 
+/// A pier that nothing moves is ground: in space bearings on it are lost as those on the ground are.
+#[test]
+fn a_girder_in_space_loses_its_support_on_a_pier_and_on_ground_that_moves_otherwise() {
+    let on = |words: &str, supports: &str| {
+        let bearings = "frequency_hz = 0, damping_ratio = 0, vertical_frequency_hz = 10, travel_m = 0.05, \
+                        at_m = [[4, 1.5], [4, -1.5], [-4, 1.5], [-4, -1.5]]";
+        History::of(&deck(&format!("bearings = {{ {bearings}{words} }}\n{supports}"))).expect("a scene")
+    };
+    let pier = "[[pier]]\nname = \"p\"\nmass_kg = 1e9\nfrequency_hz = 30\ndamping_ratio = 0.05";
+    let walls = "[[abutment]]\nname = \"w\"\nfaces = \"deck\"\nend = \"-x\"\ngap_m = 1.0\nmotion_factor = 0.5\n\
+                 [[abutment]]\nname = \"e\"\nfaces = \"deck\"\ngap_m = 1.0\nmotion_factor = 0.5\n\
+                 [motion]\nkind = \"sine\"\namplitude_g = 1e-9\nfrequency_hz = 1.0";
+    let cases = [(", on_minus_x = \"p\", on_plus_x = \"p\"", pier), (", on_minus_x = \"w\", on_plus_x = \"e\"", walls)];
+    for (words, supports) in cases {
+        let history = on(words, supports);
+        let lost = history.lost_supports(2.0);
+        assert_eq!(lost.len(), 4, "{supports}");
+        for lost in &lost {
+            within("lost", lost.t - 0.1, 1e-6);
+        }
+        let stop = history.stop().expect("it falls");
+        within("a tenth of a metre down", stop.t - (0.1 + (2.0 * 0.1 / STANDARD_GRAVITY).sqrt()), 1e-4);
+        let books = history.ledger(history.end());
+        within("ledger", books.residual / books.scale, 1e-8);
+    }
+}
+
 #[test]
 fn a_girder_in_space_that_loses_two_legs_tips() {
     // Only the legs at one side can be lost: it tips about the others.
