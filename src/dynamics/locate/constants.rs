@@ -12,7 +12,7 @@ pub(in crate::dynamics) const MAX_ADVANCES: u32 = 100_000;
 /// Successive advances at the shortest length before the resolution is made coarser: the search of a function that stays within
 /// round-off of 0 (two faces at rest on each other) then ends in a bounded number of evaluations. Tuned.
 pub(super) const FLOORED_ADVANCES: u32 = 512;
-/// Evaluations of a subdivision at one resolution before the resolution is made coarser: a bound on its work likewise. Tuned.
+/// Evaluations of a subdivision at one resolution before the resolution is made coarser: bounds its work. Tuned.
 pub(super) const SAMPLES_PER_RESOLUTION: u32 = 64;
 /// Factor by which the resolution is made coarser. Tuned: 13 times span the digits of a double.
 pub(super) const COARSENING: f64 = 16.0;
@@ -39,6 +39,9 @@ pub(super) const NEWTON_STEPS: u32 = 4;
 pub(super) const CUBIC_STEPS: u32 = 12;
 /// Halvings towards a zero at the start of an interval in search of a value below 0: to 2⁻³⁰ ≈ 1e-9 of the interval. Tuned.
 pub(super) const DIP_HALVINGS: u32 = 30;
+/// Where behind a start at 0 a rise is looked for, in parts of the interval \[–\]: a function of two terms that is above 0 for less than the
+/// first rises by less than a millionth of what it falls by; the second is for one that is within rounding there. Chosen.
+pub(super) const RISE_LOOKS: [f64; 2] = [1.0 / 1024.0, 1.0 / 32.0];
 /// Height above the vertex of the parabola through three samples within which the function may reach 0, in parts of their
 /// second difference. Tuned.
 pub(super) const EXCURSION_MARGIN: f64 = 0.25;

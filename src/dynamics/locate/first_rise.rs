@@ -4,7 +4,7 @@
 //! between neighbouring samples, by a dip below zero after a start at zero, or by a parabola through three negative samples
 //! that comes near zero between them; the bracket is then closed by [`root_between`].
 
-use crate::dynamics::locate::constants::{DIP_HALVINGS, EXCURSION_MARGIN, EXCURSION_REDUCTIONS};
+use crate::dynamics::locate::constants::{DIP_HALVINGS, EXCURSION_MARGIN, EXCURSION_REDUCTIONS, RISE_LOOKS};
 use crate::dynamics::locate::root::{root, root_between};
 
 /// First time at which a sampled function rises through 0. A start above `zero` is a rise at the first sample; a function
@@ -20,6 +20,9 @@ pub(in crate::dynamics) fn first_rise(
         return Some(times[0]);
     }
     let mut below = values[0] < 0.0;
+    if !passing && values[0].abs() <= zero && rises_at_once(times, values, zero, &mut function) {
+        return Some(times[0]);
+    }
     for i in 1..values.len() {
         if values[i] > 0.0 && (below || !passing) {
             let left =
@@ -74,6 +77,16 @@ impl EarliestEvent {
             root_between(function, [left, right], [start, end])
         }
     }
+}
+
+/// Whether a function that starts at 0 and is below 0 at the next sample is above `zero` in between: the event that the step begins with
+/// is one of this function, too, and its rate changes its sign within the interval.
+fn rises_at_once(times: &[f64], values: &[f64], zero: f64, function: &mut impl FnMut(f64) -> f64) -> bool {
+    if values.len() < 2 || values[1] >= 0.0 {
+        return false;
+    }
+    let interval = times[1] - times[0];
+    RISE_LOOKS.iter().any(|part| function(times[0] + part * interval) > zero)
 }
 
 /// A time after `from` at which the function is below 0, where it starts at 0; none within [`DIP_HALVINGS`].
@@ -131,6 +144,14 @@ mod tests {
     }
 
     const TIMES: [f64; 3] = [0.0, 1.0, 2.0];
+
+    #[test]
+    fn a_start_at_zero_from_which_a_function_rises_and_falls_within_a_sample_is_due_at_once() {
+        assert_eq!(rise(&TIMES, false, |t| t * (0.01 - t)), Some(0.0), "for a hundredth of the interval");
+        assert_eq!(rise(&TIMES, false, |t| -t), None, "it falls");
+        assert_eq!(rise(&TIMES, false, |t| -t * t), None, "with its rate 0 as well");
+        assert_eq!(rise(&TIMES, false, |t| t * (1e-13 - t)), None, "rounding");
+    }
 
     #[test]
     fn a_start_above_zero_is_due_at_once_unless_passing() {
