@@ -42,6 +42,21 @@ pub struct PairNumbers {
     pub one_way: bool,
 }
 
+impl PairNumbers {
+    /// Parameter ζ, ξ or a in force \[–\]; 0 for laws without one.
+    pub fn parameter_in_force(&self) -> f64 {
+        let of_restitution =
+            || calibration::parameter(self.normal, self.calibration, self.restitution_normal, self.clamp);
+        self.parameter.unwrap_or_else(of_restitution)
+    }
+
+    /// `k_h` in force \[N/m^{3/2}\].
+    pub fn hertz_stiffness_in_force(&self) -> f64 {
+        let by_depth = || calibration::hertz_stiffness(self.stiffness, self.mass, self.design_speed);
+        self.hertz_stiffness.unwrap_or_else(by_depth)
+    }
+}
+
 /// Law of a whole pair: its normal law, and K and the dashpot of (65) along the tangents.
 pub fn law_of_pair(numbers: &PairNumbers) -> Law {
     let &PairNumbers { stiffness: k, mass, restitution_tangential, .. } = numbers;
@@ -69,10 +84,9 @@ pub fn is_damped_by_65(numbers: &PairNumbers) -> bool {
 /// Normal law of a whole pair, with its dashpot or its yield from `e_n`, or with the parameter given.
 fn normal_law(numbers: &PairNumbers) -> Normal {
     let &PairNumbers { stiffness, normal, design_speed, calibration, restitution_normal: e, mass, .. } = numbers;
-    let parameter = numbers.parameter.unwrap_or_else(|| calibration::parameter(normal, calibration, e, numbers.clamp));
+    let parameter = numbers.parameter_in_force();
     let linear = || Linear { k: stiffness, c: parameter * critical_damping(stiffness, mass) };
-    let given = numbers.hertz_stiffness;
-    let k = given.unwrap_or_else(|| calibration::hertz_stiffness(stiffness, mass, design_speed));
+    let k = numbers.hertz_stiffness_in_force();
     let viscous = parameter * critical_damping(k, mass);
     let hertz = |dashpot| Normal::Hertz(Hertz { k, dashpot });
     match normal {
@@ -88,11 +102,11 @@ fn normal_law(numbers: &PairNumbers) -> Normal {
 
 /// Coefficient of restitution that a flush free head-on hit of a pair returns at this impact speed \[m/s\] \[–\].
 pub fn returned_restitution(numbers: &PairNumbers, speed: f64) -> f64 {
-    let &PairNumbers { normal, calibration, restitution_normal: e, clamp, mass, .. } = numbers;
+    let &PairNumbers { normal, clamp, mass, .. } = numbers;
     if let Normal::Bilinear(law) = normal_law(numbers) {
         return calibration::bilinear_restitution(&law, mass, speed);
     }
-    let parameter = numbers.parameter.unwrap_or_else(|| calibration::parameter(normal, calibration, e, clamp));
+    let parameter = numbers.parameter_in_force();
     // A slower hit than the least impact speed of `hertz-damp` has a smaller a.
     let slow = if normal == NormalName::HertzDamp { (speed / LEAST_IMPACT_SPEED).min(1.0) } else { 1.0 };
     calibration::returned(normal, parameter * slow, clamp)

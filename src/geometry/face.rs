@@ -2,6 +2,12 @@
 
 use glam::{DVec2, DVec3};
 
+/// Part of its size by which a face may be off a plane, or its sides off parallel \[–\]. Chosen: corners computed with a turn and a sum are
+/// off by some 1e-16 of the distance from the origin, which may be millions of times their size.
+const FLAT: f64 = 1e-9;
+/// Area over the square of the size below which four points have no normal \[–\]: their cross product is rounding.
+const NO_AREA: f64 = 1e-12;
+
 /// Why four points are not a face.
 #[derive(Clone, Debug, PartialEq, thiserror::Error)]
 pub enum FaceError {
@@ -40,22 +46,22 @@ impl Face {
         let [a, b, c, d] = corners;
         let size = (c - a).length().max((d - b).length());
         let area_normal = (c - a).cross(d - b);
-        if area_normal.length() <= 1e-12 * size * size {
+        if area_normal.length() <= NO_AREA * size * size {
             return Err(FaceError::NotConvex(0));
         }
         let normal = area_normal / area_normal.length();
         let off = ((b - a).dot(normal)).abs().max((c - a).dot(normal).abs()).max((d - a).dot(normal).abs());
-        if off > 1e-9 * size {
+        if off > FLAT * size {
             return Err(FaceError::NotFlat(off));
         }
         for i in 0..4 {
             let (before, here, after) = (corners[(i + 3) % 4], corners[i], corners[(i + 1) % 4]);
-            if (here - before).cross(after - here).dot(normal) <= 1e-9 * size * size {
+            if (here - before).cross(after - here).dot(normal) <= FLAT * size * size {
                 return Err(FaceError::NotConvex(i));
             }
         }
         let (ab, dc) = (b - a, c - d);
-        if ab.cross(dc).length() > 1e-9 * ab.length() * dc.length() {
+        if ab.cross(dc).length() > FLAT * ab.length() * dc.length() {
             return Err(FaceError::NotTrapezium);
         }
         let tangent = ab / ab.length();
@@ -66,6 +72,11 @@ impl Face {
     #[inline]
     pub fn is_upright(&self) -> bool {
         self.normal.z == 0.0 && self.tangent.z == 0.0 && self.bitangent.x == 0.0 && self.bitangent.y == 0.0
+    }
+
+    /// Whether its normal is level, but for the rounding of corners that are not exact.
+    pub fn has_level_normal(&self) -> bool {
+        self.normal.z.abs() <= FLAT
     }
 
     /// Signed distance of a point from the plane, positive outside \[m\].

@@ -10,6 +10,10 @@ use parry3d::shape::ConvexPolyhedron;
 
 use super::Prism;
 
+/// Sine of the angle of two edges below which their cross product is no axis \[–\]. Chosen: of unit vectors that round by 2e-16 its direction
+/// then errs by 2e-10.
+const NEARLY_PARALLEL: f64 = 1e-6;
+
 /// Where a body stands: its origin in the world, and the turn from its frame to the world's.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Stand {
@@ -269,7 +273,7 @@ impl Hexahedron {
         let (own, others) = (turned(&self.edges, stand), turned(&other.edges, other_stand));
         let crossed = own.iter().flat_map(|e| others.iter().map(move |f| e.cross(*f)));
         // Nearly parallel edges add no axis, only a badly rounded one.
-        let crossed = crossed.filter(|cross| cross.length() > 1e-6).map(|cross| cross / cross.length());
+        let crossed = crossed.filter(|cross| cross.length() > NEARLY_PARALLEL).map(|cross| cross / cross.length());
         let normals = turned(&self.normals, stand).into_iter().chain(turned(&other.normals, other_stand));
         normals.chain(crossed).map(along).fold(f64::NEG_INFINITY, f64::max)
     }

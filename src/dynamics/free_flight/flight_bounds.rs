@@ -7,6 +7,9 @@ use crate::dynamics::free_flight::uncoupled_axis::UncoupledAxis;
 use crate::dynamics::model::coordinates::planar::{self, PlanarState};
 use crate::dynamics::model::motion_bounds::MotionBounds;
 
+/// Phase of the fastest motion over which the work of forces bounds a flight \[rad\]. Tuned: bounds by energy double over about a radian.
+const BOUND_PHASE: f64 = 0.5;
+
 impl FreeMotion {
     /// State at `t` in `flight`, and what the motion can do from there for at most `horizon` \[s\].
     pub fn state_and_bounds(&self, flight: &Flight, t: f64, horizon: f64) -> (PlanarState, MotionBounds) {
@@ -65,7 +68,7 @@ impl FreeMotion {
 
     fn bound_whole(&self, state: &PlanarState, horizon: f64) -> MotionBounds {
         let [omega, damping] = self.rates;
-        let window = horizon.min(0.5 / omega.max(damping).max(1e-9));
+        let window = horizon.min(BOUND_PHASE / omega.max(damping).max(f64::MIN_POSITIVE));
         let i = self.gyration;
         let push = DVec3::new(self.push[0], self.push[1], self.push[2] * i).length();
         let force = self.ground.peak() + push;

@@ -26,6 +26,10 @@ pub struct FreeResponse {
     pub s_rate: f64,
 }
 
+/// Phase `√|γ² − ω²| τ` below which the response is a series about critical damping \[rad\]: its first term left out, u⁴/9! with u the square of
+/// the phase, is 3e-22.
+const NEAR_CRITICAL: f64 = 1e-2;
+
 impl Oscillator {
     /// Undamped circular frequency \[rad/s\].
     pub fn omega(&self) -> f64 {
@@ -36,7 +40,7 @@ impl Oscillator {
     #[inline]
     pub fn free(&self, tau: f64) -> FreeResponse {
         let d = self.gamma * self.gamma - self.omega2;
-        let (s, mean) = if d.abs().sqrt() * tau < 1e-2 {
+        let (s, mean) = if d.abs().sqrt() * tau < NEAR_CRITICAL {
             near_critical(self.gamma, d, tau)
         } else if d < 0.0 {
             let (sin, cos) = ((-d).sqrt() * tau).sin_cos();

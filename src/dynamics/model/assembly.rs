@@ -58,7 +58,7 @@ impl Model {
             let number = pairs.len();
             let have_met = met.binary_search(&[facing.first.solid(), facing.second.solid()]).is_ok();
             contact_sites::contacts(scene, &bodies, &facing, (number, have_met), &mut contacts)?;
-            let vertical = contacts[from..].iter().all(|site: &ContactSite| site.face.normal.z.abs() <= 1e-9);
+            let vertical = contacts[from..].iter().all(|site: &ContactSite| site.face.has_level_normal());
             pairs.push(pair(scene, vertical, (&bodies, &walls), facing, from..contacts.len()));
         }
         for (number, pair) in pairs.iter_mut().enumerate() {

@@ -2,7 +2,7 @@
 
 mod tables;
 
-use crate::contact::{NormalLaw, PairNumbers, calibration, law_of_pair};
+use crate::contact::{NormalLaw, PairNumbers, law_of_pair};
 use crate::geometry::End;
 use crate::scene::concrete::CONCRETE_MODULUS;
 use crate::scene::keys::{Fallback, Range, Slot, Stands, Word, words};
@@ -116,15 +116,13 @@ contact_tables! {
 impl PairContact {
     /// `k_h` in force for a pair of this reduced mass \[kg\] \[N/m^{3/2}\].
     pub fn hertz_stiffness_in_force(&self, mass: f64) -> f64 {
-        self.hertz_stiffness.unwrap_or_else(|| calibration::hertz_stiffness(self.stiffness, mass, self.design_speed))
+        self.law(mass, false).hertz_stiffness_in_force()
     }
 
     /// Parameter ζ, ξ or a in force \[–\]; 0 for laws without one.
     pub fn law_parameter_in_force(&self) -> f64 {
-        let clamp = self.tension == Tension::Clamp;
-        self.law_parameter.unwrap_or_else(|| {
-            calibration::parameter(self.normal_law, self.calibration, self.restitution_normal, clamp)
-        })
+        // It does not depend on the mass.
+        self.law(1.0, false).parameter_in_force()
     }
 
     /// Stiffness per mass of a pair of this reduced mass \[kg\], of a Hertz or bilinear spring that of the linear one with as
