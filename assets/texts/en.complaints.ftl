@@ -339,6 +339,7 @@ record-converted = converted from { $unit } by the factor { $factor } m/s²
 record-counts = counts scaled by { $scale } gal
 record-mean = mean of { $mean } gal removed
 record-begins = times counted from the first sample, at { $begin } s in the file
+record-unit-assumed = no unit is stated: { $unit } assumed
 record-give-channel = give channel, one of: { $list }
 record-end = the end of the file
 record-cut-off = the file is cut off: { $what } is missing

@@ -339,6 +339,7 @@ record-converted = { $unit } から係数 { $factor } m/s² で換算
 record-counts = カウント値に { $scale } gal を乗じた
 record-mean = 平均 { $mean } gal を除去
 record-begins = 時刻は最初の値（ファイルの { $begin } s）から数える
+record-unit-assumed = 単位の記載がないため { $unit } と仮定
 record-give-channel = channel を次から与える：{ $list }
 record-end = ファイルの終わり
 record-cut-off = ファイルが途切れている：{ $what }がない

@@ -77,6 +77,7 @@ fn read(bytes: &[u8], beside: &Supplement) -> Result<Vec<Channel>, RecordError> 
             Err(error) => return Err(error),
         }
     }
+    let assumed = stated.or(beside.unit).is_none();
     let unit = match (stated, beside.unit) {
         (Some(stated), Some(beside)) if stated != beside => {
             let value = message!("record-units-differ", "stated" => stated.label(), "beside" => beside.label());
@@ -85,6 +86,9 @@ fn read(bytes: &[u8], beside: &Supplement) -> Result<Vec<Channel>, RecordError> 
         (stated, beside) => stated.or(beside).unwrap_or(Unit::MetrePerSecond2),
     };
     let mut channel = Channel::converted("", Orientation::Unstated, unit, interval(&times)?, samples);
+    if assumed {
+        channel.done.push(message!("record-unit-assumed", "unit" => unit.label()));
+    }
     if let Some(begin) = times.first().map(|time| time.t).filter(|begin| *begin != 0.0) {
         channel.done.push(message!("record-begins", "begin" => begin));
     }
@@ -282,10 +286,19 @@ mod tests {
         assert!(refused("t [ms],a [gal]", None).contains("times in ms"), "no seconds");
     }
 
+    /// A channel of a table that states no unit, of two samples a second.
+    fn without_unit(samples: Vec<f64>) -> Channel {
+        let done = vec![message!("record-unit-assumed", "unit" => "m/s²")];
+        Channel { done, ..Channel::plain(0.5, samples) }
+    }
+
     #[test]
     fn a_table_that_begins_late_is_said_to() {
         let done = |text: &str| read(text.as_bytes(), &Supplement::default()).expect("two samples")[0].done.len();
-        assert_eq!([done("0,1\n0.01,2\n"), done("5,1\n5.01,2\n")], [0, 1], "times counted from the first");
+        let [from_zero, late, assumed] = ["a_m_s2\n0,1\n0.01,2\n", "a_m_s2\n5,1\n5.01,2\n", "a\n0,1\n0.01,2\n"]
+            .map(|text| done(&format!("t,{text}")));
+        assert_eq!([from_zero, late], [0, 1], "times counted from the first");
+        assert_eq!(assumed, 1, "no unit is stated");
     }
 
     #[test]
@@ -334,7 +347,7 @@ mod tests {
 
     #[test]
     fn decimal_commas_are_read_where_something_else_separates_the_columns() {
-        let wanted = Channel::plain(0.5, vec![0.25, -1.5, 2.0]);
+        let wanted = without_unit(vec![0.25, -1.5, 2.0]);
         for text in [
             "0,0;0,25\n0,5;-1,5\n1,0;2\n",
             "t;a\n0,0;0,25\n0,5;-15e-1\n1;2\n",
@@ -352,7 +365,7 @@ mod tests {
 
     #[test]
     fn blank_lines_are_skipped() {
-        let wanted = Channel::plain(0.5, vec![1.0, 2.0]);
+        let wanted = without_unit(vec![1.0, 2.0]);
         for text in ["0,1\n0.5,2\n   \n", "0,1\n0.5,2\n\t\n\n", "  \n0,1\n\n0.5,2", "0;1\n0.5;2\n;\n"] {
             assert_eq!(table(text.as_bytes()).as_ref(), Ok(&wanted), "{text:?}");
         }
