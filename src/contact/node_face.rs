@@ -102,7 +102,7 @@ pub struct Home {
     /// Node from corner a, in the face's axes \[m\].
     at: DVec3,
     /// Node from corner a, world axes \[m\].
-    apart: DVec3,
+    from_corner: DVec3,
     /// Node from its own body's G \[m\].
     pub arm: DVec3,
     /// Node from the face body's G \[m\].
@@ -127,16 +127,23 @@ impl Home {
     /// Geometry of a node at `by` from this one \[m\], world axes as placed.
     #[must_use]
     pub fn shifted(&self, by: DVec3) -> Self {
-        let (arm, lever, apart) = (self.arm + by, self.lever + by, self.apart + by);
-        Self { at: self.at + self.axes.transpose() * by, apart, arm, lever, ..*self }
+        let (arm, lever, from_corner) = (self.arm + by, self.lever + by, self.from_corner + by);
+        Self { at: self.at + self.axes.transpose() * by, from_corner, arm, lever, ..*self }
     }
 
     /// Geometry of the same node before the plane through `from`, from corner a \[m\], with these axes; world axes as
     /// placed.
     #[must_use]
     pub fn before(&self, from: DVec3, axes: DMat3) -> Self {
-        let apart = self.apart - from;
-        Self { axes, at: axes.transpose() * apart, apart, corner: self.corner + from, upright: false, ..*self }
+        let from_corner = self.from_corner - from;
+        Self {
+            axes,
+            at: axes.transpose() * from_corner,
+            from_corner,
+            corner: self.corner + from,
+            upright: false,
+            ..*self
+        }
     }
 
     /// Geometry of the same node as a point of an edge in this direction, world axes as placed, across the first axis; its normal
@@ -169,14 +176,14 @@ impl Home {
     /// Geometry with the poses of `node_body` and `face_body`, at rest, in place of the placed ones.
     #[must_use]
     pub fn seen_from(&self, node_body: &Frame, face_body: &Frame) -> Self {
-        let Measured { here, arm, apart, .. } = measure(&Self { edge: DVec3::ZERO, ..*self }, node_body, face_body);
+        let Measured { here, arm, lever, .. } = measure(&Self { edge: DVec3::ZERO, ..*self }, node_body, face_body);
         let corner = face_body.turn(self.corner);
         Self {
             axes: face_body.rotation(&self.axes),
             at: here.at.extend(here.gap),
-            apart: apart - corner,
+            from_corner: lever - corner,
             arm,
-            lever: apart,
+            lever,
             corner,
             upright: self.upright && face_body.level,
             edge: node_body.turn(self.edge),
@@ -200,7 +207,7 @@ impl Home {
         Self {
             axes: axes * along,
             at,
-            apart: lever - corner,
+            from_corner: lever - corner,
             arm,
             lever,
             corner,
@@ -251,7 +258,7 @@ pub struct Measured {
     /// Node from its own body's G, world axes \[m\].
     pub arm: DVec3,
     /// Node from the face body's G, world axes \[m\].
-    pub apart: DVec3,
+    pub lever: DVec3,
     /// Turn of the axes in which the position is, from the face's.
     pub crossed: Crossed,
 }
@@ -287,20 +294,20 @@ pub fn measure(home: &Home, node_body: &Frame, face_body: &Frame) -> Measured {
 fn measure_in_space(home: &Home, node_body: &Frame, face_body: &Frame) -> Measured {
     let swung = node_body.turned * home.arm;
     let shifted = (node_body.shift - face_body.shift) + swung;
-    let (arm, apart) = (home.arm + swung, home.lever + shifted);
-    let velocity = node_body.velocity_at(arm) - face_body.velocity_at(apart);
+    let (arm, lever) = (home.arm + swung, home.lever + shifted);
+    let velocity = node_body.velocity_at(arm) - face_body.velocity_at(lever);
     // The products with the zero rotation of an abutment are left out; the result is equal to the last bit.
     let (moved, velocity, spin) = if face_body.turned == DMat3::ZERO {
         (shifted, velocity, face_body.spin)
     } else {
         let back = face_body.turned.transpose();
         let moved = shifted - face_body.turned * home.corner;
-        (moved + back * (home.apart + moved), velocity + back * velocity, face_body.spin + back * face_body.spin)
+        (moved + back * (home.from_corner + moved), velocity + back * velocity, face_body.spin + back * face_body.spin)
     };
     let in_face = |v: DVec3| DVec3::new(v.dot(home.axes.x_axis), v.dot(home.axes.y_axis), v.dot(home.axes.z_axis));
     let (way, rate) = (in_face(moved), in_face(velocity));
     if home.edge != DVec3::ZERO {
-        return measure_across(home, [node_body, face_body], [arm, apart], [way, rate]);
+        return measure_across(home, [node_body, face_body], [arm, lever], [way, rate]);
     }
     let here = Local {
         gap: home.at.z + way.z,
@@ -310,7 +317,7 @@ fn measure_in_space(home: &Home, node_body: &Frame, face_body: &Frame) -> Measur
         rate: rate.truncate(),
         spin: in_face(spin),
     };
-    Measured { here, arm, apart, crossed: Crossed::SQUARE }
+    Measured { here, arm, lever, crossed: Crossed::SQUARE }
 }
 
 /// Position and velocity of a point of an edge relative to the edge along the first axis, in axes turned about that one to the common
@@ -320,7 +327,7 @@ fn measure_in_space(home: &Home, node_body: &Frame, face_body: &Frame) -> Measur
 fn measure_across(
     home: &Home,
     [node_body, face_body]: [&Frame; 2],
-    [arm, apart]: [DVec3; 2],
+    [arm, lever]: [DVec3; 2],
     [way, rates]: [DVec3; 2],
 ) -> Measured {
     let in_face = |v: DVec3| home.axes.transpose() * (v + face_body.turned.transpose() * v);
@@ -339,7 +346,7 @@ fn measure_across(
             part => crossed.seen(in_face(face_body.spin)) * part,
         },
     };
-    Measured { here, arm, apart, crossed }
+    Measured { here, arm, lever, crossed }
 }
 
 /// The sums of [`measure`] without the terms that are 0 in plane motion: equal to the last bit, at a third of the
@@ -356,18 +363,18 @@ fn measure_in_plan(home: &Home, node_body: &Frame, face_body: &Frame) -> Measure
     let between = node_body.shift - face_body.shift;
     let shifted = DVec3::new(between.x + swung.0, between.y + swung.1, between.z);
     let arm = DVec3::new(home.arm.x + swung.0, home.arm.y + swung.1, home.arm.z);
-    let apart = home.lever + shifted;
+    let lever = home.lever + shifted;
     let corner = times(facing, home.corner);
     let (x, y) = (shifted.x - corner.0, shifted.y - corner.1);
-    let (from_x, from_y) = (home.apart.x + x, home.apart.y + y);
+    let (from_x, from_y) = (home.from_corner.x + x, home.from_corner.y + y);
     let moved = (
         x + (facing.x_axis.x * from_x + facing.x_axis.y * from_y),
         y + (facing.y_axis.x * from_x + facing.y_axis.y * from_y),
     );
     let (spin, turning) = (node_body.spin.z, face_body.spin.z);
     let velocity = back(
-        (node_body.velocity.x - spin * arm.y) - (face_body.velocity.x - turning * apart.y),
-        (node_body.velocity.y + spin * arm.x) - (face_body.velocity.y + turning * apart.x),
+        (node_body.velocity.x - spin * arm.y) - (face_body.velocity.x - turning * lever.y),
+        (node_body.velocity.y + spin * arm.x) - (face_body.velocity.y + turning * lever.x),
     );
     let [first, second, normal] = [home.axes.x_axis, home.axes.y_axis, home.axes.z_axis];
     let way = DVec2::new(along(moved, first), shifted.z * second.z);
@@ -379,7 +386,7 @@ fn measure_in_plan(home: &Home, node_body: &Frame, face_body: &Frame) -> Measure
         rate: DVec2::new(along(velocity, first), 0.0),
         spin: DVec3::new(0.0, turning * second.z, 0.0),
     };
-    Measured { here, arm, apart, crossed: Crossed::SQUARE }
+    Measured { here, arm, lever, crossed: Crossed::SQUARE }
 }
 
 #[cfg(test)]

@@ -69,7 +69,7 @@ pub fn start(model: &Arc<Model>, group: usize, kind: ModelKind) -> Box<dyn Run> 
         ModelKind::Impact if !model.group_links[group].is_empty() => {
             Box::new(ContactRun::refused(model, group, Text::new("stop-devices-in-impact")))
         }
-        ModelKind::Impact if planar => Box::new(impact2d::engine::Engine::new(model, group)),
+        ModelKind::Impact if planar => Box::new(impact2d::run::ImpactRun::new(model, group)),
         ModelKind::Impact => Box::new(ContactRun::refused(model, group, Text::new("stop-space-in-impact"))),
     }
 }
@@ -101,7 +101,7 @@ impl Run for ContactRun {
         Finished {
             end,
             stop: schedule.stop().cloned(),
-            bodies: world.bodies.into_iter().map(|track| (track.body, track.path, track.system)).collect(),
+            bodies: world.bodies.into_iter().map(|track| (track.body, track.path, track.free_motion)).collect(),
             replay: store.replay,
             contacts: world.contacts.into_iter().map(|track| (track.site, track.log)).collect(),
             links: world.links.into_iter().map(|track| (track.link, track.log)).collect(),
@@ -112,7 +112,7 @@ impl Run for ContactRun {
     }
 }
 
-impl Run for impact2d::engine::Engine {
+impl Run for impact2d::run::ImpactRun {
     fn advance(&mut self, until: f64) {
         mechanics::advance(self, until);
     }
@@ -142,7 +142,7 @@ impl Run for impact2d::engine::Engine {
             bodies: bodies
                 .into_iter()
                 .map(|track| {
-                    let motion = BodyMotion::Girder(Box::new(track.system));
+                    let motion = BodyMotion::RigidInPlan(Box::new(track.free_motion));
                     (track.body, track.segments.into_iter().collect(), Some(motion))
                 })
                 .collect(),

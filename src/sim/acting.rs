@@ -5,11 +5,9 @@
 
 use super::{ContactNow, ContactState, History, impact};
 use crate::contact::{Frame, Home, Mode};
-use crate::dynamics::model::coordinates::BodyState;
-use crate::dynamics::model::reference_pose::{ReferencePose, seen_from};
+use crate::dynamics::model::reference_pose::seen_from;
 use crate::dynamics::penalty3d::contact_force::{Action, act_in, to_world};
 use crate::dynamics::penalty3d::contact_state::ClosedContact;
-use crate::dynamics::trajectory::stored_path::StoredMotion;
 
 /// A closed contact at one instant.
 struct Seen {
@@ -24,31 +22,17 @@ struct Seen {
 }
 
 impl History {
-    /// A section of a body within a step, counted from its base; nothing where it is in no step.
-    fn since(&self, body: usize, section: usize, t: f64) -> Option<(ReferencePose, Frame)> {
-        let own = &self.model().bodies[body];
-        let mut state = BodyState::from_elem(0.0, own.width());
-        let base = match self.paths[body].at(t)? {
-            (_, StoredMotion::Step(piece)) => own.reference(piece.read(t, &mut state)),
-            (from, StoredMotion::Recomputed(number)) => {
-                self.stepped(body, (number, from), |piece| own.reference(piece.read(t, &mut state)))
-            }
-            _ => return None,
-        };
-        Some((base, own.frame_since(section, &state)))
-    }
-
     /// A closed contact at `t` with its sides, measured from the reference poses of its bodies as during the run.
     fn closed(&self, contact: usize, t: f64) -> Option<Seen> {
         let site = &self.model().contacts[contact];
-        let log = &self.logs[contact];
+        let log = self.run.log(contact);
         let closed = log.since(t)?;
         // Where a run gave up, what its last state is counted from may have no step that is.
         let counted = self.stop().is_none() || t < self.end();
         let sections = self.model().sections(contact);
         let side = |body: Option<usize>, which: usize| match body {
             Some(_) if !counted => None,
-            Some(body) => self.since(body, sections[which], t).map(|(base, frame)| (Some(base), frame)),
+            Some(body) => self.run.since(body, sections[which], t).map(|(base, frame)| (Some(base), frame)),
             None => Some((None, site.stand)),
         };
         if let (Some((node, at_node)), Some((face, at_face))) = (side(site.node_body, 0), side(site.face_body, 1)) {
@@ -56,7 +40,7 @@ impl History {
             let whole = [(node, at_node), (face, at_face)].map(|(base, at)| base.map_or(at, |base| base.whole(&at)));
             return Some(Seen { closed, home, since: [at_node, at_face], sides: whole });
         }
-        let (closed, sides) = (*log.at(t).closed()?, self.sides(contact, t));
+        let (closed, sides) = (*log.at(t).closed()?, self.run.sides(contact, t));
         Some(Seen { closed, home: site.home_at(&closed.place), since: sides, sides })
     }
 
@@ -72,7 +56,7 @@ impl History {
         if let Some(record) = self.impact() {
             return impact::forces::contacts(self, record, t);
         }
-        (0..self.logs.len()).filter_map(|contact| self.contact(contact, t)).collect()
+        (0..self.model().contacts.len()).filter_map(|contact| self.contact(contact, t)).collect()
     }
 
     /// One contact at `t`; nothing when it is open.
@@ -81,7 +65,7 @@ impl History {
         if let Some(record) = self.impact() {
             return impact::forces::contacts(self, record, t).into_iter().find(|now| now.contact == contact);
         }
-        (contact < self.logs.len()).then(|| self.contact(contact, t))?
+        (contact < self.model().contacts.len()).then(|| self.contact(contact, t))?
     }
 
     pub(super) fn contact(&self, contact: usize, t: f64) -> Option<ContactNow> {

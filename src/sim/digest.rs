@@ -5,7 +5,6 @@ use xxhash_rust::xxh3::Xxh3;
 use super::History;
 use crate::contact::{Mode, NormalLaw};
 use crate::dynamics::penalty3d::contact_state::Contact;
-use crate::dynamics::record::contact_log::ContactLog;
 use crate::dynamics::trajectory::stored_path::StoredMotion;
 
 impl History {
@@ -29,7 +28,8 @@ fn digest(history: &History) -> u64 {
             block.clear();
         }
     };
-    for (body, path) in history.paths.iter().enumerate() {
+    for body in 0..history.model().bodies.len() {
+        let path = history.run.path(body);
         for (number, span) in path.spans().enumerate() {
             add(span.from);
             add(span.until);
@@ -44,12 +44,12 @@ fn digest(history: &History) -> u64 {
                 StoredMotion::Slide(slide) => slide.numbers().for_each(&mut add),
                 StoredMotion::Step(piece) => piece.numbers().for_each(&mut add),
                 StoredMotion::Recomputed(step) => {
-                    history.stepped(body, (step, from), |piece| piece.numbers().for_each(&mut add));
+                    history.run.stepped(body, (step, from), |piece| piece.numbers().for_each(&mut add));
                 }
             }
         }
     }
-    for (t, contact) in history.logs.iter().flat_map(ContactLog::states) {
+    for (t, contact) in (0..history.model().contacts.len()).flat_map(|contact| history.run.log(contact).states()) {
         add(t);
         match contact {
             Contact::Open { armed } => add(if armed { 1.0 } else { 2.0 }),

@@ -5,7 +5,7 @@ use glam::DVec3;
 use super::readings::{Extreme, largest_of_each};
 use super::{History, Touch};
 use crate::dynamics::elastic::Fields;
-use crate::dynamics::model::coordinates::section_forces::{Equilibrium, SectionForces};
+use crate::dynamics::model::coordinates::section_forces::{Equilibrium, SectionForces, Strained};
 use crate::dynamics::model::elastic_body::ElasticBody;
 use crate::dynamics::model::flexible::Flexible;
 use crate::dynamics::model::pair::{Carrier, Pair};
@@ -119,6 +119,12 @@ impl History {
         made.equilibrium(state, &wrenches, self.model().ground.acceleration(t))
     }
 
+    /// The fields of an elastic girder at `t`; `None` of one that does not bend.
+    pub fn strained(&self, girder: usize, t: f64) -> Option<Strained> {
+        let made = self.flexible(girder)?.girder.as_ref()?;
+        Some(made.strained(&self.state(girder, t)))
+    }
+
     /// Section forces of an elastic girder at a station \[m\]; 0 of a rigid one.
     pub fn section_forces(&self, girder: usize, station: f64, t: f64) -> SectionForces {
         self.equilibrium(girder, t).map_or(SectionForces::default(), |equilibrium| equilibrium.at(station))
@@ -172,6 +178,15 @@ impl History {
         forces.axial.abs() / section.area + in_plan + upwards
     }
 
+    /// The largest stress of the extreme fibre of a girder \[Pa\], and its station \[m\]; `None` of one that does not bend.
+    pub(super) fn largest_stress(&self, girder: usize) -> Option<(Extreme, f64)> {
+        let flexible = self.flexible(girder)?;
+        let made = flexible.girder.as_ref()?;
+        let fibre = |forces: &SectionForces| self.stress_of(girder, flexible, forces);
+        let stress = self.largest_in_sections(girder, made, Some(&fibre))[4];
+        Some(self.between_stations(girder, made, stress, &fibre))
+    }
+
     /// What the run did to its elastic girders that bend.
     pub fn flexible_readings(&self) -> Vec<FlexibleReading> {
         let all = 0..self.model().girders().len();
@@ -188,7 +203,7 @@ impl History {
         let in_space = flexible.space.map(|_| [vertical, torque]);
         let times = super::touches::looks(self, girder);
         let [spin, bent] = largest_of_each(&times, &|t| made.spin_and_deflection(&self.state(girder, t)));
-        let by_strain = self.equilibrium(girder, axial.t).map_or(0.0, |e| e.by_strain(0.0).axial.abs());
+        let by_strain = made.strained(&self.state(girder, axial.t)).at(0.0).axial.abs();
         let (stress, stressed_at) = self.between_stations(girder, made, stress, &fibre);
         let frequencies: Vec<f64> = made.frequencies().into_iter().take(LISTED).collect();
         let first = frequencies.first().copied().unwrap_or(f64::INFINITY);

@@ -12,6 +12,7 @@ use super::contact_account::{contact_account, contact_powers};
 use super::impact::forces;
 use super::ledger_steps::{given_power, step_borders};
 use super::quadrature::{COUNT, Nodes, integrate};
+use super::touches::MOST_LOOKS;
 use super::touches::flight_rate;
 use super::{EventKind, History, Ledger};
 use crate::contact::Frame;
@@ -28,7 +29,7 @@ const PER_LOOK: f64 = 0.25;
 impl History {
     /// The energy ledger at `t`.
     pub fn ledger(&self, t: f64) -> Ledger {
-        let books = self.books.get_or_init(|| Books::open(self));
+        let books = self.found.books.get_or_init(|| Books::open(self));
         books.at(self, t.clamp(0.0, self.end()))
     }
 }
@@ -37,8 +38,8 @@ impl Books {
     /// Books a whole history: its accounts in parallel, each for itself.
     fn open(history: &History) -> Self {
         let mut books = Self {
-            bodies: (0..history.paths.len()).into_par_iter().map(|body| body_account(history, body)).collect(),
-            contacts: (0..history.logs.len())
+            bodies: (0..history.model().bodies.len()).into_par_iter().map(|body| body_account(history, body)).collect(),
+            contacts: (0..history.model().contacts.len())
                 .into_par_iter()
                 .map(|contact| contact_account(history, contact))
                 .collect(),
@@ -86,7 +87,7 @@ impl Books {
             ledger.work_ground += given;
             let entry = if self.bearings[link] { &mut ledger.loss_bearing } else { &mut ledger.loss_device };
             *entry += loss;
-            ledger.jump_device += history.link_logs[link].released(t);
+            ledger.jump_device += history.run.link_log(link).map_or(0.0, |log| log.released(t));
         }
         if let Some(record) = history.impact() {
             for (interval, account) in record.lasting.iter().zip(&self.lasting) {
@@ -112,12 +113,12 @@ impl Books {
             ledger.girder += girder;
             ledger.gravity += gravity;
         }
-        for contact in 0..history.logs.len() {
+        for contact in 0..history.model().contacts.len() {
             if let Some((closed, action)) = history.acting(contact, t) {
                 ledger.contact += closed.law.strain(&action.here, &action.forces);
             }
         }
-        for link in 0..history.link_logs.len() {
+        for link in 0..history.model().links.len() {
             let entry = if self.bearings[link] { &mut ledger.bearing } else { &mut ledger.device };
             *entry += history.link_energy(link, t);
         }
@@ -155,7 +156,7 @@ fn largest_kinetic(history: &History) -> Vec<(f64, f64)> {
     let golden = 0.5 * (5f64.sqrt() - 1.0);
     let mut times: Vec<f64> = (0..KINETIC_LOOKS).map(|i| history.end() * (f64::from(i) * golden).fract()).collect();
     times.sort_by(f64::total_cmp);
-    let kinetic = |t: f64| (0..history.paths.len()).map(|body| energies(history, body, t)[0]).sum::<f64>();
+    let kinetic = |t: f64| (0..history.model().bodies.len()).map(|body| energies(history, body, t)[0]).sum::<f64>();
     let seen: Vec<f64> = times.par_iter().map(|&t| kinetic(t)).collect();
     let mut most = 0.0_f64;
     let running = seen.into_iter().map(|energy| {
@@ -179,8 +180,8 @@ fn balance(ledger: &mut Ledger, initial: f64, kinetic: f64) {
 fn body_account(history: &History, body: usize) -> Account<4> {
     let mut account = Account::new();
     let rate = flight_rate(history, body) * PER_LOOK;
-    let closed = history.free_motion(body).is_some_and(BodyMotion::has_works);
-    for span in history.paths[body].spans().take_while(|span| span.from < history.end()) {
+    let closed = history.run.free_motion(body).is_some_and(BodyMotion::has_works);
+    for span in history.run.path(body).spans().take_while(|span| span.from < history.end()) {
         let until = span.until.min(history.end());
         let cells = if span.flies && !closed { (until - span.from) * rate } else { 1.0 };
         for (a, b) in cut(&history.model().ground, span.from, until, cells) {
@@ -192,7 +193,7 @@ fn body_account(history: &History, body: usize) -> Account<4> {
 
 /// Work of the ground and of pushes, losses in the bearings and in the body, over a cell \[J\].
 fn body_works(history: &History, body: usize, [a, b]: [f64; 2]) -> [f64; 4] {
-    let flown = || match (history.paths[body].at(a)?.1, history.free_motion(body)?) {
+    let flown = || match (history.run.path(body).at(a)?.1, history.run.free_motion(body)?) {
         (StoredMotion::Flight(flight), motion) => motion.works(flight, [a, b]),
         _ => None,
     };
@@ -202,7 +203,7 @@ fn body_works(history: &History, body: usize, [a, b]: [f64; 2]) -> [f64; 4] {
 /// Cuts a stretch into about `cells` equal parts, and at every kink of the ground motion.
 fn cut(ground: &Ground, from: f64, until: f64, cells: f64) -> Vec<(f64, f64)> {
     #[expect(clippy::cast_possible_truncation, clippy::cast_sign_loss, reason = "a count of cells, clamped")]
-    let count = cells.ceil().clamp(1.0, 2e5) as usize;
+    let count = cells.ceil().clamp(1.0, MOST_LOOKS) as usize;
     let mut borders: Vec<f64> = (0..=count).map(|i| from + (until - from) * i as f64 / count as f64).collect();
     borders[count] = until;
     let mut kink = ground.next_kink(from);
@@ -217,7 +218,7 @@ fn cut(ground: &Ground, from: f64, until: f64, cells: f64) -> Vec<(f64, f64)> {
 /// Accounts of all devices. Those of links between the same bodies are kept together, as they share the poses at the nodes of a cell.
 fn device_accounts(history: &History) -> Vec<Account<2>> {
     let mut sets: BTreeMap<[Option<usize>; 2], Vec<usize>> = BTreeMap::new();
-    for link in 0..history.link_logs.len() {
+    for link in 0..history.model().links.len() {
         sets.entry(history.model().links[link].bodies).or_default().push(link);
     }
     let sets: Vec<_> = sets.into_iter().collect();
@@ -233,7 +234,7 @@ fn device_accounts(history: &History) -> Vec<Account<2>> {
 /// Losses in links between these bodies while their forces act, and work of the ground that they are on where that moves as given, step
 /// by step.
 fn accounts_between(history: &History, bodies: [Option<usize>; 2], links: &[usize]) -> Vec<Account<2>> {
-    let phases = |link: usize| history.link_logs[link].phases();
+    let phases = |link: usize| history.link_phases(link);
     let mut borders = step_borders(history, bodies.into_iter().flatten(), 0.0, history.end());
     borders.extend(links.iter().flat_map(|&link| phases(link)).map(|(t, _)| t.clamp(0.0, history.end())));
     borders.sort_by(f64::total_cmp);
@@ -281,7 +282,7 @@ impl Poses {
     fn place(&mut self, history: &History, body: usize, section: usize) -> usize {
         let known = self.of.iter().position(|(of, _)| *of == (body, section));
         known.unwrap_or_else(|| {
-            self.of.push(((body, section), self.nodes.times.map(|t| history.section_frame(body, section, t))));
+            self.of.push(((body, section), self.nodes.times.map(|t| history.run.section_frame(body, section, t))));
             self.of.len() - 1
         })
     }
@@ -305,9 +306,9 @@ fn device_works(history: &History, number: usize, poses: &mut Poses) -> [f64; 2]
 
 /// Whether a body is in a flight at `t` that says its works.
 fn flies_with_works(history: &History, body: usize, t: f64) -> bool {
-    let flight = history.paths[body].spans_after(t).next().is_some_and(|span| span.flies);
+    let flight = history.run.path(body).spans_after(t).next().is_some_and(|span| span.flies);
     // Ground that moves as given always flies.
-    flight && !history.model().moves_as_given(body) && history.free_motion(body).is_some_and(BodyMotion::has_works)
+    flight && !history.model().moves_as_given(body) && history.run.free_motion(body).is_some_and(BodyMotion::has_works)
 }
 
 /// Loss in the friction of a stretch of lasting contact, step by step.

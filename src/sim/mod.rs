@@ -43,6 +43,7 @@ pub mod spectra;
 mod summary;
 mod supports;
 mod touches;
+mod trajectories;
 mod unit;
 mod uplift;
 pub mod verdict;

@@ -130,7 +130,7 @@ impl History {
         let (end, hysteretic) = (drift(self.end()), self.link(link, self.end()).map_or(DVec3::ZERO, |now| -now.force));
         let hysteretic = resolved.axes.mul_transpose_vec3(hysteretic);
         BaseReading {
-            yielded_at: self.link_phases(link).iter().find(|(_, phase)| phase.law != 0).map(|(t, _)| *t),
+            yielded_at: self.link_phases(link).iter().find(|(_, phase)| phase.branch != 0).map(|(t, _)| *t),
             ductility,
             residual: [0, 1].map(|axis| (1.0 - base.ratio) * end[axis] - hysteretic[axis] / resolved.stiffness[axis]),
         }

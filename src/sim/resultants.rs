@@ -77,7 +77,7 @@ impl History {
 
     /// The hits of every two bodies that touched, in the order of their pairs.
     pub fn poundings(&self) -> &[Pounding] {
-        self.poundings.get_or_init(|| self.find_poundings())
+        self.found.poundings.get_or_init(|| self.find_poundings())
     }
 
     fn find_poundings(&self) -> Vec<Pounding> {

@@ -5,9 +5,8 @@ use super::peaks::{exceeds, first_largest, golden};
 use super::readings::Extreme;
 use super::{History, touches};
 use crate::dynamics::free_flight::body_motion::{BodyFlight, BodyMotion};
-use crate::dynamics::model::coordinates::section_forces::{Equilibrium, SectionForces};
+use crate::dynamics::model::coordinates::section_forces::{Equilibrium, SectionForces, Station, Strained};
 use crate::dynamics::model::elastic_body::ElasticBody;
-use crate::dynamics::model::wrench::Wrench;
 use crate::dynamics::trajectory::stored_path::StoredMotion;
 
 /// Fewest stations beside those where loads act.
@@ -50,25 +49,55 @@ pub(super) fn rounding(values: &[f64; VALUES], half: f64) -> [f64; VALUES] {
 struct Reading<'a> {
     /// Stress of the extreme fibre; `None` where no values of all stations are asked for.
     fibre: Option<&'a dyn Fn(&SectionForces) -> f64>,
+    /// Stations that are looked at at every instant, and mid-span.
+    fixed: Vec<Station>,
+    middle: Station,
 }
 
-impl Reading<'_> {
-    /// At one instant, from section forces at a station and the stations: all of them, and those at mid-span.
-    fn values(&self, at: &dyn Fn(f64) -> SectionForces, [all, middle]: [&[f64]; 2]) -> [f64; VALUES] {
-        let mut most = [0.0f64; VALUES];
-        for s in middle {
-            let forces = at(*s);
-            let own = [forces.axial, forces.moment, forces.vertical_moment, forces.torque];
-            most.iter_mut().zip(own).for_each(|(most, own)| *most = most.max(own.abs()));
+impl<'a> Reading<'a> {
+    /// Of a girder whose fields have this degree.
+    fn new(fibre: Option<&'a dyn Fn(&SectionForces) -> f64>, degree: usize) -> Self {
+        let fixed = fixed_stations(degree).map(|xi| Station::new(degree, xi)).collect();
+        Self { fibre, fixed, middle: Station::new(degree, 0.0) }
+    }
+
+    /// At one instant, beside the stations of every instant at those of its loads.
+    fn values(&self, equilibrium: &Equilibrium) -> [f64; VALUES] {
+        let (half, mut most) = (equilibrium.half(), [0.0f64; VALUES]);
+        if equilibrium.loaded().any(|s| s.abs() <= BEFORE * half) {
+            // The sections on both sides of a load at mid-span.
+            for side in [-2.0, 2.0] {
+                at_middle(&mut most, &equilibrium.at(side * BEFORE * half));
+            }
+        } else {
+            at_middle(&mut most, &equilibrium.at_station(&self.middle));
         }
         let Some(fibre) = self.fibre else { return most };
-        for s in all {
-            let forces = at(*s);
-            most[4] = most[4].max(fibre(&forces));
-            most[5] = most[5].max(forces.axial.abs());
-        }
+        self.fixed.iter().for_each(|station| anywhere(&mut most, &equilibrium.at_station(station), fibre));
+        beside_loads(equilibrium).for_each(|s| anywhere(&mut most, &equilibrium.at(s), fibre));
         most
     }
+
+    /// The same by strain.
+    fn by_strain(&self, strained: &Strained) -> [f64; VALUES] {
+        let mut most = [0.0f64; VALUES];
+        at_middle(&mut most, &strained.at(0.0));
+        let Some(fibre) = self.fibre else { return most };
+        self.fixed.iter().for_each(|station| anywhere(&mut most, &strained.at(strained.half() * station.xi()), fibre));
+        most
+    }
+}
+
+/// Takes the section forces at mid-span into the first four values.
+fn at_middle(most: &mut [f64; VALUES], forces: &SectionForces) {
+    let own = [forces.axial, forces.moment, forces.vertical_moment, forces.torque];
+    most.iter_mut().zip(own).for_each(|(most, own)| *most = most.max(own.abs()));
+}
+
+/// Takes the section forces at any station into the last two.
+fn anywhere(most: &mut [f64; VALUES], forces: &SectionForces, fibre: &dyn Fn(&SectionForces) -> f64) {
+    most[4] = most[4].max(fibre(forces));
+    most[5] = most[5].max(forces.axial.abs());
 }
 
 /// Two looks that follow one another, with the flight between them.
@@ -92,15 +121,11 @@ impl History {
         made: &ElasticBody,
         fibre: Option<&dyn Fn(&SectionForces) -> f64>,
     ) -> [Extreme; VALUES] {
-        let reading = Reading { fibre };
-        let values = |t: f64| {
-            let equilibrium = self.equilibrium_in(girder, made, (t, &self.state(girder, t)));
-            let (all, middle) = (stations(&equilibrium, made.degree()), middle(&equilibrium));
-            reading.values(&|s| equilibrium.at(s), [&all, &middle])
-        };
+        let reading = Reading::new(fibre, made.degree());
+        let values = |t: f64| reading.values(&self.equilibrium_in(girder, made, (t, &self.state(girder, t))));
         let gains = self.gains(girder, made, &reading);
         let bound = |interval: &Interval<'_>| -> Option<[f64; VALUES]> {
-            let second = self.free_motion(girder)?.second_derivatives(interval.flight?, interval.span);
+            let second = self.run.free_motion(girder)?.second_derivatives(interval.flight?, interval.span);
             let mut sum = [0.0; VALUES];
             for (gain, second) in gains.iter().zip(second) {
                 sum.iter_mut().zip(gain).for_each(|(sum, gain)| *sum += MARGIN * gain * second);
@@ -113,13 +138,8 @@ impl History {
 
     /// By how much a unit coefficient of each exponential of the girder's free motion changes each value at most, by strain.
     fn gains(&self, girder: usize, made: &ElasticBody, reading: &Reading<'_>) -> Vec<[f64; VALUES]> {
-        let at_rest = vec![Wrench::default(); self.model().bodies[girder].sections()];
-        let by = |state: &Vec<f64>| {
-            let equilibrium = made.equilibrium(state, &at_rest, glam::DVec3::ZERO);
-            let all = stations(&equilibrium, made.degree());
-            reading.values(&|s| equilibrium.by_strain(s), [&all, &[0.0]])
-        };
-        let shapes = self.free_motion(girder).map_or(Vec::new(), BodyMotion::shapes);
+        let by = |state: &Vec<f64>| reading.by_strain(&made.strained(state));
+        let shapes = self.run.free_motion(girder).map_or(Vec::new(), BodyMotion::shapes);
         let both = |[real, imaginary]: &[Vec<f64>; 2]| {
             let (mut one, other) = (by(real), by(imaginary));
             one.iter_mut().zip(other).for_each(|(one, other)| *one += other);
@@ -130,7 +150,7 @@ impl History {
 
     /// The run of a girder, cut where it is looked at: as bodies are, and at every kink of the ground's motion in flights.
     fn intervals(&self, girder: usize) -> Vec<Interval<'_>> {
-        let (ground, path) = (&self.model().ground, &self.paths[girder]);
+        let (ground, path) = (&self.model().ground, self.run.path(girder));
         let looks = touches::looks(self, girder);
         let mut intervals = Vec::with_capacity(looks.len());
         for pair in looks.windows(2) {
@@ -258,22 +278,24 @@ fn largest(
     })
 }
 
-/// Stations at which section forces are looked at, in order \[m\]: on both sides of every load, and four for every turn that a polynomial of
-/// the moment's degree can take, closer at the ends as its turns are.
-fn stations(equilibrium: &Equilibrium, degree: usize) -> Vec<f64> {
-    let half = equilibrium.half();
+/// Stations that are looked at at every instant, in order, from −1 to 1: four for every turn that a polynomial of the moment's degree can
+/// take, closer at the ends as its turns are.
+fn fixed_stations(degree: usize) -> impl Iterator<Item = f64> {
     let last = (FEWEST - 1).max(4 * (degree + 2));
-    let even = (0..=last).map(|i| half * (std::f64::consts::PI * (i as f64 / last as f64 - 0.5)).sin());
-    let loads = equilibrium.loaded().flat_map(|s| [s - BEFORE * half, s]);
-    let mut stations: Vec<f64> = even.chain(loads.map(|s| s.clamp(-half, half))).collect();
+    (0..=last).map(move |i| (std::f64::consts::PI * (i as f64 / last as f64 - 0.5)).sin())
+}
+
+/// Stations on both sides of every load \[m\].
+fn beside_loads(equilibrium: &Equilibrium) -> impl Iterator<Item = f64> + '_ {
+    let half = equilibrium.half();
+    equilibrium.loaded().flat_map(move |s| [s - BEFORE * half, s]).map(move |s| s.clamp(-half, half))
+}
+
+/// All of them, in order \[m\].
+fn stations(equilibrium: &Equilibrium, degree: usize) -> Vec<f64> {
+    let fixed = fixed_stations(degree).map(|xi| xi * equilibrium.half());
+    let mut stations: Vec<f64> = fixed.chain(beside_loads(equilibrium)).collect();
     stations.sort_by(f64::total_cmp);
     stations.dedup();
     stations
-}
-
-/// Stations at mid-span \[m\]: the sections on both sides where a load acts there.
-fn middle(equilibrium: &Equilibrium) -> Vec<f64> {
-    let near = BEFORE * equilibrium.half();
-    let loaded = equilibrium.loaded().any(|s| s.abs() <= near);
-    if loaded { vec![-2.0 * near, 2.0 * near] } else { vec![0.0] }
 }

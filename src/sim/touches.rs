@@ -15,10 +15,15 @@ const LOOKS: usize = 3;
 /// its amplitude.
 const PER_PERIOD: f64 = 24.0;
 
+/// Fewest and most looks in a stretch of a flight, and looks in a step \[–\]. Chosen: a step is short against every period of its bodies; at
+/// most a flight of some thousand of its periods is looked at.
+pub(super) const LEAST_LOOKS: f64 = 4.0;
+pub(super) const MOST_LOOKS: f64 = 2e5;
+
 impl History {
     /// All touches, ordered by their start.
     pub fn touches(&self) -> &[Touch] {
-        self.touches.get_or_init(|| match self.impact() {
+        self.found.touches.get_or_init(|| match self.impact() {
             Some(record) => impact::touches::of(self, record),
             None => find(self),
         })
@@ -45,14 +50,14 @@ impl History {
 
 /// Every touch of every contact, by start, then by contact. Contacts are searched in parallel, each for itself.
 fn find(history: &History) -> Vec<Touch> {
-    let contacts = (0..history.logs.len()).into_par_iter();
+    let contacts = (0..history.model().contacts.len()).into_par_iter();
     let mut all: Vec<Touch> = contacts.flat_map_iter(|contact| of_contact(history, contact)).collect();
     all.sort_by(|a, b| a.start.total_cmp(&b.start).then(a.contact.cmp(&b.contact)));
     all
 }
 
 fn of_contact(history: &History, contact: usize) -> Vec<Touch> {
-    let states: Vec<(f64, Contact)> = history.logs[contact].states().collect();
+    let states: Vec<(f64, Contact)> = history.run.log(contact).states().collect();
     let site = &history.model().contacts[contact];
     let (pair, bodies) = (site.pair, [site.node_body, site.face_body]);
     let sound = bodies.into_iter().flatten().map(|body| history.sound_until(body)).fold(history.end(), f64::min);
@@ -106,7 +111,7 @@ pub(super) fn looks_in_hit(history: &History, hit: &[&Touch]) -> Vec<f64> {
         return in_order(hit.iter().flat_map(of_touch).collect());
     }
     let of_touch = |touch: &&Touch| {
-        let log = &history.logs[touch.contact];
+        let log = history.run.log(touch.contact);
         let inside = log.states().map(|(t, _)| t).filter(|t| (touch.start..=touch.end).contains(t));
         let starts: Vec<f64> = inside.collect();
         let ends = starts.iter().copied().skip(1).chain([touch.end]).collect::<Vec<_>>();
@@ -129,7 +134,7 @@ fn looks_in_state(history: &History, contact: usize, from: f64, until: f64) -> V
     let mut times = vec![from];
     let site = &history.model().contacts[contact];
     for body in [site.node_body, site.face_body].into_iter().flatten() {
-        for span in history.paths[body].spans_after(from).take_while(|span| span.from < until) {
+        for span in history.run.path(body).spans_after(from).take_while(|span| span.from < until) {
             let (a, b) = (span.from.max(from), span.until.min(until));
             times.extend((0..LOOKS).map(|i| a + (b - a) * (i as f64 + 0.5) / LOOKS as f64));
         }
@@ -158,10 +163,11 @@ pub(super) fn hits(touches: &[Touch]) -> usize {
 pub(super) fn looks(history: &History, body: usize) -> Vec<f64> {
     let (rate, last) = (flight_rate(history, body), history.sound_until(body));
     let mut times = Vec::new();
-    for span in history.paths[body].spans().take_while(|span| span.from < last) {
+    for span in history.run.path(body).spans().take_while(|span| span.from < last) {
         let (from, until) = (span.from, span.until.min(last));
         #[expect(clippy::cast_possible_truncation, clippy::cast_sign_loss, reason = "a count of looks, clamped")]
-        let count = if span.flies { ((until - from) * rate).clamp(4.0, 2e5) as usize } else { 4 };
+        let count =
+            if span.flies { ((until - from) * rate).clamp(LEAST_LOOKS, MOST_LOOKS) } else { LEAST_LOOKS } as usize;
         times.extend((0..count).map(|i| from + (until - from) * i as f64 / count as f64));
     }
     times.push(last);
@@ -172,7 +178,7 @@ pub(super) fn looks(history: &History, body: usize) -> Vec<f64> {
 pub(super) fn flight_rate(history: &History, body: usize) -> f64 {
     use crate::motion::Ground;
     let model = history.model();
-    let together = history.free_motion(body).map_or(0.0, BodyMotion::fastest);
+    let together = history.run.free_motion(body).map_or(0.0, BodyMotion::fastest);
     let omega = model.bodies[body].fastest().max(together);
     let drive = match &model.ground {
         Ground::Still => 0.0,

@@ -202,7 +202,7 @@ fn what_holds_a_skewed_deck_on_its_seat() {
     assert!(phases(&own), "cable and keys do nothing yet");
     let hits = |number| run(lesson, number).summary().hits;
     says(lesson, Some(0), &format!("{} hits instead of {}", hits(Some(0)), hits(None)));
-    let yields = |number| run(lesson, number).link_phases(0).iter().any(|(_, phase)| phase.law == 2);
+    let yields = |number| run(lesson, number).link_phases(0).iter().any(|(_, phase)| phase.branch == 2);
     assert!(yields(Some(0)), "the tight cable yields");
 }
 

@@ -49,8 +49,8 @@ fn counted_from_home_a_node_is_where_it_is() {
         let plain = DVec3::from_array(axes.map(|axis| apart.dot(axis)));
         let found = there.here.at.extend(there.here.gap);
         assert!((found - plain).length() < 1e-14, "{found} against {plain}");
-        assert!((there.apart - (place - other.origin())).length() < 1e-14, "its levers");
-        let speed = owner.velocity_at(there.arm) - other.velocity_at(there.apart);
+        assert!((there.lever - (place - other.origin())).length() < 1e-14, "its levers");
+        let speed = owner.velocity_at(there.arm) - other.velocity_at(there.lever);
         let rates = there.here.rate.extend(there.here.gap_rate);
         assert!((rates - DVec3::from_array(axes.map(|axis| speed.dot(axis)))).length() < 1e-14, "its rates");
     }

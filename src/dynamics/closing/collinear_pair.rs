@@ -191,16 +191,23 @@ impl<'a> Side<'a> {
     fn of(world: &'a World, slot: Option<usize>, axis: usize) -> Option<Self> {
         let Some(slot) = slot else { return Some(Self::Fixed) };
         let track = &world.bodies[slot];
-        match (&track.now, &track.system) {
-            (Trajectory::Flight(flight), Some(system)) => {
+        match (&track.now, &track.free_motion) {
+            (Trajectory::Flight(flight), Some(free_motion)) => {
                 let straight = world.model.bodies[track.body].along(axis).is_some();
-                let (dof, part, push) = straight.then(|| system.along(flight, axis)).flatten()?;
+                let (dof, part, push) = straight.then(|| free_motion.along(flight, axis)).flatten()?;
                 Some(Self::Flight { dof, part, start: flight.start(), push })
             }
             (&Trajectory::Island { island: number, index }, _) => {
                 let island = world.islands[number].as_ref()?;
                 let (dense, components, base) = island.along(index, axis)?;
-                Some(Self::Step { island: number, dense, components, base, from: island.from, until: island.until })
+                Some(Self::Step {
+                    island: number,
+                    dense,
+                    components,
+                    base,
+                    from: island.step.from,
+                    until: island.step.until,
+                })
             }
             (Trajectory::Placed, _) | (Trajectory::Flight(_), None) => None,
         }

@@ -65,11 +65,11 @@ fn flyer<'a>(
 ) -> Option<(Frame, BodyInFlight<'a>)> {
     let track = &world.bodies[slot];
     let body = &world.model.bodies[track.body];
-    let (Trajectory::Flight(flight), Some(motion)) = (&track.now, &track.system) else { return None };
-    if let (BodyMotion::Girder(system), BodyFlight::Girder(flight)) = (motion, flight) {
-        let (state, free) = system.parts_in(flight, t, phase);
-        let bound = system.bound_from(t, &state, free.as_ref(), horizon);
-        let girder = Some(GirderInFlight { system, state, free });
+    let (Trajectory::Flight(flight), Some(motion)) = (&track.now, &track.free_motion) else { return None };
+    if let (BodyMotion::RigidInPlan(free_motion), BodyFlight::RigidInPlan(flight)) = (motion, flight) {
+        let (state, free) = free_motion.parts_in(flight, t, phase);
+        let bound = free_motion.bound_from(t, &state, free.as_ref(), horizon);
+        let girder = Some(GirderInFlight { free_motion, state, free });
         return Some((body.planar_frame(&state), BodyInFlight { bound, girder }));
     }
     if shared.as_ref().is_none_or(|(block, _)| block.is_none() || *block != track.block) {
@@ -95,8 +95,8 @@ pub(in crate::dynamics) fn horizon(ground: &Ground, t: f64, duration: f64) -> f6
 pub(in crate::dynamics) fn remember(world: &mut World, slots: [Option<usize>; 2], until: f64) {
     for slot in slots.into_iter().flatten() {
         let track = &mut world.bodies[slot];
-        if let (Trajectory::Flight(flight), Some(system)) = (&mut track.now, &track.system) {
-            system.remember(flight, until);
+        if let (Trajectory::Flight(flight), Some(free_motion)) = (&mut track.now, &track.free_motion) {
+            free_motion.remember(flight, until);
         }
     }
 }

@@ -27,7 +27,7 @@ pub(in crate::dynamics) fn first_step_end(world: &World, slots: [Option<usize>; 
         if let Trajectory::Island { island, .. } = &world.bodies[slot].now
             && let Some(island) = &world.islands[*island]
         {
-            first = Some(island.until.min(first.unwrap_or(f64::INFINITY)));
+            first = Some(island.step.until.min(first.unwrap_or(f64::INFINITY)));
         }
     }
     first

@@ -81,11 +81,11 @@ fn difference(world: &World, slots: [Option<usize>; 2]) -> Option<[f64; 2]> {
 
 /// Bounds on the motion of a body on its trajectory from `from` to `to`.
 fn bound(world: &World, slot: usize, from: f64, to: f64) -> MotionBounds {
-    match (&world.bodies[slot].now, &world.bodies[slot].system) {
+    match (&world.bodies[slot].now, &world.bodies[slot].free_motion) {
         (Trajectory::Island { island, index }, _) => world.islands[*island]
             .as_ref()
             .map_or(MotionBounds::still(f64::INFINITY), |island| island.bound(&world.model, *index)),
-        (Trajectory::Flight(flight), Some(system)) => system.bounds(flight, from, to - from),
+        (Trajectory::Flight(flight), Some(free_motion)) => free_motion.bounds(flight, from, to - from),
         _ => MotionBounds::still(f64::INFINITY),
     }
 }
@@ -104,7 +104,7 @@ mod tests {
     }
 
     fn until(world: &World) -> f64 {
-        world.islands[0].as_ref().expect("an island").until
+        world.islands[0].as_ref().expect("an island").step.until
     }
 
     /// Largest difference quotient of a contact's gap rate over the planned step, and its bound \[m/s²\].
@@ -118,7 +118,7 @@ mod tests {
         let pair = &world.pairs[track.pair];
         let bounds = GapCurvature::of(world, pair.slots, 0.0, until);
         assert!(bounds.holds(until), "a step's bounds hold to its end");
-        let arms = [track.geometry.arm, track.geometry.apart];
+        let arms = [track.geometry.arm, track.geometry.lever];
         [largest, bounds.curvature(usize::from(track.slots[0] == pair.slots[1]), arms, until)]
     }
 

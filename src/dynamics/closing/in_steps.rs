@@ -62,7 +62,7 @@ pub(in crate::dynamics) fn search(world: &mut World, pair: usize, [t, until]: [f
 /// until the last sample time \[m\], and on that of unit vectors \[–\].
 fn edges_moved(world: &World, pair: usize, samples: &StepSamples) -> [f64; 2] {
     let PairTrack { slots, contacts, .. } = &world.pairs[pair];
-    let lever = |c: usize| world.contacts[c].geometry.arm.max(world.contacts[c].geometry.apart);
+    let lever = |c: usize| world.contacts[c].geometry.arm.max(world.contacts[c].geometry.lever);
     let arm = contacts.clone().filter(|&c| is_edge(world, c)).map(lever).fold(0.0, f64::max);
     let bodies = || slots.iter().flatten().copied();
     let moved: f64 = bodies().map(|slot| samples.side(Some(slot), 0).moved(arm)).sum();

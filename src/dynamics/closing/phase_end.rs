@@ -32,7 +32,7 @@ pub(super) fn search(world: &mut World, link: usize, t: f64) -> NextClosing {
             from = kink;
             continue;
         }
-        let to = world.stretch_end(slot, from).min(until);
+        let to = world.window_end(slot, from).min(until);
         let likely = may_rise(world, slot, &functions, [from, to]);
         if let Some((at, number)) = within(world, link, &likely, [from, to]) {
             world.links[link].ends = Some((at, Switch::Function(number)));

@@ -15,7 +15,7 @@ use crate::dynamics::closing::step_samples::{StepSamples, excursion};
 use crate::dynamics::model::meeting::Meeting;
 use crate::dynamics::penalty3d::contact_state::Contact;
 use crate::dynamics::world::World;
-use crate::dynamics::world::tracks::{Apart, PairTrack};
+use crate::dynamics::world::tracks::{PairTrack, SearchState};
 
 /// Of searches from one time on, on the same trajectories.
 #[derive(Default)]
@@ -73,11 +73,11 @@ impl Shared {
             Parted::Throughout(_) => Parted::Near,
             Parted::Until(from) => {
                 approach(world, pair, from);
-                world.pairs[pair].apart = Apart::Searched;
+                world.pairs[pair].search_state = SearchState::Searched;
                 parted
             }
             Parted::Near => {
-                if std::mem::take(&mut world.pairs[pair].apart) != Apart::Near {
+                if std::mem::take(&mut world.pairs[pair].search_state) != SearchState::Near {
                     approach(world, pair, t);
                 }
                 parted
@@ -163,7 +163,7 @@ pub(super) fn in_block(world: &World, pair: usize) -> bool {
 
 /// Ends the search of a pair whose bodies stand apart; `false` where one of its contacts is closed.
 fn part(world: &mut World, pair: usize) -> bool {
-    if world.pairs[pair].apart == Apart::Idle {
+    if world.pairs[pair].search_state == SearchState::Idle {
         return true;
     }
     let contacts = world.pairs[pair].contacts.clone();
@@ -173,7 +173,7 @@ fn part(world: &mut World, pair: usize) -> bool {
     for contact in contacts {
         (world.contacts[contact].closing, world.contacts[contact].rearmed_at) = (None, None);
     }
-    world.pairs[pair].apart = Apart::Idle;
+    world.pairs[pair].search_state = SearchState::Idle;
     true
 }
 

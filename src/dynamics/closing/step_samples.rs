@@ -192,20 +192,20 @@ impl StepSamples {
 /// Error bound of the rate of a contact's gap \[m/s\]: the tolerance of the run, at least round-off, times the speeds
 /// of node and face.
 pub(super) fn rate_error(world: &World, contact: usize, sides: [&Frame; 2]) -> f64 {
-    let SiteGeometry { arm, apart, .. } = world.contacts[contact].geometry;
+    let SiteGeometry { arm, lever, .. } = world.contacts[contact].geometry;
     let speed = |(side, arm): (&Frame, f64)| side.velocity.length() + side.spin.length() * arm;
-    world.model.tolerance.max(SPEED_ROUNDING) * sides.into_iter().zip([arm, apart]).map(speed).sum::<f64>()
+    world.model.tolerance.max(SPEED_ROUNDING) * sides.into_iter().zip([arm, lever]).map(speed).sum::<f64>()
 }
 
 /// Bound on the displacement of a point at `arm` \[m\] from a body's G from `from` to `until` \[m\]; infinite where
 /// no bound holds.
 pub(super) fn excursion(world: &World, slot: usize, arm: f64, from: f64, until: f64) -> f64 {
-    match (&world.bodies[slot].now, &world.bodies[slot].system) {
+    match (&world.bodies[slot].now, &world.bodies[slot].free_motion) {
         (Trajectory::Island { island, index }, _) => {
             world.islands[*island].as_ref().map_or(0.0, |island| island.excursion(&world.model, *index, arm, from))
         }
-        (Trajectory::Flight(flight), Some(system)) => {
-            let bound = system.bounds(flight, from, until - from);
+        (Trajectory::Flight(flight), Some(free_motion)) => {
+            let bound = free_motion.bounds(flight, from, until - from);
             if bound.window < until - from {
                 return f64::INFINITY;
             }

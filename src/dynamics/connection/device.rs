@@ -5,12 +5,12 @@ use glam::DVec3;
 use crate::dynamics::connection::{Connection, Excursion, Separation, SeparationBounds};
 use crate::language::Text;
 
-/// State of a device: which law is in force, and what that law remembers.
+/// State of a device: which branch of its law is in force, and what that branch remembers.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
 pub struct Phase {
-    /// Number of the law in force, by the device's own count.
-    pub law: u32,
-    /// What the law remembers: a plastic displacement, an elongation at rupture (units of the device).
+    /// Number of the branch in force, by the device's own count.
+    pub branch: u32,
+    /// What the branch remembers: a plastic displacement, an elongation at rupture (units of the device).
     pub memory: [f64; 3],
 }
 
@@ -50,7 +50,7 @@ pub trait Device: Connection<State = Phase, Motion = Separation> + std::fmt::Deb
         Text::new(if self.acts(phase) { "state-acts" } else { "state-open" })
     }
 
-    /// Force on the first point of what it is a part of: the whole bearing, where the device changes what another part of it has \[N\].
+    /// Force of the whole bearing that the device is a part of, on its first point \[N\]; of a device by itself its own force.
     fn reaction(&self, phase: &Phase, motion: &Separation) -> DVec3 {
         self.force(phase, motion)
     }

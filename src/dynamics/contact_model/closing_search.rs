@@ -6,7 +6,7 @@ use crate::dynamics::closing::{link_closing, next_closing};
 use crate::dynamics::contact_model::event_source::EventSource;
 use crate::dynamics::event_loop::schedule::Schedule;
 use crate::dynamics::world::World;
-use crate::dynamics::world::tracks::Apart;
+use crate::dynamics::world::tracks::SearchState;
 
 /// Searches on the present trajectories of a group of bodies.
 pub(in crate::dynamics) struct ClosingSearch<'a> {
@@ -39,7 +39,7 @@ impl ClosingSearch<'_> {
         let mut shared = Shared::default();
         // While bodies that have met stand apart their first pair is searched for all.
         let all = if self.world.leads(number) { self.world.meeting_of(number) } else { number..number + 1 };
-        let apart = |&other: &usize| other == number || self.world.pairs[other].apart == Apart::Idle;
+        let apart = |&other: &usize| other == number || self.world.pairs[other].search_state == SearchState::Idle;
         for pair in all.filter(apart).collect::<Vec<_>>() {
             self.pair_among(pair, t, &mut shared);
         }

@@ -127,7 +127,7 @@ impl ContactClosing<'_, '_> {
             let track = &mut self.states.world.contacts[node];
             track.has_part = true;
             if energy > 0.0 && whole > energy {
-                track.sharers *= whole / energy;
+                track.divisor *= whole / energy;
             }
             self.close_inside(node, kept);
         }

@@ -17,11 +17,11 @@ pub(in crate::dynamics) fn of(world: &mut World, contact: usize, now: &EventInst
             let face = &world.model.contacts[world.contacts[contact].site].face;
             let has_part = world.model.kind == Kind::Planar && parameters::is_over(face, here);
             let track = &mut world.contacts[contact];
-            (track.sharers, track.has_part) = ((sharers * nodes) as f64, has_part);
+            (track.divisor, track.has_part) = ((sharers * nodes) as f64, has_part);
         }
         world.pairs[number].sharers = sharers;
     }
-    world.model.pairs[world.pairs[number].pair].law.shared(world.contacts[contact].sharers)
+    world.model.pairs[world.pairs[number].pair].law.shared(world.contacts[contact].divisor)
 }
 
 /// Number of nodes, in space of vertices, that share the law of a pair, and for each of its contacts the number of

@@ -90,7 +90,7 @@ fn local(world: &World, island: &Island, change: Change, frames: &[Frame]) -> Op
 /// Value of the switching function, negative before the event; of an open contact `−g`.
 fn switching_value(world: &World, island: &Island, change: Change, here: &Local) -> f64 {
     match change {
-        Change::State(number, reason) => function(&world.model, island, number, reason, here, island.until),
+        Change::State(number, reason) => function(&world.model, island, number, reason, here, island.step.until),
         Change::Closing(_) => -here.gap,
     }
 }

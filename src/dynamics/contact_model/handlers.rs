@@ -24,7 +24,7 @@ impl ContactRun {
     pub(in crate::dynamics) fn end_step(&mut self, number: usize, t: f64) {
         let Some(mut island) = self.world.islands[number].take() else { return };
         self.store.commit(&mut self.world, &mut island, t);
-        if island.due.is_empty() && island.link_due.is_none() {
+        if island.step.due.is_empty() && island.step.link_due.is_none() {
             self.continue_island(number, island, t);
             return;
         }
@@ -35,12 +35,12 @@ impl ContactRun {
         }
         self.remember_phases(&island, t);
         let mut alternates = false;
-        for Due { number, reason } in std::mem::take(&mut island.due) {
+        for Due { index: number, reason } in std::mem::take(&mut island.step.due) {
             let contact = island.contacts[number];
             Transitions { states: &mut self.contact_states(&now) }.change(contact, reason);
             alternates |= self.world.contacts[contact].changes.at_instant > ALTERNATING_EVENTS;
         }
-        if let Some(due) = island.link_due.take() {
+        if let Some(due) = island.step.link_due.take() {
             let link = island.system.links[due.index].track;
             self.link_transitions(&now).change(link, Switch::Function(due.switch));
         }
@@ -52,7 +52,7 @@ impl ContactRun {
     /// Plans the next step of an island whose step ended without an event, and searches the pairs of its bodies again.
     fn continue_island(&mut self, number: usize, mut island: Box<Island>, t: f64) {
         let model = Arc::clone(&self.world.model);
-        if model.next_kink(island.from) <= t {
+        if model.next_kink(island.step.from) <= t {
             island.rewind(&model, t);
         }
         let slots = island.slots.clone();

@@ -141,7 +141,7 @@ mod tests {
 
     impl Device for Ratchet {
         fn initial(&self, motion: &Separation) -> Phase {
-            Phase { law: 7, memory: motion.vector().to_array() }
+            Phase { branch: 7, memory: motion.vector().to_array() }
         }
 
         fn acts(&self, _: &Phase) -> bool {
@@ -165,7 +165,7 @@ mod tests {
         }
 
         fn next(&self, _: Switch, phase: &Phase, _: &Separation) -> (Phase, f64) {
-            (Phase { law: phase.law + 1, ..*phase }, RELEASED)
+            (Phase { branch: phase.branch + 1, ..*phase }, RELEASED)
         }
     }
 
@@ -186,10 +186,10 @@ mod tests {
         let ((mut world, now), mut schedule) = (joined(), Schedule::default());
         let mut links = LinkTransitions { world: &mut world, schedule: &mut schedule, now: &now };
         links.begin();
-        assert_eq!(links.world.links[0].phase, Phase { law: 7, memory: [3e-3, 0.0, 0.0] });
+        assert_eq!(links.world.links[0].phase, Phase { branch: 7, memory: [3e-3, 0.0, 0.0] });
         links.change(0, Switch::Closing);
         let track = &world.links[0];
-        assert_eq!((track.phase.law, track.log.at(0.0)), (8, Some(track.phase)));
+        assert_eq!((track.phase.branch, track.log.at(0.0)), (8, Some(track.phase)));
         assert_eq!(track.log.released(0.0), RELEASED, "in the log");
         assert_eq!(schedule.stop(), None);
     }

@@ -131,7 +131,7 @@ impl ContactRun {
             }
             let first = slots[members[0]];
             let alone = members.len() == 1 && !self.world.is_joined(first);
-            let may_fly = members.len() == 1 && !alone && self.world.bodies[first].system.is_some();
+            let may_fly = members.len() == 1 && !alone && self.world.bodies[first].free_motion.is_some();
             let spring = if may_fly { self.world.ground_spring(first) } else { None };
             let start = if alone || spring.is_some() {
                 let state = &mut states[members[0]];
@@ -161,18 +161,18 @@ impl ContactRun {
         for (own, &slot) in slots.iter().enumerate() {
             end_flight(&mut self.world, slot, t);
             let track = &mut self.world.bodies[slot];
-            if let Some(system) = &track.system {
-                track.now = Trajectory::Flight(system.fly_among(t, states, own));
+            if let Some(free_motion) = &track.free_motion {
+                track.now = Trajectory::Flight(free_motion.fly_among(t, states, own));
             }
         }
     }
 
     /// Begins a flight in closed form, on springs to the ground where these act; whether there is one.
     fn start_flight(&mut self, slot: usize, state: &[f64], t: f64, spring: Option<GroundSpring>) -> bool {
-        let Some(system) = &self.world.bodies[slot].system else { return false };
+        let Some(free_motion) = &self.world.bodies[slot].free_motion else { return false };
         let flight = match spring {
-            Some(spring) => system.fly_on(t, state, spring),
-            None => Some(system.fly(t, state)),
+            Some(spring) => free_motion.fly_on(t, state, spring),
+            None => Some(free_motion.fly(t, state)),
         };
         let Some(flight) = flight else { return false };
         end_flight(&mut self.world, slot, t);

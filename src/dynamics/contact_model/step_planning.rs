@@ -21,9 +21,9 @@ use crate::language::message;
 pub(in crate::dynamics) fn plan(world: &mut World, schedule: &mut Schedule, number: usize) {
     let model = Arc::clone(&world.model);
     let Some(mut island) = world.islands[number].take() else { return };
-    let from = island.until;
+    let from = island.step.until;
     if from >= model.duration {
-        island.from = from;
+        island.step.from = from;
         world.islands[number] = Some(island);
         return;
     }
@@ -36,9 +36,9 @@ pub(in crate::dynamics) fn plan(world: &mut World, schedule: &mut Schedule, numb
         Err(error) => {
             let reason = message!("stop-step", "step" => format!("{:.1e}", error.step));
             schedule.give_up(from, world.names(&island.slots), reason);
-            island.until
+            island.step.until
         }
-        Ok(()) => find_due(&model, &mut schedule.effort, &mut island).map_or(island.until, |t| t.max(from)),
+        Ok(()) => find_due(&model, &mut schedule.effort, &mut island).map_or(island.step.until, |t| t.max(from)),
     };
     schedule.queue.set(EventSource::Island(number).into(), due);
     world.islands[number] = Some(island);
@@ -59,15 +59,15 @@ fn find_due(model: &Model, effort: &mut Effort, island: &mut Island) -> Option<f
     }
     match (contacts, link) {
         (Some((t, _)), Some((earlier, due))) if earlier < t => {
-            island.link_due = Some(due);
+            island.step.link_due = Some(due);
             Some(earlier)
         }
         (Some((t, due)), _) => {
-            island.due = due;
+            island.step.due = due;
             Some(t)
         }
         (None, Some((t, due))) => {
-            island.link_due = Some(due);
+            island.step.link_due = Some(due);
             Some(t)
         }
         (None, None) => None,
@@ -99,7 +99,7 @@ mod tests {
         let mut schedule = Schedule::default();
         let opening = std::f64::consts::PI / (STIFFNESS / MASS).sqrt();
         let mut ends = Vec::new();
-        while world.islands[0].as_ref().expect("the island").due.is_empty() {
+        while world.islands[0].as_ref().expect("the island").step.due.is_empty() {
             plan(&mut world, &mut schedule, 0);
             ends.push(schedule.queue.first_time());
         }
@@ -107,7 +107,7 @@ mod tests {
         assert!((last / opening - 1.0).abs() < 1e-9, "opens at {last} s, not {opening} s");
         assert!(ends.is_sorted() && ends.iter().all(|&end| end < opening), "steps end before it: {ends:?}");
         let island = world.islands[0].as_ref().expect("the island");
-        assert!(island.due.iter().all(|due| due.reason == Reason::Opening), "{:?}", island.due);
+        assert!(island.step.due.iter().all(|due| due.reason == Reason::Opening), "{:?}", island.step.due);
         assert!(schedule.effort.steps > ends.len() as u64, "{} steps are counted", schedule.effort.steps);
     }
 

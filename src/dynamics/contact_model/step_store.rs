@@ -37,16 +37,16 @@ impl StepStore {
         {
             return None;
         }
-        let (length, states) = island.again(&world.model)?;
-        let (stretch, flown) = if let Some(stretch) = island.stretch {
-            (stretch, false)
+        let (length, states) = island.repeated(&world.model)?;
+        let (sequence, flown) = if let Some(sequence) = island.sequence {
+            (sequence, false)
         } else {
             let (logged_states, members) = (logged_states(world, island)?, self.members(world, island)?);
             let flown = landed_at(world, island, &states);
             (self.replay.open(members, logged_states)?, flown)
         };
-        island.stretch = Some(stretch);
-        self.replay.push(stretch, length, (!flown).then(|| island.system.layout.states(&states)))
+        island.sequence = Some(sequence);
+        self.replay.push(sequence, length, (!flown).then(|| island.system.layout.states(&states)))
     }
 
     /// Writes all trajectories up to `t` into the paths of their bodies.
@@ -68,7 +68,7 @@ impl StepStore {
     /// Writes an island's planned step up to `until` \[s\] into the paths of its bodies, and its slip angles into the
     /// logs of their contacts.
     pub(in crate::dynamics) fn commit(&mut self, world: &mut World, island: &mut Island, until: f64) {
-        let from = island.from;
+        let from = island.step.from;
         if until <= from {
             return;
         }
@@ -132,8 +132,8 @@ impl StepStore {
         t: f64,
     ) -> Option<u32> {
         let track = &world.bodies[slot];
-        let ((number, from, start), system) = (track.path.flown_until(t)?, track.system.as_ref()?);
-        let mut there = system.girder_state(from, start, t)?;
+        let ((number, from, start), free_motion) = (track.path.flown_until(t)?, track.free_motion.as_ref()?);
+        let mut there = free_motion.girder_state(from, start, t)?;
         let other = world.model.bodies[track.body].rebase(&mut there);
         let place = |base: &ReferencePose| base.planar().to_array().map(f64::to_bits);
         let bits = |state: &[f64]| state.iter().map(|x| x.to_bits()).collect::<Vec<_>>();
@@ -159,7 +159,7 @@ fn logged_states(world: &World, island: &Island) -> Option<Vec<LoggedState>> {
 fn landed_at(world: &World, island: &Island, states: &[f64]) -> bool {
     island.slots.iter().zip(&island.system.bases).zip(island.system.layout.states(states)).all(
         |((&slot, base), state)| {
-            base.flown.is_some() && base.flown == StepStore::landing(world, slot, base, state, island.from)
+            base.flown.is_some() && base.flown == StepStore::landing(world, slot, base, state, island.step.from)
         },
     )
 }
@@ -179,14 +179,14 @@ mod tests {
     fn a_step_is_written_as_far_as_it_is_asked_for() {
         let mut world = planned(&wall(), &[[0.0, 0.0, 0.0, SPEED, 0.0, 0.0]]);
         let (mut store, mut island) = (StepStore::default(), world.islands[0].take().expect("the island"));
-        let from = island.from;
+        let from = island.step.from;
         store.commit(&mut world, &mut island, from);
         assert!(world.bodies[0].path.is_empty(), "nothing of no length");
-        let until = 0.5 * (island.from + island.until);
+        let until = 0.5 * (island.step.from + island.step.until);
         store.commit(&mut world, &mut island, until);
         let path = &world.bodies[0].path;
         let spans: Vec<_> = path.spans().map(|span| (span.from, span.until)).collect();
-        assert_eq!(spans, [(island.from, until)]);
+        assert_eq!(spans, [(island.step.from, until)]);
         assert!(matches!(path.kept(0).1, StoredMotion::Step(_)), "as a polynomial");
         assert!(store.polynomials > 0, "its memory is counted");
     }
@@ -199,7 +199,7 @@ mod tests {
             track.log.push(0.0, track.state, DVec2::ZERO);
         }
         let (mut store, mut island) = (StepStore::default(), world.islands[0].take().expect("the island"));
-        let until = island.until;
+        let until = island.step.until;
         store.commit(&mut world, &mut island, until);
         let path = &world.bodies[0].path;
         assert!(matches!(path.kept(0).1, StoredMotion::Recomputed(_)), "as {:?}", path.kept(0).1);

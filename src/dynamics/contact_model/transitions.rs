@@ -85,7 +85,7 @@ impl<'a> Transitions<'_, 'a> {
     }
 
     /// The bodies of a contact, the deepest between them, come to overlap by more than its penetration: the contact of the least overlap
-    /// takes over, at the same depth. Where there is none, or it is closed already, as much again is granted.
+    /// takes over, at the same depth. Where there is none, or it is closed already, the overlap that is tolerated is doubled.
     fn hand_over(&mut self, contact: usize, closed: &ClosedContact) {
         let here = self.states.at().local(contact).penetration();
         let Some(ShortestWay { least, counts, contact: to }) = self.states.at().shortest_way(contact) else {

@@ -89,7 +89,7 @@ impl VertexNodes<'_, '_> {
     /// are there now; other nodes of the vertex that are there no more leave with it. Whether there is such a node.
     pub(super) fn pass_on(&mut self, contact: usize, closed: &ClosedContact) -> bool {
         let Some(([nodes, gone], beside)) = self.heirs(contact, closed) else { return false };
-        let sharers = self.states.world.contacts[contact].sharers;
+        let sharers = self.states.world.contacts[contact].divisor;
         let kept = nodes.iter().filter_map(|&node| Some((node, *self.states.world.contacts[node].state.closed()?)));
         let left = gone.iter().filter_map(|&node| Some((node, *self.states.world.contacts[node].state.closed()?)));
         let before: Vec<_> = kept.chain(left).chain([(contact, *closed)]).collect();
@@ -105,7 +105,7 @@ impl VertexNodes<'_, '_> {
                 // A node that closed without a part of its own, since its place came over the face only later, has that of an open one.
                 let open = open.skip(before.iter().filter(|(node, _)| !tracks[*node].has_part).count());
                 let at_vertex = before.iter().map(|(node, _)| node).chain(open);
-                count / at_vertex.map(|&node| 1.0 / tracks[node].sharers).sum::<f64>()
+                count / at_vertex.map(|&node| 1.0 / tracks[node].divisor).sum::<f64>()
             }
             (Sharing::PerNode, _) => sharers,
         };
@@ -130,7 +130,7 @@ impl VertexNodes<'_, '_> {
                 self.states.log(rival, Contact::Open { armed: false }, EventKind::LeftFace, released);
                 self.states.forget_sharers_of_open(rival);
             }
-            (self.states.world.contacts[node].sharers, self.states.world.contacts[node].has_part) = (divisor, true);
+            (self.states.world.contacts[node].divisor, self.states.world.contacts[node].has_part) = (divisor, true);
             self.carry(node, (contact, closed), &carried);
         }
         true
@@ -184,7 +184,7 @@ impl VertexNodes<'_, '_> {
         let (mut depth, mut length) = (0.0, 0.0);
         let power = before.first().map_or(2.0, |(_, closed)| closed.law.normal.energy_power());
         for (node, closed) in before {
-            let (here, part) = (self.states.here(*node), 1.0 / self.states.world.contacts[*node].sharers);
+            let (here, part) = (self.states.here(*node), 1.0 / self.states.world.contacts[*node].divisor);
             let penetration = here.penetration();
             depth += part * if power == 2.0 { penetration * penetration } else { penetration.max(0.0).powf(power) };
             length += part * stretch(closed, &here).length_squared();

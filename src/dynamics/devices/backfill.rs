@@ -102,7 +102,7 @@ impl Backfill {
 
     fn resistance(&self, phase: &Phase, motion: &Separation) -> f64 {
         let push = self.push(motion);
-        match phase.law {
+        match phase.branch {
             APART => 0.0,
             // By the distance from y_z, so that F is 0 there to the last bit.
             ELASTIC => self.unloading * (push - self.remaining_gap(phase)),
@@ -132,7 +132,7 @@ impl Connection for Backfill {
 
     /// On the envelope `F ẏ (1 − F_env′/K_ur)`.
     fn dissipated_power(&self, phase: &Phase, motion: &Separation) -> f64 {
-        let elastic = match phase.law {
+        let elastic = match phase.branch {
             ENVELOPE => self.envelope.slope(self.push(motion)) / self.unloading,
             FAILED => 0.0,
             _ => return 0.0,
@@ -153,19 +153,19 @@ impl Device for Backfill {
     /// Pushed at the start as if for the first time.
     fn initial(&self, motion: &Separation) -> Phase {
         let push = self.push(motion);
-        Phase { law: if push > 0.0 { self.on_envelope(push) } else { APART }, ..Phase::default() }
+        Phase { branch: if push > 0.0 { self.on_envelope(push) } else { APART }, ..Phase::default() }
     }
 
     fn acts(&self, phase: &Phase) -> bool {
-        phase.law != APART
+        phase.branch != APART
     }
 
     fn is_linear_in(&self, phase: &Phase) -> bool {
-        phase.law != ENVELOPE || self.envelope.curvature == 0.0
+        phase.branch != ENVELOPE || self.envelope.curvature == 0.0
     }
 
     fn state(&self, phase: &Phase) -> Text {
-        match phase.law {
+        match phase.branch {
             APART => Text::new("state-apart"),
             ELASTIC => Text::new("state-elastic"),
             ENVELOPE => Text::new("state-loaded"),
@@ -190,13 +190,13 @@ impl Device for Backfill {
     }
 
     fn switch_unit(&self, number: usize, phase: &Phase) -> SwitchUnit {
-        if number == 0 && phase.law != ELASTIC { SwitchUnit::Speed } else { SwitchUnit::Length }
+        if number == 0 && phase.branch != ELASTIC { SwitchUnit::Speed } else { SwitchUnit::Length }
     }
 
     /// On the envelope 0: the push falls, 1: the limit is reached; elastic 0: the envelope is reached, 1: the wall leaves the soil.
     fn switch(&self, number: usize, phase: &Phase, motion: &Separation) -> f64 {
         let push = self.push(motion);
-        match (number, phase.law) {
+        match (number, phase.branch) {
             (0, ELASTIC) => push - Self::greatest(phase),
             (0, _) => -motion.rate.x,
             (_, ELASTIC) => self.remaining_gap(phase) - push,
@@ -216,8 +216,8 @@ impl Device for Backfill {
 
     fn next(&self, event: Switch, phase: &Phase, motion: &Separation) -> (Phase, f64) {
         let (push, greatest) = (self.push(motion), Self::greatest(phase));
-        let next = |law, greatest| Phase { law, memory: [greatest, 0.0, 0.0] };
-        let next = match (event, phase.law) {
+        let next = |law, greatest| Phase { branch: law, memory: [greatest, 0.0, 0.0] };
+        let next = match (event, phase.branch) {
             // Soil that was never pushed begins on its envelope.
             (Switch::Closing, _) if greatest <= 0.0 => next(self.on_envelope(push), 0.0),
             (Switch::Closing, _) => next(ELASTIC, greatest),
@@ -265,19 +265,19 @@ mod tests {
     fn a_gap_stays_and_the_envelope_is_met_again_where_it_was_left() {
         let soil = Backfill::new(0.0, Envelope::hyperbolic(1.5e4, 0.75, 60.0), 1.5e4).expect("a law");
         let virgin = soil.initial(&at(-1e-3, 0.1));
-        assert_eq!(virgin.law, APART);
+        assert_eq!(virgin.branch, APART);
         let (pushed, _) = soil.next(Switch::Closing, &virgin, &at(0.0, 0.1));
-        assert_eq!(pushed.law, ENVELOPE);
+        assert_eq!(pushed.branch, ENVELOPE);
         let deepest = at(4.942_912_219e-3, 0.0);
         let (turned, _) = soil.next(Switch::Function(0), &pushed, &deepest);
         close("continuous at the turn", soil.force(&turned, &deepest).x, soil.force(&pushed, &deepest).x);
         assert!((soil.remaining_gap(&turned) - 2.377_559_108e-3).abs() < 1e-12, "{}", soil.remaining_gap(&turned));
         let (left, _) = soil.next(Switch::Function(1), &turned, &at(2.377_559_108e-3, -0.2));
-        assert_eq!((left.law, soil.acts(&left)), (APART, false), "no tension");
+        assert_eq!((left.branch, soil.acts(&left)), (APART, false), "no tension");
         let (again, _) = soil.next(Switch::Closing, &left, &at(2.377_559_108e-3, 0.2));
-        assert_eq!(again.law, ELASTIC);
+        assert_eq!(again.branch, ELASTIC);
         assert!(soil.switch(0, &again, &at(4.9e-3, 0.1)) < 0.0 && soil.switch(0, &again, &at(5e-3, 0.1)) > 0.0);
-        assert_eq!(soil.next(Switch::Function(0), &again, &deepest).0.law, ENVELOPE);
+        assert_eq!(soil.next(Switch::Function(0), &again, &deepest).0.branch, ENVELOPE);
     }
 
     #[test]
@@ -285,7 +285,7 @@ mod tests {
         let line = Envelope::bilinear(1e4, 30.0);
         for (law, push) in [(ENVELOPE, 2e-3), (FAILED, 5e-3)] {
             let soil = Backfill::new(0.0, line, 4e4).expect("a law");
-            let phase = Phase { law, ..Phase::default() };
+            let phase = Phase { branch: law, ..Phase::default() };
             let stored = |push: f64| soil.stored_energy(&phase, &at(push, 1.0));
             let step = 1e-7;
             let gain = (stored(push + step) - stored(push - step)) / (2.0 * step);

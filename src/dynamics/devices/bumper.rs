@@ -57,23 +57,23 @@ impl Bumper {
     }
 
     fn is_off(phase: &Phase) -> bool {
-        phase.law % LAWS_PER_LINE == OFF
+        phase.branch % LAWS_PER_LINE == OFF
     }
 
     /// Whether the force acts.
     fn is_on(phase: &Phase) -> bool {
-        phase.law != OPEN && !Self::is_off(phase)
+        phase.branch != OPEN && !Self::is_off(phase)
     }
 
     /// The line of the table that a phase is on; the first one while open.
     fn line(phase: &Phase) -> usize {
-        (phase.law.saturating_sub(OFF) / LAWS_PER_LINE) as usize
+        (phase.branch.saturating_sub(OFF) / LAWS_PER_LINE) as usize
     }
 
     /// A law of the first line, on another line.
     fn on_line(first: u32, line: usize) -> Phase {
         let beyond = LAWS_PER_LINE.saturating_mul(u32::try_from(line).unwrap_or(u32::MAX));
-        Phase { law: first.saturating_add(beyond), ..Phase::default() }
+        Phase { branch: first.saturating_add(beyond), ..Phase::default() }
     }
 
     /// `F_s(δ)` on a line.
@@ -105,12 +105,12 @@ impl Connection for Bumper {
 
     fn stored_energy(&self, phase: &Phase, motion: &Separation) -> f64 {
         let [depth, _] = self.depth(motion);
-        if phase.law == OPEN { 0.0 } else { self.energy(Self::line(phase), depth) }
+        if phase.branch == OPEN { 0.0 } else { self.energy(Self::line(phase), depth) }
     }
 
     fn dissipated_power(&self, phase: &Phase, motion: &Separation) -> f64 {
         let [depth, rate] = self.depth(motion);
-        match phase.law {
+        match phase.branch {
             OPEN => 0.0,
             _ if Self::is_off(phase) => -self.spring(Self::line(phase), depth) * rate,
             _ => self.damping * rate * rate,
@@ -129,15 +129,15 @@ impl Connection for Bumper {
 impl Device for Bumper {
     fn initial(&self, motion: &Separation) -> Phase {
         let [depth, _] = self.depth(motion);
-        if depth > 0.0 { Self::on_line(ON, self.line_at(depth)) } else { Phase { law: OPEN, ..Phase::default() } }
+        if depth > 0.0 { Self::on_line(ON, self.line_at(depth)) } else { Phase { branch: OPEN, ..Phase::default() } }
     }
 
     fn acts(&self, phase: &Phase) -> bool {
-        phase.law != OPEN
+        phase.branch != OPEN
     }
 
     fn state(&self, phase: &Phase) -> Text {
-        match phase.law {
+        match phase.branch {
             OPEN => Text::new("state-open"),
             _ if Self::is_off(phase) => Text::new("state-springs-back"),
             _ => Text::new("state-squeezed"),
@@ -178,7 +178,7 @@ impl Device for Bumper {
         let next = match event {
             Switch::Closing => Self::on_line(ON, 0),
             Switch::Function(0) if line > 0 => Self::on_line(same, line - 1),
-            Switch::Function(0) => Phase { law: OPEN, ..Phase::default() },
+            Switch::Function(0) => Phase { branch: OPEN, ..Phase::default() },
             Switch::Function(1) => Self::on_line(same, line + 1),
             Switch::Function(_) => Self::on_line(other, line),
         };
@@ -214,6 +214,6 @@ mod tests {
             assert!((bumper.stored_energy(&next, &passed) - stored(0.0)).is_sign_negative() && released == 0.0);
             phase = next;
         }
-        assert_eq!(phase.law, OPEN);
+        assert_eq!(phase.branch, OPEN);
     }
 }

@@ -69,7 +69,7 @@ impl Connection for ViscousDamper {
 
 impl Device for ViscousDamper {
     fn initial(&self, motion: &Separation) -> Phase {
-        Phase { law: self.law(Line::of(motion).rate), ..Phase::default() }
+        Phase { branch: self.law(Line::of(motion).rate), ..Phase::default() }
     }
 
     fn acts(&self, _: &Phase) -> bool {
@@ -95,7 +95,7 @@ impl Device for ViscousDamper {
     /// The rate of the line changes its sign.
     fn switch(&self, _: usize, phase: &Phase, motion: &Separation) -> f64 {
         let rate = Line::of(motion).rate;
-        if phase.law == SHORTENS { rate } else { -rate }
+        if phase.branch == SHORTENS { rate } else { -rate }
     }
 
     /// The rate changes by the change of the velocity and by the turn of the line, whose direction changes by no more than the way over
@@ -112,6 +112,6 @@ impl Device for ViscousDamper {
     }
 
     fn next(&self, _: Switch, phase: &Phase, _: &Separation) -> (Phase, f64) {
-        (Phase { law: if phase.law == SHORTENS { LENGTHENS } else { SHORTENS }, ..*phase }, 0.0)
+        (Phase { branch: if phase.branch == SHORTENS { LENGTHENS } else { SHORTENS }, ..*phase }, 0.0)
     }
 }

@@ -47,7 +47,7 @@ impl Device for Drop {
     }
 
     fn state(&self, phase: &Phase) -> Text {
-        if phase.law == DROPPED { Text::new("state-dropped") } else { Text::new("state-up") }
+        if phase.branch == DROPPED { Text::new("state-dropped") } else { Text::new("state-up") }
     }
 
     fn gap(&self, _: &Phase, motion: &Separation) -> [f64; 2] {
@@ -59,15 +59,15 @@ impl Device for Drop {
     }
 
     fn has_ended(&self, phase: &Phase) -> bool {
-        phase.law == DROPPED
+        phase.branch == DROPPED
     }
 
     fn ends_run(&self, phase: &Phase) -> bool {
-        phase.law == DROPPED
+        phase.branch == DROPPED
     }
 
     fn next(&self, _: Switch, _: &Phase, _: &Separation) -> (Phase, f64) {
-        (Phase { law: DROPPED, ..Phase::default() }, 0.0)
+        (Phase { branch: DROPPED, ..Phase::default() }, 0.0)
     }
 
     /// Nothing to draw.

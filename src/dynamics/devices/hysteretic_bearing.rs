@@ -50,7 +50,7 @@ const STATES: u32 = 3;
 impl Hysteresis {
     /// State of an axis by [`STATES`].
     fn state(phase: &Phase, axis: usize) -> u32 {
-        if axis == 0 { phase.law % STATES } else { phase.law / STATES }
+        if axis == 0 { phase.branch % STATES } else { phase.branch / STATES }
     }
 
     /// z \[N\]. Elastic, the memory is `z − k_t u`; on the circle in yield, the angle φ \[rad\].
@@ -58,7 +58,9 @@ impl Hysteresis {
         let moved = motion.moved.truncate();
         let remembered = DVec2::new(phase.memory[0], phase.memory[1]);
         match *self {
-            Hysteresis::Circle(element) if phase.law == YIELDING => DVec2::from_angle(phase.memory[0]) * element.force,
+            Hysteresis::Circle(element) if phase.branch == YIELDING => {
+                DVec2::from_angle(phase.memory[0]) * element.force
+            }
             Hysteresis::Circle(element) => remembered + moved * element.stiffness,
             Hysteresis::PerAxis(elements) => DVec2::from(std::array::from_fn::<f64, 2, _>(|axis| {
                 let ElastoPlastic { stiffness, force } = elements[axis];
@@ -82,10 +84,10 @@ impl Hysteresis {
     fn going_on(&self, law: u32, z: DVec2, motion: &Separation) -> Phase {
         let elements = self.elements();
         if matches!(self, Hysteresis::Circle(_)) && law == YIELDING {
-            return Phase { law, memory: [z.to_angle(), 0.0, 0.0] };
+            return Phase { branch: law, memory: [z.to_angle(), 0.0, 0.0] };
         }
         let elastic = [0, 1].map(|axis| z[axis] - elements[axis].stiffness * motion.moved[axis]);
-        Phase { law, memory: [elastic[0], elastic[1], 0.0] }
+        Phase { branch: law, memory: [elastic[0], elastic[1], 0.0] }
     }
 }
 
@@ -107,7 +109,7 @@ impl Connection for Hysteresis {
     fn dissipated_power(&self, phase: &Phase, motion: &Separation) -> f64 {
         let (rate, z) = (motion.rate.truncate(), self.hysteretic_force(phase, motion));
         match *self {
-            Hysteresis::Circle(_) if phase.law == YIELDING => z.dot(rate),
+            Hysteresis::Circle(_) if phase.branch == YIELDING => z.dot(rate),
             Hysteresis::Circle(_) => 0.0,
             Hysteresis::PerAxis(_) => {
                 (0..2).filter(|&axis| Self::state(phase, axis) != 0).map(|axis| z[axis] * rate[axis]).sum()
@@ -147,7 +149,7 @@ impl Device for Hysteresis {
     }
 
     fn state(&self, phase: &Phase) -> Text {
-        if phase.law == 0 { Text::new("state-elastic") } else { Text::new("state-yields") }
+        if phase.branch == 0 { Text::new("state-elastic") } else { Text::new("state-yields") }
     }
 
     fn strength(&self) -> Option<f64> {
@@ -172,7 +174,7 @@ impl Device for Hysteresis {
     }
 
     fn evolves(&self, phase: &Phase) -> bool {
-        matches!(self, Hysteresis::Circle(_)) && phase.law == YIELDING
+        matches!(self, Hysteresis::Circle(_)) && phase.branch == YIELDING
     }
 
     fn evolution(&self, phase: &Phase, motion: &Separation) -> Evolution {
@@ -183,7 +185,7 @@ impl Device for Hysteresis {
     /// In yield on the circle one direction gives both.
     fn force_and_evolution(&self, phase: &Phase, motion: &Separation) -> (DVec3, Evolution) {
         match *self {
-            Hysteresis::Circle(element) if phase.law == YIELDING => {
+            Hysteresis::Circle(element) if phase.branch == YIELDING => {
                 let outwards = DVec2::from_angle(phase.memory[0]);
                 ((outwards * -element.force).extend(0.0), element.turn(outwards, motion))
             }
@@ -200,7 +202,7 @@ impl Device for Hysteresis {
 
     fn switch_unit(&self, number: usize, phase: &Phase) -> SwitchUnit {
         let yields = match *self {
-            Hysteresis::Circle(_) => phase.law == YIELDING,
+            Hysteresis::Circle(_) => phase.branch == YIELDING,
             Hysteresis::PerAxis(_) => Self::state(phase, number / 2) != 0,
         };
         if yields { SwitchUnit::Speed } else { SwitchUnit::Length }
@@ -210,7 +212,7 @@ impl Device for Hysteresis {
     fn switch(&self, number: usize, phase: &Phase, motion: &Separation) -> f64 {
         let (z, rate) = (self.hysteretic_force(phase, motion), motion.rate.truncate());
         match *self {
-            Hysteresis::Circle(_) if phase.law == YIELDING => -DVec2::from_angle(phase.memory[0]).dot(rate),
+            Hysteresis::Circle(_) if phase.branch == YIELDING => -DVec2::from_angle(phase.memory[0]).dot(rate),
             Hysteresis::Circle(ElastoPlastic { stiffness, force }) => {
                 (z.length_squared() - force * force) / (2.0 * force * stiffness)
             }
@@ -229,7 +231,7 @@ impl Device for Hysteresis {
     /// `d(n·u̇)/dt = (k_t/Q) w² + n·ü ≥ −|ü|`: the turn of n never brings the end nearer.
     fn stays_below(&self, number: usize, phase: &Phase, motion: &Separation, within: Excursion) -> bool {
         match *self {
-            Hysteresis::Circle(ElastoPlastic { stiffness, force }) if phase.law != YIELDING => {
+            Hysteresis::Circle(ElastoPlastic { stiffness, force }) if phase.branch != YIELDING => {
                 self.hysteretic_force(phase, motion).length() + stiffness * within.way < force
             }
             Hysteresis::Circle(_) => self.switch(number, phase, motion) + within.rate < 0.0,
@@ -244,7 +246,7 @@ impl Device for Hysteresis {
         let Switch::Function(number) = event else { return (*phase, 0.0) };
         let z = self.hysteretic_force(phase, motion);
         let law = match *self {
-            Hysteresis::Circle(_) => YIELDING - phase.law,
+            Hysteresis::Circle(_) => YIELDING - phase.branch,
             Hysteresis::PerAxis(_) => {
                 let mut states = [0, 1].map(|axis| Self::state(phase, axis));
                 let side = if number.is_multiple_of(2) { 1 } else { 2 };
@@ -270,7 +272,7 @@ mod tests {
         let (mut claimed, mut near) = (0, f64::INFINITY);
         for _ in 0..400 {
             let [angle, across, along, turn, size] = std::array::from_fn(|_| random());
-            let phase = Phase { law: YIELDING, memory: [7.0 * angle, 0.0, 0.0] };
+            let phase = Phase { branch: YIELDING, memory: [7.0 * angle, 0.0, 0.0] };
             let n = DVec2::from_angle(phase.memory[0]);
             let start = n * along + n.perp() * (2.0 * across - 1.0);
             let acceleration = DVec2::from_angle(7.0 * turn) * (20.0 * size);
@@ -283,7 +285,7 @@ mod tests {
             claimed += 1;
             let at = |t: f64, angle: f64| {
                 let motion = Separation { rate: (start + acceleration * t).extend(0.0), ..Separation::default() };
-                (Phase { law: YIELDING, memory: [angle, 0.0, 0.0] }, motion)
+                (Phase { branch: YIELDING, memory: [angle, 0.0, 0.0] }, motion)
             };
             let mut angle = phase.memory[0];
             for step in 0..steps {

@@ -59,11 +59,11 @@ impl Restrainer {
     /// `ε_p`: `memory` is `ε_p` at the beginning of the phase and, in yield, ε then.
     fn plastic(&self, phase: &Phase, elongation: f64) -> f64 {
         let [plastic, from, _] = phase.memory;
-        if phase.law == YIELD { plastic + (1.0 - self.ratio()) * (elongation - from) } else { plastic }
+        if phase.branch == YIELD { plastic + (1.0 - self.ratio()) * (elongation - from) } else { plastic }
     }
 
     fn tension(&self, phase: &Phase, elongation: f64) -> f64 {
-        match phase.law {
+        match phase.branch {
             TAUT | YIELD => self.stiffness * (elongation - self.plastic(phase, elongation)),
             _ => 0.0,
         }
@@ -92,7 +92,7 @@ impl Connection for Restrainer {
     }
 
     fn dissipated_power(&self, phase: &Phase, motion: &Separation) -> f64 {
-        if phase.law != YIELD {
+        if phase.branch != YIELD {
             return 0.0;
         }
         let line = Line::of(motion);
@@ -125,15 +125,15 @@ impl Device for Restrainer {
             _ => TAUT,
         };
         let from = if law == YIELD { elongation } else { 0.0 };
-        Phase { law, memory: [plastic, from, 0.0] }
+        Phase { branch: law, memory: [plastic, from, 0.0] }
     }
 
     fn acts(&self, phase: &Phase) -> bool {
-        matches!(phase.law, TAUT | YIELD)
+        matches!(phase.branch, TAUT | YIELD)
     }
 
     fn state(&self, phase: &Phase) -> Text {
-        match phase.law {
+        match phase.branch {
             SLACK => Text::new("state-slack"),
             TAUT => Text::new("state-taut"),
             YIELD => Text::new("state-yields"),
@@ -148,11 +148,11 @@ impl Device for Restrainer {
     }
 
     fn yields(&self, phase: &Phase) -> bool {
-        phase.law == YIELD
+        phase.branch == YIELD
     }
 
     fn has_ended(&self, phase: &Phase) -> bool {
-        phase.law == BROKEN
+        phase.branch == BROKEN
     }
 
     /// `(ℓ² − r²)/(2ℓ)` with the length ℓ at which it is taut: smooth where its points meet.
@@ -181,7 +181,7 @@ impl Device for Restrainer {
     }
 
     fn switch_unit(&self, number: usize, phase: &Phase) -> SwitchUnit {
-        if number == 1 && phase.law == YIELD { SwitchUnit::Speed } else { SwitchUnit::Length }
+        if number == 1 && phase.branch == YIELD { SwitchUnit::Speed } else { SwitchUnit::Length }
     }
 
     /// 0: slack; 1: start of yield, in yield its end; 2: break.
@@ -189,7 +189,7 @@ impl Device for Restrainer {
         let line = Line::of(motion);
         let elongation = self.elongation(&line);
         let plastic = self.plastic(phase, elongation);
-        match (number, phase.law) {
+        match (number, phase.branch) {
             (0, _) => plastic - elongation,
             (1, YIELD) => -line.rate,
             (1, _) if self.yielding.is_none() => -1.0,
@@ -208,13 +208,13 @@ impl Device for Restrainer {
     fn next(&self, event: Switch, phase: &Phase, motion: &Separation) -> (Phase, f64) {
         let elongation = self.elongation(&Line::of(motion));
         let plastic = self.plastic(phase, elongation);
-        let law = match (event, phase.law) {
+        let law = match (event, phase.branch) {
             (Switch::Closing, _) | (Switch::Function(1), YIELD) => TAUT,
             (Switch::Function(0), _) => SLACK,
             (Switch::Function(1), _) => YIELD,
             (Switch::Function(_), _) => BROKEN,
         };
         let released = if law == BROKEN { self.stored_energy(phase, motion) } else { 0.0 };
-        (Phase { law, memory: [plastic, elongation, 0.0] }, released)
+        (Phase { branch: law, memory: [plastic, elongation, 0.0] }, released)
     }
 }

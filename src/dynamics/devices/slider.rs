@@ -92,7 +92,7 @@ impl Slider {
 
     /// z \[N\]. Elastic, the memory is `z − k_t u`; sliding, the angle φ \[rad\].
     fn friction_force(&self, phase: &Phase, motion: &Separation) -> DVec2 {
-        match phase.law {
+        match phase.branch {
             ELASTIC => DVec2::new(phase.memory[0], phase.memory[1]) + motion.moved.truncate() * self.tangential(),
             SLIDING => DVec2::from_angle(phase.memory[0]) * self.limit(motion),
             _ => DVec2::ZERO,
@@ -107,12 +107,12 @@ impl Slider {
 
     fn elastic(&self, z: DVec2, motion: &Separation) -> Phase {
         let remembered = z - motion.moved.truncate() * self.tangential();
-        Phase { law: ELASTIC, memory: [remembered.x, remembered.y, 0.0] }
+        Phase { branch: ELASTIC, memory: [remembered.x, remembered.y, 0.0] }
     }
 
     /// On landing there is no friction yet: it slides at once unless Q grows faster than the spring.
     fn landed(&self, motion: &Separation) -> Phase {
-        let slides = Phase { law: SLIDING, memory: [motion.rate.truncate().to_angle(), 0.0, 0.0] };
+        let slides = Phase { branch: SLIDING, memory: [motion.rate.truncate().to_angle(), 0.0, 0.0] };
         if self.slip_rate(&slides, motion) > 0.0 { slides } else { self.elastic(DVec2::ZERO, motion) }
     }
 }
@@ -123,7 +123,7 @@ impl Connection for Slider {
 
     /// Lifted, it takes away what the girder's bearing has.
     fn force(&self, phase: &Phase, motion: &Separation) -> DVec3 {
-        if phase.law == LIFTED {
+        if phase.branch == LIFTED {
             let [w, rate] = [motion.moved.z, motion.rate.z];
             let [springs, dashpots] = self.beside;
             let across = springs * motion.moved.truncate() + dashpots * motion.rate.truncate();
@@ -137,7 +137,7 @@ impl Connection for Slider {
     /// but the energy of the unloaded spring.
     fn stored_energy(&self, phase: &Phase, motion: &Separation) -> f64 {
         let upright = self.load - self.stiffness * motion.moved.z;
-        if phase.law == LIFTED {
+        if phase.branch == LIFTED {
             return -upright * upright / (2.0 * self.stiffness) - self.energy_beside(motion);
         }
         let rise = self.rise(motion);
@@ -146,11 +146,11 @@ impl Connection for Slider {
     }
 
     fn dissipated_power(&self, phase: &Phase, motion: &Separation) -> f64 {
-        if phase.law == LIFTED {
+        if phase.branch == LIFTED {
             let rate = motion.rate;
             return -rate.dot(self.beside[1].extend(self.damping) * rate);
         }
-        let sliding = if phase.law == SLIDING { self.limit(motion) * self.slip_rate(phase, motion) } else { 0.0 };
+        let sliding = if phase.branch == SLIDING { self.limit(motion) * self.slip_rate(phase, motion) } else { 0.0 };
         // c_z (ẇ − ḣ)² less the c_z ẇ² of the girder's bearing.
         let rising = self.rising(motion);
         sliding + self.damping * rising * (rising - 2.0 * motion.rate.z)
@@ -161,7 +161,7 @@ impl Connection for Slider {
     }
 
     fn damping_bound(&self, phase: &Phase) -> f64 {
-        if phase.law == LIFTED {
+        if phase.branch == LIFTED {
             self.damping.max(self.beside[1].max_element())
         } else if self.curvature > 0.0 {
             self.damping
@@ -178,13 +178,13 @@ impl Device for Slider {
             let spring = motion.moved.truncate() * self.tangential();
             self.elastic(spring.clamp_length_max(self.limit(motion)), motion)
         } else {
-            Phase { law: LIFTED, ..Phase::default() }
+            Phase { branch: LIFTED, ..Phase::default() }
         }
     }
 
     /// Of the bearing beside as well: N + D, and nothing where it is lifted.
     fn reaction(&self, phase: &Phase, motion: &Separation) -> DVec3 {
-        if phase.law == LIFTED {
+        if phase.branch == LIFTED {
             return DVec3::ZERO;
         }
         self.horizontal(phase, motion).extend(self.normal(motion) + self.damping_force(motion))
@@ -195,7 +195,7 @@ impl Device for Slider {
     }
 
     fn state(&self, phase: &Phase) -> Text {
-        match phase.law {
+        match phase.branch {
             ELASTIC => Text::new("state-elastic"),
             SLIDING => Text::new("state-slides"),
             _ => Text::new("state-lifted"),
@@ -229,7 +229,7 @@ impl Device for Slider {
     }
 
     fn evolves(&self, phase: &Phase) -> bool {
-        phase.law == SLIDING
+        phase.branch == SLIDING
     }
 
     fn evolution(&self, phase: &Phase, motion: &Separation) -> Evolution {
@@ -249,13 +249,13 @@ impl Device for Slider {
     }
 
     fn switch_unit(&self, number: usize, phase: &Phase) -> SwitchUnit {
-        if number == 0 && phase.law == SLIDING { SwitchUnit::Speed } else { SwitchUnit::Length }
+        if number == 0 && phase.branch == SLIDING { SwitchUnit::Speed } else { SwitchUnit::Length }
     }
 
     /// 0: start of sliding (elastic), end of sliding (sliding), landing (lifted); 1: uplift.
     fn switch(&self, number: usize, phase: &Phase, motion: &Separation) -> f64 {
         let normal = self.normal(motion);
-        match (number, phase.law) {
+        match (number, phase.branch) {
             (0, ELASTIC) => (self.friction_force(phase, motion).length() - self.friction * normal) / self.tangential(),
             (0, SLIDING) => -self.slip_rate(phase, motion),
             (0, _) => normal / self.stiffness,
@@ -266,15 +266,15 @@ impl Device for Slider {
 
     fn next(&self, event: Switch, phase: &Phase, motion: &Separation) -> (Phase, f64) {
         let z = self.friction_force(phase, motion);
-        let next = match (event, phase.law) {
+        let next = match (event, phase.branch) {
             (Switch::Closing, _) => *phase,
-            (Switch::Function(0), ELASTIC) => Phase { law: SLIDING, memory: [z.to_angle(), 0.0, 0.0] },
+            (Switch::Function(0), ELASTIC) => Phase { branch: SLIDING, memory: [z.to_angle(), 0.0, 0.0] },
             (Switch::Function(0), SLIDING) => self.elastic(z, motion),
             (Switch::Function(_), LIFTED) => self.landed(motion),
-            (Switch::Function(_), _) => Phase { law: LIFTED, ..Phase::default() },
+            (Switch::Function(_), _) => Phase { branch: LIFTED, ..Phase::default() },
         };
         // Springs beside lift with what they store, and land displaced.
-        let released = match (phase.law, next.law) {
+        let released = match (phase.branch, next.branch) {
             (LIFTED, LIFTED) => 0.0,
             (_, LIFTED) => z.length_squared() / (2.0 * self.tangential()) + self.energy_beside(motion),
             (LIFTED, _) => -self.energy_beside(motion),
@@ -306,7 +306,7 @@ mod tests {
     fn work_is_stored_or_lost_in_every_phase() {
         let (place, rate) = (DVec3::new(0.03, -0.02, 0.004), DVec3::new(0.2, 0.1, -0.05));
         for law in [ELASTIC, SLIDING, LIFTED] {
-            let begin = Phase { law, memory: [0.4, 0.2, 0.0] };
+            let begin = Phase { branch: law, memory: [0.4, 0.2, 0.0] };
             let step = 1e-6;
             let phase_at = |t: f64| {
                 let mut phase = begin;
@@ -330,15 +330,15 @@ mod tests {
     fn uplift_takes_the_whole_vertical_force_and_keeps_the_energy() {
         let lifts = 50.0 / 4e3;
         let here = at([0.0, 0.0, lifts], [0.3, 0.0, 0.1]);
-        let (lifted, released) = SLIDER.next(Switch::Function(1), &Phase { law: SLIDING, memory: [0.0; 3] }, &here);
-        assert_eq!((lifted.law, released), (LIFTED, 0.0));
+        let (lifted, released) = SLIDER.next(Switch::Function(1), &Phase { branch: SLIDING, memory: [0.0; 3] }, &here);
+        assert_eq!((lifted.branch, released), (LIFTED, 0.0));
         assert!(SLIDER.stored_energy(&lifted, &here).abs() < 1e-12, "continuous where N is 0");
         let above = at([0.0, 0.0, 2.0 * lifts], [0.3, 0.0, 0.1]);
         let bearing = 50.0 - 4e3 * 2.0 * lifts - 3.0 * 0.1;
         assert!((SLIDER.force(&lifted, &above).z + bearing).abs() < 1e-12, "nothing is left of the bearing's force");
         let down = at([0.0, 0.0, lifts], [0.3, 0.0, -0.1]);
-        assert_eq!(SLIDER.next(Switch::Function(0), &lifted, &down).0.law, SLIDING, "too fast for the spring");
+        assert_eq!(SLIDER.next(Switch::Function(0), &lifted, &down).0.branch, SLIDING, "too fast for the spring");
         let down = at([0.0, 0.0, lifts], [1e-4, 0.0, -0.1]);
-        assert_eq!(SLIDER.next(Switch::Function(0), &lifted, &down).0.law, ELASTIC, "Q grows faster");
+        assert_eq!(SLIDER.next(Switch::Function(0), &lifted, &down).0.branch, ELASTIC, "Q grows faster");
     }
 }

@@ -56,12 +56,12 @@ impl Stopper {
 
     /// `w_p`: remembered, or in yield what leaves p at its limit.
     fn plastic(&self, phase: &Phase, motion: &Separation) -> f64 {
-        if phase.law == YIELD { motion.vector().x - self.gap - self.limit() } else { phase.memory[0] }
+        if phase.branch == YIELD { motion.vector().x - self.gap - self.limit() } else { phase.memory[0] }
     }
 
     /// p \[m\].
     fn press(&self, phase: &Phase, motion: &Separation) -> f64 {
-        if phase.law == YIELD { self.limit() } else { motion.vector().x - self.gap - phase.memory[0] }
+        if phase.branch == YIELD { self.limit() } else { motion.vector().x - self.gap - phase.memory[0] }
     }
 }
 
@@ -78,7 +78,7 @@ impl Connection for Stopper {
     }
 
     fn dissipated_power(&self, phase: &Phase, motion: &Separation) -> f64 {
-        if phase.law == YIELD { self.stiffness * self.limit() * motion.rate.x } else { 0.0 }
+        if phase.branch == YIELD { self.stiffness * self.limit() * motion.rate.x } else { 0.0 }
     }
 
     fn stiffness_bound(&self, _: &Phase) -> f64 {
@@ -104,11 +104,11 @@ impl Device for Stopper {
             Failure::Ductile { .. } if press >= limit && motion.rate.x > 0.0 => YIELD,
             _ => ON,
         };
-        Phase { law, memory: [plastic, 0.0, 0.0] }
+        Phase { branch: law, memory: [plastic, 0.0, 0.0] }
     }
 
     fn acts(&self, phase: &Phase) -> bool {
-        matches!(phase.law, ON | YIELD)
+        matches!(phase.branch, ON | YIELD)
     }
 
     fn is_linear_in(&self, _: &Phase) -> bool {
@@ -116,7 +116,7 @@ impl Device for Stopper {
     }
 
     fn state(&self, phase: &Phase) -> Text {
-        match phase.law {
+        match phase.branch {
             OPEN => Text::new("state-open"),
             ON => Text::new("state-pressed"),
             YIELD => Text::new("state-yields"),
@@ -132,11 +132,11 @@ impl Device for Stopper {
     }
 
     fn yields(&self, phase: &Phase) -> bool {
-        phase.law == YIELD
+        phase.branch == YIELD
     }
 
     fn has_ended(&self, phase: &Phase) -> bool {
-        phase.law == BROKEN
+        phase.branch == BROKEN
     }
 
     fn gap(&self, phase: &Phase, motion: &Separation) -> [f64; 2] {
@@ -152,12 +152,12 @@ impl Device for Stopper {
     }
 
     fn switch_unit(&self, number: usize, phase: &Phase) -> SwitchUnit {
-        if number == 0 && phase.law == YIELD { SwitchUnit::Speed } else { SwitchUnit::Length }
+        if number == 0 && phase.branch == YIELD { SwitchUnit::Speed } else { SwitchUnit::Length }
     }
 
     /// 0: opening, in yield the end of yield; 1: yield or break, in yield the break.
     fn switch(&self, number: usize, phase: &Phase, motion: &Separation) -> f64 {
-        match (number, phase.law, self.failure) {
+        match (number, phase.branch, self.failure) {
             (0, YIELD, _) => -motion.rate.x,
             (0, ..) => -self.press(phase, motion),
             (_, YIELD, Failure::Ductile { displacement, .. }) if displacement.is_finite() => {
@@ -178,13 +178,13 @@ impl Device for Stopper {
     }
 
     fn next(&self, event: Switch, phase: &Phase, motion: &Separation) -> (Phase, f64) {
-        let law = match (event, phase.law, self.failure) {
+        let law = match (event, phase.branch, self.failure) {
             (Switch::Closing, ..) | (Switch::Function(0), YIELD, _) => ON,
             (Switch::Function(0), ..) => OPEN,
             (Switch::Function(_), ON, Failure::Ductile { .. }) => YIELD,
             (Switch::Function(_), ..) => BROKEN,
         };
         let released = if law == BROKEN { self.stored_energy(phase, motion) } else { 0.0 };
-        (Phase { law, memory: [self.plastic(phase, motion), 0.0, 0.0] }, released)
+        (Phase { branch: law, memory: [self.plastic(phase, motion), 0.0, 0.0] }, released)
     }
 }

@@ -42,7 +42,7 @@ impl Support {
 
     /// The law while it stands.
     fn standing(&self, phase: &Phase) -> Option<&dyn Device> {
-        if phase.law == LOST { None } else { self.law.as_deref() }
+        if phase.branch == LOST { None } else { self.law.as_deref() }
     }
 
     /// What the girder's bearing has stored, with the spring under its preload \[J\].
@@ -60,7 +60,7 @@ impl Connection for Support {
     fn force(&self, phase: &Phase, motion: &Separation) -> DVec3 {
         match self.standing(phase) {
             Some(law) => law.force(phase, motion),
-            None if phase.law == LOST => -self.spring.force(phase, motion) - self.preload,
+            None if phase.branch == LOST => -self.spring.force(phase, motion) - self.preload,
             None => DVec3::ZERO,
         }
     }
@@ -68,7 +68,7 @@ impl Connection for Support {
     fn stored_energy(&self, phase: &Phase, motion: &Separation) -> f64 {
         match self.standing(phase) {
             Some(law) => law.stored_energy(phase, motion),
-            None if phase.law == LOST => -self.of_bearing(motion),
+            None if phase.branch == LOST => -self.of_bearing(motion),
             None => 0.0,
         }
     }
@@ -76,7 +76,7 @@ impl Connection for Support {
     fn dissipated_power(&self, phase: &Phase, motion: &Separation) -> f64 {
         match self.standing(phase) {
             Some(law) => law.dissipated_power(phase, motion),
-            None if phase.law == LOST => -self.spring.dissipated_power(phase, motion),
+            None if phase.branch == LOST => -self.spring.dissipated_power(phase, motion),
             None => 0.0,
         }
     }
@@ -93,19 +93,19 @@ impl Connection for Support {
 impl Device for Support {
     fn initial(&self, motion: &Separation) -> Phase {
         if self.room.excess(self.across(motion)[0]) >= 0.0 {
-            return Phase { law: LOST, ..Phase::default() };
+            return Phase { branch: LOST, ..Phase::default() };
         }
         self.law.as_ref().map(|law| law.initial(motion)).unwrap_or_default()
     }
 
     fn acts(&self, phase: &Phase) -> bool {
-        self.law.is_some() || phase.law == LOST
+        self.law.is_some() || phase.branch == LOST
     }
 
     fn state(&self, phase: &Phase) -> Text {
         match self.standing(phase) {
             Some(law) => law.state(phase),
-            None if phase.law == LOST => Text::new("state-lost"),
+            None if phase.branch == LOST => Text::new("state-lost"),
             None => Text::new("state-stands"),
         }
     }
@@ -124,11 +124,11 @@ impl Device for Support {
     }
 
     fn is_lost(&self, phase: &Phase) -> bool {
-        phase.law == LOST
+        phase.branch == LOST
     }
 
     fn ends_run(&self, phase: &Phase) -> bool {
-        self.ends_run && phase.law == LOST
+        self.ends_run && phase.branch == LOST
     }
 
     fn gap(&self, phase: &Phase, motion: &Separation) -> [f64; 2] {
@@ -203,7 +203,7 @@ impl Device for Support {
             (Some(law), Switch::Function(number)) if number < law.switches(phase) => law.next(event, phase, motion),
             (law, _) => {
                 let own = law.map_or(0.0, |law| law.stored_energy(phase, motion));
-                (Phase { law: LOST, ..Phase::default() }, own + self.of_bearing(motion))
+                (Phase { branch: LOST, ..Phase::default() }, own + self.of_bearing(motion))
             }
         }
     }

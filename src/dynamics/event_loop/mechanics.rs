@@ -21,8 +21,7 @@ pub trait Mechanics {
     /// Whether the event at `t` exceeds the bound on the work of a run or of one instant.
     fn exceeds_bounds(&mut self, t: f64) -> bool;
 
-    /// Place and reason of a stop where a bound is exceeded: the bodies of the source, and a change of the scene that
-    /// would avoid it.
+    /// What a stop says where a bound is exceeded: the bodies of the source, and a change of the scene that would avoid it.
     fn excess(&self, source: Source) -> (String, Message);
 
     /// Handles the event of a source at `t`.

@@ -17,7 +17,7 @@ use crate::motion::Ground;
 #[derive(Clone, Debug)]
 pub enum BodyMotion {
     /// Of a rigid girder in plan.
-    Girder(Box<FreeMotion>),
+    RigidInPlan(Box<FreeMotion>),
     /// Of a body of other coordinates.
     Custom(Arc<dyn ClosedForm>),
 }
@@ -26,7 +26,7 @@ pub enum BodyMotion {
 #[derive(Clone, Debug)]
 pub enum BodyFlight {
     /// Of a rigid girder in plan.
-    Girder(Flight),
+    RigidInPlan(Flight),
     /// Of a body of other coordinates.
     Custom(Box<CustomFlight>),
 }
@@ -46,7 +46,7 @@ impl BodyMotion {
     /// Of a body under a ground motion that lasts `duration` \[s\]; nothing where there is no closed form.
     pub fn of(body: &Body, ground: &Ground, duration: f64) -> Option<Self> {
         match &body.coordinates {
-            BodyCoordinates::Planar => Some(Self::Girder(Box::new(FreeMotion::new(body, ground, duration)))),
+            BodyCoordinates::Planar => Some(Self::RigidInPlan(Box::new(FreeMotion::new(body, ground, duration)))),
             BodyCoordinates::Spatial => None,
             BodyCoordinates::Custom(coordinates) => coordinates.free_motion(ground, duration).map(Self::Custom),
         }
@@ -61,13 +61,13 @@ impl BodyMotion {
     pub fn fly_among(&self, start: f64, states: &[&[f64]], own: usize) -> BodyFlight {
         let state = states[own];
         match (self, in_a_row(state)) {
-            (Self::Girder(motion), [state]) => BodyFlight::Girder(motion.fly(start, *state)),
+            (Self::RigidInPlan(motion), [state]) => BodyFlight::RigidInPlan(motion.fly(start, *state)),
             (Self::Custom(form), _) => {
                 let (state, numbers) = (state.into(), form.begin(start, states));
                 BodyFlight::Custom(Box::new(CustomFlight { start, state, numbers }))
             }
             // A state of other width is of no girder.
-            (Self::Girder(_), _) => {
+            (Self::RigidInPlan(_), _) => {
                 BodyFlight::Custom(Box::new(CustomFlight { start, state: state.into(), numbers: Vec::new() }))
             }
         }
@@ -80,10 +80,10 @@ impl BodyMotion {
         Some(BodyFlight::Custom(Box::new(CustomFlight { start, state, numbers })))
     }
 
-    /// [`ClosedForm::stretch_end`]; infinite for a girder.
-    pub(in crate::dynamics) fn stretch_end(&self, flight: &BodyFlight, t: f64) -> f64 {
+    /// [`ClosedForm::window_end`]; infinite for a girder.
+    pub(in crate::dynamics) fn window_end(&self, flight: &BodyFlight, t: f64) -> f64 {
         let (Self::Custom(form), BodyFlight::Custom(own)) = (self, flight) else { return f64::INFINITY };
-        form.stretch_end(&own.numbers, t)
+        form.window_end(&own.numbers, t)
     }
 
     /// [`ClosedForm::range`]; nothing of a girder.
@@ -103,7 +103,7 @@ impl BodyMotion {
     /// State at `t` in `flight`.
     pub fn state(&self, flight: &BodyFlight, t: f64) -> BodyState {
         match (self, flight) {
-            (Self::Girder(motion), BodyFlight::Girder(flight)) => motion.state(flight, t).as_slice().into(),
+            (Self::RigidInPlan(motion), BodyFlight::RigidInPlan(flight)) => motion.state(flight, t).as_slice().into(),
             (Self::Custom(form), BodyFlight::Custom(flight)) => custom_state(&**form, flight, t),
             // A flight is begun by its own motion.
             _ => flight.state().into(),
@@ -113,21 +113,23 @@ impl BodyMotion {
     /// Pose and twist of a section of the body at `t` in `flight`.
     pub(in crate::dynamics) fn frame(&self, body: &Body, section: usize, flight: &BodyFlight, t: f64) -> Frame {
         match (self, flight) {
-            (Self::Girder(motion), BodyFlight::Girder(flight)) => body.planar_frame(&motion.state(flight, t)),
+            (Self::RigidInPlan(motion), BodyFlight::RigidInPlan(flight)) => body.planar_frame(&motion.state(flight, t)),
             _ => body.frame(section, &self.state(flight, t)),
         }
     }
 
     /// State at `t` of a girder that was in this state at `start`; nothing of another body.
     pub(in crate::dynamics) fn girder_state(&self, start: f64, from: PlanarState, t: f64) -> Option<PlanarState> {
-        let Self::Girder(motion) = self else { return None };
+        let Self::RigidInPlan(motion) = self else { return None };
         Some(motion.state(&motion.fly(start, from), t))
     }
 
     /// Bounds on the motion from `t` on for at most `horizon` \[s\].
     pub fn bounds(&self, flight: &BodyFlight, t: f64, horizon: f64) -> MotionBounds {
         match (self, flight) {
-            (Self::Girder(motion), BodyFlight::Girder(flight)) => motion.state_and_bounds(flight, t, horizon).1,
+            (Self::RigidInPlan(motion), BodyFlight::RigidInPlan(flight)) => {
+                motion.state_and_bounds(flight, t, horizon).1
+            }
             (Self::Custom(form), BodyFlight::Custom(own)) => form.bounds(own.start, &own.numbers, t, horizon),
             // A flight is begun by its own motion.
             _ => MotionBounds::still(horizon),
@@ -188,7 +190,7 @@ impl BodyMotion {
     /// [`ClosedForm::fastest`]; 0 for a rigid girder in plan, whose fastest frequency is that of its body alone \[rad/s\].
     pub fn fastest(&self) -> f64 {
         match self {
-            Self::Girder(_) => 0.0,
+            Self::RigidInPlan(_) => 0.0,
             Self::Custom(form) => form.fastest(),
         }
     }
@@ -196,7 +198,7 @@ impl BodyMotion {
     /// Stores the states from which evaluations up to `t` start.
     pub(in crate::dynamics) fn remember(&self, flight: &mut BodyFlight, t: f64) {
         match (self, flight) {
-            (Self::Girder(motion), BodyFlight::Girder(flight)) => motion.remember(flight, t),
+            (Self::RigidInPlan(motion), BodyFlight::RigidInPlan(flight)) => motion.remember(flight, t),
             (Self::Custom(form), BodyFlight::Custom(own)) => form.remember(own.start, &mut own.numbers, t),
             // A flight is begun by its own motion.
             _ => {}
@@ -210,7 +212,7 @@ impl BodyMotion {
         flight: &BodyFlight,
         axis: usize,
     ) -> Option<(&UncoupledAxis, [f64; 2], f64)> {
-        let (Self::Girder(motion), BodyFlight::Girder(flight)) = (self, flight) else { return None };
+        let (Self::RigidInPlan(motion), BodyFlight::RigidInPlan(flight)) = (self, flight) else { return None };
         let (dof, part) = is_along(&flight.state, axis).then(|| motion.along(flight, axis)).flatten()?;
         Some((dof, part, motion.push[axis]))
     }
@@ -231,7 +233,7 @@ impl BodyFlight {
     #[inline]
     pub fn start(&self) -> f64 {
         match self {
-            Self::Girder(flight) => flight.start,
+            Self::RigidInPlan(flight) => flight.start,
             Self::Custom(flight) => flight.start,
         }
     }
@@ -240,7 +242,7 @@ impl BodyFlight {
     #[inline]
     pub fn state(&self) -> &[f64] {
         match self {
-            Self::Girder(flight) => &flight.state,
+            Self::RigidInPlan(flight) => &flight.state,
             Self::Custom(flight) => &flight.state,
         }
     }
@@ -248,7 +250,7 @@ impl BodyFlight {
     /// The flight of a girder that its state at the start says all of.
     pub(in crate::dynamics) fn as_girder_start(&self) -> Option<&PlanarState> {
         match self {
-            Self::Girder(flight) if !flight.has_anchors() => Some(&flight.state),
+            Self::RigidInPlan(flight) if !flight.has_anchors() => Some(&flight.state),
             _ => None,
         }
     }
@@ -256,7 +258,7 @@ impl BodyFlight {
     /// What it takes \[bytes\].
     pub fn bytes(&self) -> usize {
         let more = match self {
-            Self::Girder(flight) => flight.bytes() - size_of::<Flight>(),
+            Self::RigidInPlan(flight) => flight.bytes() - size_of::<Flight>(),
             Self::Custom(flight) => {
                 let state = if flight.state.spilled() { size_of_val(flight.state.as_slice()) } else { 0 };
                 size_of::<CustomFlight>() + state + size_of_val(flight.numbers.as_slice())

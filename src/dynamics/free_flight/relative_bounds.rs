@@ -18,7 +18,7 @@ pub(in crate::dynamics) struct BodyInFlight<'a> {
 
 /// A girder in flight: its system, its state, and the free part of it where that is split off.
 pub(in crate::dynamics) struct GirderInFlight<'a> {
-    pub system: &'a FreeMotion,
+    pub free_motion: &'a FreeMotion,
     pub state: PlanarState,
     pub free: Option<PlanarState>,
 }
@@ -63,12 +63,12 @@ impl RelativeBounds {
         let (mut limits, mut window) = ([[0.0; 3]; 2], horizon);
         for (i, limit) in limits.iter_mut().enumerate() {
             let dofs = [&first[i], &second[i]];
-            let pushes = [a.system.push[i], b.system.push[i]];
+            let pushes = [a.free_motion.push[i], b.free_motion.push[i]];
             let free = dofs[0].free && dofs[1].free;
             let like = dofs[0].oscillator == dofs[1].oscillator && free;
             *limit = match (&a.free, &b.free) {
                 (Some(p), Some(q)) if like => {
-                    difference(dofs, [part(p, i), part(q, i)], pushes, drive(a.system), horizon)
+                    difference(dofs, [part(p, i), part(q, i)], pushes, drive(a.free_motion), horizon)
                 }
                 // Under one ground motion its force itself cancels.
                 _ if like => {
@@ -82,7 +82,7 @@ impl RelativeBounds {
                     window = window.min(other.bound.window);
                     nearly(dofs, [&a.state, &b.state], i, pushes, &other.bound, window)
                 }
-                (Some(p), Some(q)) => both(dofs, [part(p, i), part(q, i)], pushes, drive(a.system), horizon),
+                (Some(p), Some(q)) => both(dofs, [part(p, i), part(q, i)], pushes, drive(a.free_motion), horizon),
                 _ => return None,
             };
         }
@@ -94,9 +94,9 @@ impl RelativeBounds {
 impl GirderInFlight<'_> {
     /// Its directions, where nothing couples them.
     fn dofs(&self) -> Option<&[UncoupledAxis; 3]> {
-        match &self.system.form {
+        match &self.free_motion.form {
             FreeMotionForm::Split { dof, .. } => Some(dof),
-            FreeMotionForm::Coupled(..) => self.system.plain.as_ref(),
+            FreeMotionForm::Coupled(..) => self.free_motion.plain.as_ref(),
         }
     }
 }
@@ -127,8 +127,8 @@ fn nearly(
     [reach + further, speed + more, acceleration + (2.0 * one.gamma + omega) * more + force]
 }
 
-fn drive(system: &FreeMotion) -> f64 {
-    system.ground.drive()
+fn drive(free_motion: &FreeMotion) -> f64 {
+    free_motion.ground.drive()
 }
 
 /// The phasors' difference as an amplitude \[m\].

@@ -149,7 +149,7 @@ fn two_girders_stay_within_their_relative_bounds() {
     let flyer = |i: usize| {
         let (state, free) = motions[i].parts(&flights[i], 0.0);
         let bound = motions[i].bound_from(0.0, &state, free.as_ref(), 1.0);
-        Some(BodyInFlight { bound, girder: Some(GirderInFlight { system: &motions[i], state, free }) })
+        Some(BodyInFlight { bound, girder: Some(GirderInFlight { free_motion: &motions[i], state, free }) })
     };
     let bounds = RelativeBounds::of(&[flyer(0), flyer(1)], 1.0);
     for k in 0..=500 {

@@ -11,9 +11,9 @@ use crate::dynamics::impact2d::lasting::constrained_motion::{ContactMode, Fricti
 use crate::dynamics::impact2d::lasting::lasting_contact::{Ending, LastingContact};
 use crate::dynamics::impact2d::lasting::mode_selection::select_modes;
 use crate::dynamics::impact2d::lasting::painleve::consistent_modes;
+use crate::dynamics::impact2d::progress::ImpactProgress;
 use crate::dynamics::impact2d::projection::project;
 use crate::dynamics::impact2d::record::Transition;
-use crate::dynamics::impact2d::run::Run;
 use crate::dynamics::impact2d::tables::Row;
 use crate::dynamics::impact2d::tracks::Motion;
 use crate::dynamics::impact2d::world::World;
@@ -22,7 +22,7 @@ use crate::dynamics::model::coordinates::planar::{self, PlanarState};
 /// Selects contact modes and starts the trajectories from here on. `to` holds the states among a–f that the hits lead to, by
 /// place, `energy` the kinetic energy that they left \[J\]; `ending` is what has ended a lasting contact at this instant.
 pub(in crate::dynamics::impact2d) fn resume(
-    run: &mut Run,
+    run: &mut ImpactProgress,
     instant: &mut ImpactInstant,
     to: &[State],
     energy: f64,
@@ -79,7 +79,13 @@ fn strain_energy(world: &World, instant: &ImpactInstant) -> f64 {
 }
 
 /// Starts flights and lasting contacts, logs changes of state, and searches the next impacts.
-fn start_trajectories(run: &mut Run, instant: &ImpactInstant, to: &[State], modes: Vec<ContactMode>, lost: f64) {
+fn start_trajectories(
+    run: &mut ImpactProgress,
+    instant: &ImpactInstant,
+    to: &[State],
+    modes: Vec<ContactMode>,
+    lost: f64,
+) {
     end_trajectories(run, instant);
     for (place, &slot) in instant.slots.iter().enumerate() {
         let state = state_of(&run.world, instant, place, &modes);
@@ -87,7 +93,7 @@ fn start_trajectories(run: &mut Run, instant: &ImpactInstant, to: &[State], mode
         let track = &mut run.world.bodies[slot];
         track.since = instant.t;
         track.state = state;
-        track.motion = Motion::Flight(track.system.fly(instant.t, instant.states[place]));
+        track.motion = Motion::Flight(track.free_motion.fly(instant.t, instant.states[place]));
         run.world.update_peaks(slot, &instant.states[place]);
     }
     mark_sites(&mut run.world, instant, &modes);
@@ -98,7 +104,7 @@ fn start_trajectories(run: &mut Run, instant: &ImpactInstant, to: &[State], mode
     run.search_around(&instant.slots, instant.t);
 }
 
-fn end_trajectories(run: &mut Run, instant: &ImpactInstant) {
+fn end_trajectories(run: &mut ImpactProgress, instant: &ImpactInstant) {
     for &slot in &instant.slots {
         run.close_segment(slot, instant.t);
     }
@@ -109,7 +115,7 @@ fn end_trajectories(run: &mut Run, instant: &ImpactInstant) {
     }
 }
 
-fn start_lasting(run: &mut Run, instant: &ImpactInstant, (places, modes): (Vec<usize>, Vec<ContactMode>)) {
+fn start_lasting(run: &mut ImpactProgress, instant: &ImpactInstant, (places, modes): (Vec<usize>, Vec<ContactMode>)) {
     let bodies: Vec<usize> = places.iter().map(|&place| instant.kinematics.bodies[place]).collect();
     let states: Vec<PlanarState> = places.iter().map(|&place| instant.states[place]).collect();
     let lasting = &mut run.world.lasting;
@@ -171,7 +177,7 @@ fn state_of(world: &World, instant: &ImpactInstant, place: usize, modes: &[Conta
 
 /// Logs the change of a body from the state after the hits to the one in force.
 fn log_change(
-    run: &mut Run,
+    run: &mut ImpactProgress,
     instant: &ImpactInstant,
     place: usize,
     [after_hits, now]: [State; 2],
@@ -210,9 +216,9 @@ mod tests {
 
     /// A straight girder flush at its wall at +x under this push \[N\], after impulses that leave this velocity \[m/s\] in
     /// state b.
-    fn resumed(push: [f64; 2], velocity: [f64; 2]) -> Run {
+    fn resumed(push: [f64; 2], velocity: [f64; 2]) -> ImpactProgress {
         let model = example::at_wall(|scene| scene.girders[0].push.force = [push[0], push[1], 0.0]);
-        let mut run = Run::new(example::world(model));
+        let mut run = ImpactProgress::new(example::world(model));
         let mut instant = example::instant(&run.world, velocity);
         let energy = instant.kinematics.cluster.kinetic_energy();
         resume(&mut run, &mut instant, &[State::Free], energy, None);
@@ -248,7 +254,7 @@ mod tests {
 
     #[test]
     fn a_point_behind_a_face_that_it_is_not_on_is_beside_it() {
-        let mut run = Run::new(example::world(example::at_wall(|_| ())));
+        let mut run = ImpactProgress::new(example::world(example::at_wall(|_| ())));
         run.world.sites[0].beside = true;
         let mut instant = example::instant(&run.world, [-0.1, 0.0]);
         resume(&mut run, &mut instant, &[State::Free], 0.0, None);

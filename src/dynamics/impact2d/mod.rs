@@ -10,7 +10,7 @@
 //! - `closing`: the next impact of a pair.
 //! - `instant`: bodies and contacts of one instant; `after_impact`: modes and trajectories from there on.
 //! - [`state`], [`tables`]: the six states and the rows of Tables 4–10; [`record`]: the log of a run.
-//! - [`engine`]: handlers of events, over `run` (queue and log), `world` (state) and `tracks` (data of bodies and pairs).
+//! - [`run`]: handlers of events, over `progress` (queue and log), `world` (state) and `tracks` (data of bodies and pairs).
 //! - `constants`: every tolerance and count.
 //!
 //! Left out: the spread of a contact force along an elastic face, waves, and the duration of a hit.
@@ -19,16 +19,16 @@ mod after_impact;
 mod closing;
 mod constants;
 pub mod delassus;
-pub mod engine;
 #[cfg(test)]
 mod example;
 pub mod impulse;
 mod instant;
 pub mod kinematics;
 pub mod lasting;
+mod progress;
 mod projection;
 pub mod record;
-mod run;
+pub mod run;
 pub mod state;
 pub mod tables;
 mod tracks;

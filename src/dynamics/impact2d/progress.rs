@@ -13,7 +13,7 @@ use crate::dynamics::trajectory::segment::{Segment, SegmentMotion};
 
 /// State, queue and log of a run.
 #[derive(Debug)]
-pub(in crate::dynamics::impact2d) struct Run {
+pub(in crate::dynamics::impact2d) struct ImpactProgress {
     pub world: World,
     pub schedule: Schedule,
     pub record: Record,
@@ -21,7 +21,7 @@ pub(in crate::dynamics::impact2d) struct Run {
     pub last: (f64, usize),
 }
 
-impl Run {
+impl ImpactProgress {
     /// The end of the planned step of a lasting contact as a source of events.
     pub(in crate::dynamics::impact2d) fn lasting(number: usize) -> Source {
         Source { rank: 0, number }
@@ -103,7 +103,7 @@ impl Run {
         }
         self.world.remember(slot, t);
         let path = match &self.world.bodies[slot].motion {
-            Motion::Flight(flight) => Some(SegmentMotion::Flight(Box::new(BodyFlight::Girder(flight.clone())))),
+            Motion::Flight(flight) => Some(SegmentMotion::Flight(Box::new(BodyFlight::RigidInPlan(flight.clone())))),
             Motion::Lasting(number, place) => {
                 self.world.lasting[*number].as_ref().and_then(|contact| contact.path(*place))
             }
@@ -135,8 +135,11 @@ mod tests {
     use crate::scene::presets;
 
     /// A girder of 2 kg without bearings 3 mm before a wall, at this velocity \[m/s\].
-    fn run(speed: f64) -> Run {
-        Run::new(example::world(example::block(&format!("initial = {{ velocity_m_s = [{speed:?}, 0.0] }}"), 0.003)))
+    fn run(speed: f64) -> ImpactProgress {
+        ImpactProgress::new(example::world(example::block(
+            &format!("initial = {{ velocity_m_s = [{speed:?}, 0.0] }}"),
+            0.003,
+        )))
     }
 
     #[test]
@@ -145,7 +148,7 @@ mod tests {
         run.search(0, 0.0);
         assert!(run.world.pairs[0].impact_due, "it approaches");
         assert!((run.schedule.queue.first_time() - 0.012).abs() < 1e-15, "gap over speed");
-        let away = run.world.bodies[0].system.fly(0.0, [0.0, 0.0, 0.0, -0.25, 0.0, 0.0]);
+        let away = run.world.bodies[0].free_motion.fly(0.0, [0.0, 0.0, 0.0, -0.25, 0.0, 0.0]);
         run.world.bodies[0].motion = Motion::Flight(away);
         run.search_around(&[0], 0.0);
         assert!(!run.world.pairs[0].impact_due, "it goes away");
@@ -160,7 +163,7 @@ mod tests {
             let site = &mut run.world.sites[0];
             (site.armed, site.lifted, site.in_front_at) = (false, true, in_front_at);
             // Behind the plane of the face, so that the search itself arms no point.
-            let behind = run.world.bodies[0].system.fly(1.0, [0.01, 0.0, 0.0, 0.0, 0.0, 0.0]);
+            let behind = run.world.bodies[0].free_motion.fly(1.0, [0.01, 0.0, 0.0, 0.0, 0.0, 0.0]);
             run.world.bodies[0].motion = Motion::Flight(behind);
             run.search(0, 1.0);
             assert_eq!(run.world.sites[0].armed, armed, "in front at {in_front_at:?}, searched at 1 s");
@@ -180,7 +183,7 @@ mod tests {
     #[test]
     fn a_lasting_contact_is_planned_logged_at_its_end_and_not_where_it_has_no_length() {
         for (end, logged) in [(0.0, 0), (0.5, 1)] {
-            let mut run = Run::new(example::world(example::at_wall(|_| ())));
+            let mut run = ImpactProgress::new(example::world(example::at_wall(|_| ())));
             let sites = example::touching(&run.world.model, &example::instant(&run.world, [0.0; 2]).kinematics);
             let mode = ContactMode { pair: 0, sites, friction: FrictionMode::Stick };
             run.world.lasting.push(Some(LastingContact::new(vec![0], vec![mode], &[[0.0; 6]], 0.0)));
@@ -199,7 +202,7 @@ mod tests {
         let mut scene = presets::load("skew45-abutment").unwrap_or_else(|errors| panic!("{errors}"));
         scene.girders[0].push.moment = moment;
         let model = Arc::new(Model::compile(&scene).unwrap_or_else(|errors| panic!("{errors}")));
-        let mut run = Run::new(World::new(&model, 0));
+        let mut run = ImpactProgress::new(World::new(&model, 0));
         run.search(0, 0.0);
         (run.schedule.work, run.schedule.effort.looks)
     }

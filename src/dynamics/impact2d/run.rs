@@ -13,24 +13,24 @@ use crate::dynamics::impact2d::constants::{EVENTS_AT_ONE_INSTANT, SPEED_ROUND_OF
 use crate::dynamics::impact2d::impulse::sequential::impulses;
 use crate::dynamics::impact2d::instant::ImpactInstant;
 use crate::dynamics::impact2d::lasting::lasting_contact::Ending;
+use crate::dynamics::impact2d::progress::ImpactProgress;
 use crate::dynamics::impact2d::record::Record;
-use crate::dynamics::impact2d::run::Run;
 use crate::dynamics::impact2d::tracks::BodyTrack;
 use crate::dynamics::impact2d::world::World;
 use crate::language::{Message, message};
 
 /// The run of one group of bodies under the impact model.
 #[derive(Debug)]
-pub struct Engine {
-    run: Run,
+pub struct ImpactRun {
+    run: ImpactProgress,
 }
 
-impl Engine {
+impl ImpactRun {
     /// Sets up a group of bodies, by its number in the model, at t = 0.
     pub fn new(model: &Arc<Model>, group: usize) -> Self {
-        let mut engine = Self { run: Run::new(World::new(model, group)) };
-        engine.begin();
-        engine
+        let mut run = Self { run: ImpactProgress::new(World::new(model, group)) };
+        run.begin();
+        run
     }
 
     /// Present state of the group.
@@ -133,12 +133,12 @@ impl Engine {
 
     /// Bodies with their paths, log, and progress.
     pub(in crate::dynamics) fn into_parts(self) -> (Vec<BodyTrack>, Record, Schedule) {
-        let Run { world, record, schedule, .. } = self.run;
+        let ImpactProgress { world, record, schedule, .. } = self.run;
         (world.bodies, record, schedule)
     }
 }
 
-impl Mechanics for Engine {
+impl Mechanics for ImpactRun {
     fn schedule(&self) -> &Schedule {
         &self.run.schedule
     }
@@ -158,7 +158,7 @@ impl Mechanics for Engine {
 
     fn excess(&self, source: Source) -> (String, Message) {
         let world = &self.run.world;
-        let place = if source == Run::pair(source.number) {
+        let place = if source == ImpactProgress::pair(source.number) {
             world.model.pairs[world.pairs[source.number].number].name.clone()
         } else {
             world.lasting[source.number].as_ref().map_or(String::new(), |contact| world.names(&contact.bodies))
@@ -169,7 +169,7 @@ impl Mechanics for Engine {
 
     fn handle(&mut self, source: Source, t: f64) {
         let number = source.number;
-        if source != Run::pair(number) {
+        if source != ImpactProgress::pair(number) {
             self.end_of_step(number, t);
         } else if self.run.world.pairs[number].impact_due {
             let slots: InlineVec<usize> = self.run.world.pairs[number].slots.into_iter().flatten().collect();
@@ -262,9 +262,9 @@ mod tests {
     }
 
     fn finished(model: &Arc<Model>, group: usize) -> Finished {
-        let mut engine = Engine::new(model, group);
-        advance(&mut engine, model.duration);
-        Box::new(engine).finish()
+        let mut run = ImpactRun::new(model, group);
+        advance(&mut run, model.duration);
+        Box::new(run).finish()
     }
 
     fn record(finished: &Finished) -> &Record {
@@ -274,9 +274,9 @@ mod tests {
     #[test]
     fn a_free_girder_hits_once_and_comes_back_with_its_restitution() {
         let model = model(1, 0.003, 0.25, 0.4);
-        let mut engine = Engine::new(&model, 0);
-        advance(&mut engine, 0.05);
-        let (_, state) = Mechanics::states(&engine, 0.05).pop().expect("one body");
+        let mut run = ImpactRun::new(&model, 0);
+        advance(&mut run, 0.05);
+        let (_, state) = Mechanics::states(&run, 0.05).pop().expect("one body");
         let expected = 0.003 - 0.1 * (0.05 - 0.012);
         assert!((state[0] - expected).abs() < 1e-15 && (state[3] + 0.1).abs() < 1e-15, "{state:?}");
         let end = finished(&model, 0);

@@ -21,7 +21,7 @@ pub(in crate::dynamics) struct BodyTrack {
     /// Number in the model.
     pub body: usize,
     /// Free motion.
-    pub system: FreeMotion,
+    pub free_motion: FreeMotion,
     /// Motion in force.
     pub motion: Motion,
     /// Motion so far.

@@ -124,7 +124,7 @@ impl World {
     pub(in crate::dynamics::impact2d) fn remember(&mut self, slot: usize, until: f64) {
         let track = &mut self.bodies[slot];
         if let Motion::Flight(flight) = &mut track.motion {
-            track.system.remember(flight, until);
+            track.free_motion.remember(flight, until);
         }
     }
 
@@ -132,7 +132,7 @@ impl World {
     pub(in crate::dynamics::impact2d) fn state(&self, slot: usize, t: f64) -> PlanarState {
         let track = &self.bodies[slot];
         match &track.motion {
-            Motion::Flight(flight) => track.system.state(flight, t),
+            Motion::Flight(flight) => track.free_motion.state(flight, t),
             Motion::Lasting(number, place) => {
                 self.lasting[*number].as_ref().map_or([0.0; WIDTH], |contact| contact.state(*place, t))
             }
@@ -188,14 +188,14 @@ impl World {
 }
 
 fn body_track(model: &Model, body: usize) -> BodyTrack {
-    let system = FreeMotion::new(&model.bodies[body], &model.ground, model.duration);
+    let free_motion = FreeMotion::new(&model.bodies[body], &model.ground, model.duration);
     let initial = model.bodies[body].initial();
     let state: PlanarState = std::array::from_fn(|i| initial[i]);
-    let motion = Motion::Flight(system.fly(0.0, state));
+    let motion = Motion::Flight(free_motion.fly(0.0, state));
     let (segments, pairs) = (Vec::new(), Vec::new());
     let [.., theta, _, _, spin] = state;
     let at_start = if theta != 0.0 || spin != 0.0 { State::FreeTurning } else { State::Free };
-    BodyTrack { body, system, motion, segments, since: 0.0, state: at_start, pairs }
+    BodyTrack { body, free_motion, motion, segments, since: 0.0, state: at_start, pairs }
 }
 
 fn site_track(model: &Model, site: usize) -> SiteTrack {

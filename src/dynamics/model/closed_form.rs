@@ -33,7 +33,7 @@ pub trait ClosedForm: Debug + Send + Sync {
     fn remember(&self, _start: f64, _numbers: &mut Vec<f64>, _t: f64) {}
 
     /// End of the stretch from `t` on within which the motion is smooth and swings by about a radian at most \[s\].
-    fn stretch_end(&self, _numbers: &[f64], _t: f64) -> f64 {
+    fn window_end(&self, _numbers: &[f64], _t: f64) -> f64 {
         f64::INFINITY
     }
 

@@ -10,7 +10,7 @@ use crate::dynamics::model::body::BodyCoordinates;
 use crate::dynamics::model::coordinates::elastic::ElasticGirder;
 use crate::dynamics::model::coordinates::elastic_space::SpatialElasticGirder;
 use crate::dynamics::model::coordinates::modal_springs::ModalDamping;
-use crate::dynamics::model::coordinates::section_forces::Equilibrium;
+use crate::dynamics::model::coordinates::section_forces::{Equilibrium, Strained};
 use crate::dynamics::model::rate_bounds::ModalRates;
 use crate::dynamics::model::wrench::Wrench;
 
@@ -95,6 +95,11 @@ impl ElasticBody {
             Self::Plan(girder) => girder.equilibrium(state, wrenches, ground),
             Self::Space(girder) => girder.equilibrium(state, wrenches),
         }
+    }
+
+    /// The fields in a state, for the section forces of their strain.
+    pub fn strained(&self, state: &[f64]) -> Strained {
+        of_both!(self, girder => girder.strained(state))
     }
 
     /// Motion of the section at a station \[m\] against the mean axes in a state, girder axes.

@@ -91,7 +91,7 @@ impl ActiveContact {
 
     /// The state with the slip direction of the island's vector.
     #[inline]
-    pub(in crate::dynamics) fn turned(&self, y: &[f64]) -> ClosedContact {
+    pub(in crate::dynamics) fn state_in(&self, y: &[f64]) -> ClosedContact {
         let mut closed = self.closed;
         if let Some(at) = self.angle {
             closed.mode = Mode::Slip { direction: direction(y[at]) };

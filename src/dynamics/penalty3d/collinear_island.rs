@@ -206,7 +206,7 @@ impl Touch {
         let (node, face): (Frame, Frame) = (frame(active.node), frame(active.face));
         let normal = active.home.axes.z_axis;
         let square = normal[axis].abs() == 1.0 && normal[1 - axis] == 0.0 && site.face.is_upright();
-        let Measured { here, arm, apart, .. } = measure(&active.home, &node, &face);
+        let Measured { here, arm, lever, .. } = measure(&active.home, &node, &face);
         let (closed, law) = (&active.closed, &active.closed.law);
         let still = match closed.mode {
             Mode::Stick { anchor } => anchor == here.way,
@@ -219,7 +219,7 @@ impl Touch {
             normal: normal[axis],
             rest: here.gap,
             law: (!closed.held_at_zero).then_some(law.normal),
-            levers: [arm[1 - axis], apart[1 - axis]],
+            levers: [arm[1 - axis], lever[1 - axis]],
             reach: site.reach(),
         })
     }

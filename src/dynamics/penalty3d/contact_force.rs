@@ -44,16 +44,16 @@ pub fn act(site: &ContactSite, closed: &ClosedContact, node: &Frame, face: &Fram
 /// Forces of a closed contact in the mode `mode`, poses relative to those of `home`.
 #[inline]
 pub fn act_in(home: &Home, closed: &ClosedContact, mode: &Mode, node: &Frame, face: &Frame) -> Action {
-    let Measured { here, arm, apart, crossed } = measure(home, node, face);
+    let Measured { here, arm, lever, crossed } = measure(home, node, face);
     let forces = closed.forces_in(mode, &here);
     if home.edge != DVec3::ZERO {
         let offset = closed.law.normal.is_along_stretch().then(|| home.anchor_part());
-        return act_across((home, offset.unwrap_or(0.0)), face, (here, forces, crossed), [arm, apart]);
+        return act_across((home, offset.unwrap_or(0.0)), face, (here, forces, crossed), [arm, lever]);
     }
     let force = to_world(home, face, forces.tangential_total(), forces.normal_total());
     let offset =
         if closed.law.normal.is_along_stretch() { to_world(home, face, forces.stretch, here.gap) } else { DVec3::ZERO };
-    Action { here, forces, force, node_arm: arm, face_arm: apart - offset, couple: DVec3::ZERO, crossed }
+    Action { here, forces, force, node_arm: arm, face_arm: lever - offset, couple: DVec3::ZERO, crossed }
 }
 
 /// Forces of two edges across each other: at the node, on the face's body by the part `anchor_part` of the way from there to the anchor,

@@ -28,7 +28,7 @@ pub(in crate::dynamics) fn fastest(
 
 /// Largest decay rate of the dashpot of a single connection, `c w` with the bounds of damping c and mobility w
 /// \[1/s\].
-pub(in crate::dynamics) fn quickest(model: &Model, active: &[ActiveContact], links: &[ActiveLink]) -> f64 {
+pub(in crate::dynamics) fn largest_decay_rate(model: &Model, active: &[ActiveContact], links: &[ActiveLink]) -> f64 {
     let contacts = active.iter().map(|a| a.damping_bound(&a.closed.mode) * mobility(model, a));
     let links = links.iter().map(|link| link.of(model).device.damping_bound(&link.phase) * link.mobility(model));
     contacts.chain(links).fold(0.0, f64::max)
@@ -180,7 +180,7 @@ mod tests {
             let omega = fastest(&model, &bodies(&model), &active, &[]);
             let expected = (corner * 0.5 * STIFFNESS / MASS).sqrt();
             assert!(omega >= expected * (1.0 - 1e-12) && omega < 2.02 * expected, "{omega} rad/s against {expected}");
-            let rate = quickest(&model, &active, &[]);
+            let rate = largest_decay_rate(&model, &active, &[]);
             let expected = corner * DASHPOT / MASS;
             assert!(rate >= expected * (1.0 - 1e-12) && rate < 4.04 * expected, "{rate} 1/s against {expected}");
         }
@@ -190,6 +190,6 @@ mod tests {
     fn without_connections_a_frequency_is_left_and_no_decay() {
         let (model, _) = damped(&wall());
         assert_eq!(fastest(&model, &[0], &[], &[]), LEAST_SQUARED_FREQUENCY.sqrt(), "no bearings either");
-        assert_eq!([quickest(&model, &[], &[]), decay(&model, &[0], &[], &[])], [0.0; 2]);
+        assert_eq!([largest_decay_rate(&model, &[], &[]), decay(&model, &[0], &[], &[])], [0.0; 2]);
     }
 }

@@ -88,7 +88,7 @@ impl ClosedContact {
     }
 
     /// Slip angle of a contact whose slip direction is a state of the integrator \[rad\]; `None` for others.
-    pub fn turning(&self) -> Option<f64> {
+    pub fn slip_angle(&self) -> Option<f64> {
         match self.mode {
             Mode::Slip { direction }
                 if self.solver.regularisation > 0.0 && self.law.friction == FrictionLaw::ReturnMapping =>

@@ -8,7 +8,7 @@ use crate::dynamics::model::reference_pose::ReferencePose;
 use crate::dynamics::penalty3d::active_contact::ActiveContact;
 use crate::dynamics::penalty3d::active_link::ActiveLink;
 use crate::dynamics::penalty3d::carried_overlap::{BodiesAt, MetContacts};
-use crate::dynamics::penalty3d::contact_rates::{decay, fastest, quickest};
+use crate::dynamics::penalty3d::contact_rates::{decay, fastest, largest_decay_rate};
 
 /// Bodies joined by connections, with bounds on the rates of the connections.
 #[derive(Debug)]
@@ -32,7 +32,7 @@ pub(in crate::dynamics) struct CoupledSystem {
     /// Upper bound of the circular frequency of a connection or a bearing \[rad/s\].
     pub omega: f64,
     /// Largest decay rate of the dashpot of a single connection \[1/s\].
-    pub quickest: f64,
+    pub largest_decay_rate: f64,
     /// Largest rates of the modes of its girders.
     pub modal: ModalRates,
     /// Upper bound of the decay rate of all dashpots together \[1/s\]; `None` until it is needed.
@@ -49,7 +49,7 @@ impl CoupledSystem {
         y: &mut Vec<f64>,
     ) -> Self {
         for a in &mut active {
-            if let Some(angle) = a.closed.turning() {
+            if let Some(angle) = a.closed.slip_angle() {
                 a.angle = Some(y.len());
                 y.push(angle);
             }
@@ -76,7 +76,7 @@ impl CoupledSystem {
         let mut system = Self {
             met,
             omega: fastest(model, &bodies, &active, &links),
-            quickest: quickest(model, &active, &links),
+            largest_decay_rate: largest_decay_rate(model, &active, &links),
             modal: bodies.iter().fold(ModalRates::default(), |most, &b| most.max(model.bodies[b].rate_bounds.modal)),
             ..Self::without_rates((bodies, layout, bases), active, links, radii)
         };
@@ -98,8 +98,21 @@ impl CoupledSystem {
         let of_contacts = active.iter().flat_map(|a| ends([a.node, a.face], a.sections));
         let of_links = links.iter().flat_map(|link| ends(link.ends, link.sections));
         first.chain(of_contacts).chain(of_links).for_each(|section| acted_on[section] = true);
-        let (met, omega, quickest, modal) = (Vec::new(), 0.0, 0.0, ModalRates::default());
-        Self { bodies, layout, bases, active, met, links, acted_on, radii, omega, quickest, modal, decay: None }
+        let (met, omega, largest_decay_rate, modal) = (Vec::new(), 0.0, 0.0, ModalRates::default());
+        Self {
+            bodies,
+            layout,
+            bases,
+            active,
+            met,
+            links,
+            acted_on,
+            radii,
+            omega,
+            largest_decay_rate,
+            modal,
+            decay: None,
+        }
     }
 
     /// Whether no force acts between its bodies, or on them from the ground, but those of their bearings, standing or lost.
@@ -186,9 +199,13 @@ mod tests {
         let count = damped.len() as f64;
         let mut system = CoupledSystem::of(&model, (bodies, bases), (damped, Vec::new()), &mut y);
         let together = system.decay_bound(&model);
-        assert!(system.quickest > 0.0 && together > 0.0, "{together} 1/s");
+        assert!(system.largest_decay_rate > 0.0 && together > 0.0, "{together} 1/s");
         // A contact slows both of its bodies; each body has the sum of its contacts.
-        assert!(together <= 2.0 * count * system.quickest, "{together} against {} 1/s", system.quickest);
+        assert!(
+            together <= 2.0 * count * system.largest_decay_rate,
+            "{together} against {} 1/s",
+            system.largest_decay_rate
+        );
         assert_eq!(together, system.decay_bound(&model), "kept");
     }
 }

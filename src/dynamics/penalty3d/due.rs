@@ -19,7 +19,7 @@ pub(in crate::dynamics) enum Reason {
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub(in crate::dynamics) struct Due {
     /// Index of the contact in the island.
-    pub number: usize,
+    pub index: usize,
     /// Kind of event.
     pub reason: Reason,
 }

@@ -10,7 +10,7 @@ use crate::dynamics::model::body::Point;
 use crate::dynamics::model::coordinates::spatial;
 use crate::dynamics::model::ground_now::GroundNow;
 use crate::dynamics::penalty3d::contact_force;
-use crate::dynamics::penalty3d::contact_rates::quickest;
+use crate::dynamics::penalty3d::contact_rates::largest_decay_rate;
 use crate::dynamics::penalty3d::coupled_system::CoupledSystem;
 use crate::dynamics::penalty3d::island_kind::IslandKind;
 use crate::dynamics::penalty3d::workspace::Workspace;
@@ -139,7 +139,7 @@ impl ImplicitSystem for EquationsOfMotion<'_> {
     }
 
     fn rate_bound(&self) -> f64 {
-        let connections = quickest(self.model, &self.system.active, &self.system.links);
+        let connections = largest_decay_rate(self.model, &self.system.active, &self.system.links);
         self.scale.omega.max(connections).max(self.system.modal.change)
     }
 
@@ -176,7 +176,7 @@ impl ImplicitSystem for EquationsOfMotion<'_> {
     }
 
     fn freeze(&mut self, held: bool) {
-        self.workspace.sliding.hold(held);
+        self.workspace.sliding.freeze(held);
     }
 
     fn port(&self, slider: usize, y: &[f64], push: &mut [f64], view: &mut [f64]) {
@@ -197,7 +197,7 @@ impl ImplicitSystem for EquationsOfMotion<'_> {
                 self.model.bodies[self.system.bodies[i]].frame_since(section, &y[self.system.layout.range(i)])
             })
         });
-        let turned = active.turned(y);
+        let turned = active.state_in(y);
         let action = contact_force::act_in(&active.home, &turned, &turned.mode, &frames[0], &frames[1]);
         let sides = [(active.node, action.node_arm, 1.0), (active.face, action.face_arm, -1.0)];
         for (axis, along) in action.tangents(&active.home, &frames[1]).into_iter().enumerate() {

@@ -45,7 +45,7 @@ impl Island {
                 acceleration = acceleration.max(self.acceleration(model, i));
             }
         }
-        let omega = if free { self.system.omega.max(self.turning()) } else { self.system.omega };
+        let omega = if free { self.system.omega.max(self.largest_spin()) } else { self.system.omega };
         self.angles.clear();
         if !free {
             speed2 = 0.0;
@@ -107,7 +107,7 @@ impl Island {
 
     /// Largest angular speed of a body \[rad/s\]. A body that rotates without contact and bearings has no other frequency, and
     /// an error of its attitude is one of its position a radian later.
-    fn turning(&self) -> f64 {
+    fn largest_spin(&self) -> f64 {
         self.workspace.frames.iter().map(|frame| frame.spin.length()).fold(0.0, f64::max)
     }
 
@@ -124,9 +124,9 @@ impl Island {
     pub(in crate::dynamics) fn drive_cap(&self, model: &Model, cap: f64) -> f64 {
         let Ground::Sine { omega, .. } = model.ground else { return cap };
         if self.system.is_free(model) {
-            cap.min(self.until + GROUND_PHASE_FREE / omega)
+            cap.min(self.step.until + GROUND_PHASE_FREE / omega)
         } else if self.stepper.state().stiff {
-            cap.min(self.until + GROUND_PHASE_CONTACT / omega)
+            cap.min(self.step.until + GROUND_PHASE_CONTACT / omega)
         } else {
             cap
         }
@@ -160,7 +160,7 @@ impl Island {
     fn decay_time(&mut self, model: &Model) -> f64 {
         let pace = self.stepper.state();
         // A sum of the largest single rates bounds the decay rate; the sharper bound is computed only near the limit.
-        let sum = self.system.modal.decay + self.system.quickest * self.system.connection_count() as f64;
+        let sum = self.system.modal.decay + self.system.largest_decay_rate * self.system.connection_count() as f64;
         if pace.step > 0.0 && pace.step * sum < RESOLVED_DECAY {
             return f64::INFINITY;
         }

@@ -80,7 +80,7 @@ pub(in crate::dynamics) fn first_due(model: &Model, island: &Island, simultaneit
 
 /// Number of samples of the switching functions within the planned step.
 pub(in crate::dynamics) fn sample_count(island: &Island) -> usize {
-    let phase = (island.until - island.from) * island.omega();
+    let phase = (island.step.until - island.step.from) * island.omega();
     if !island.pace().stiff || phase <= SHORT_PHASES[0] {
         SAMPLES_EXPLICIT
     } else if phase <= SHORT_PHASES[1] {
@@ -92,8 +92,9 @@ pub(in crate::dynamics) fn sample_count(island: &Island) -> usize {
 
 fn first_among<const N: usize>(model: &Model, island: &Island, simultaneity: f64) -> Option<(f64, Vec<Due>)> {
     let (mut found, mut earliest): (Vec<(f64, Due)>, f64) = (Vec::new(), f64::INFINITY);
-    let part = |i: usize| (island.until - island.from) * i as f64 / (N - 1) as f64;
-    let times: [f64; N] = std::array::from_fn(|i| if i == N - 1 { island.until } else { island.from + part(i) });
+    let part = |i: usize| (island.step.until - island.step.from) * i as f64 / (N - 1) as f64;
+    let times: [f64; N] =
+        std::array::from_fn(|i| if i == N - 1 { island.step.until } else { island.step.from + part(i) });
     let (frames, sections) = (island.frames_since(model, &times), island.system.layout.section_count());
     for number in island.kind.distinct(island.system.active.len()) {
         let samples: [Local; N] =
@@ -122,7 +123,7 @@ fn first_among<const N: usize>(model: &Model, island: &Island, simultaneity: f64
             let first = if entering { EarliestEvent::UNKNOWN } else { first };
             if let Some(t) = first_rise([&times, &values], zero, passing, first, value_at) {
                 let t = if entering && reason == Reason::Opening { reversal(model, island, number, t) } else { t };
-                found.push((t, Due { number, reason }));
+                found.push((t, Due { index: number, reason }));
                 earliest = earliest.min(t);
             }
         }
@@ -138,7 +139,7 @@ fn first_among<const N: usize>(model: &Model, island: &Island, simultaneity: f64
         let first = EarliestEvent { at: earliest, together: simultaneity };
         if let Some(t) = first_rise([&times, &values], 0.0, false, first, value_at) {
             let number = excess(&island.frames_since(model, &[t])).deepest;
-            found.push((t, Due { number, reason: Reason::Overlap }));
+            found.push((t, Due { index: number, reason: Reason::Overlap }));
             earliest = earliest.min(t);
         }
     }
@@ -147,12 +148,12 @@ fn first_among<const N: usize>(model: &Model, island: &Island, simultaneity: f64
     }
     let mut due: Vec<Due> = found.iter().filter(|(t, _)| *t <= earliest + simultaneity).map(|(_, due)| *due).collect();
     let like = |d: &Due| {
-        let Due { number, reason } = *d;
-        island.kind.represented_by(number, island.system.active.len()).map(move |number| Due { number, reason })
+        let Due { index: number, reason } = *d;
+        island.kind.represented_by(number, island.system.active.len()).map(move |number| Due { index: number, reason })
     };
     due.extend(due.iter().flat_map(like).collect::<Vec<_>>());
     also_due(model, island, earliest + simultaneity, &mut due);
-    due.dedup_by_key(|d| d.number);
+    due.dedup_by_key(|d| d.index);
     Some((earliest, due))
 }
 
@@ -161,8 +162,9 @@ fn is_inside(model: &Model, island: &Island, number: usize, here: &Local) -> boo
     let active = &island.system.active[number];
     let arms = model.contacts[active.site].levers(here);
     let excursions = [active.node, active.face].into_iter().zip(arms);
-    let excursions = excursions.map(|(side, arm)| side.map_or(0.0, |i| island.excursion(model, i, arm, island.from)));
-    function(model, island, number, Reason::Edge, here, island.from) < -excursions.sum::<f64>()
+    let excursions =
+        excursions.map(|(side, arm)| side.map_or(0.0, |i| island.excursion(model, i, arm, island.step.from)));
+    function(model, island, number, Reason::Edge, here, island.step.from) < -excursions.sum::<f64>()
 }
 
 /// Correction of the switching function of a slip that has begun [`FREE_RETRIES`] times at one instant \[m/s\]: the
@@ -193,7 +195,7 @@ fn retry_band(island: &Island, number: usize, reason: Reason, samples: &[Local])
 /// since an earlier opening would be followed by a closing at once.
 fn reversal(model: &Model, island: &Island, number: usize, t: f64) -> f64 {
     let rate = |t: f64| local_at(model, island, number, t).gap_rate;
-    if rate(t) < 0.0 && rate(island.until) > 0.0 { root(rate, t, island.until) } else { t }
+    if rate(t) < 0.0 && rate(island.step.until) > 0.0 { root(rate, t, island.step.until) } else { t }
 }
 
 fn is_sticking(island: &Island, number: usize) -> bool {
@@ -203,7 +205,7 @@ fn is_sticking(island: &Island, number: usize) -> bool {
 /// Largest penetration of a node that counts as being at its face \[m\], from round-off of position and of the time
 /// of entry.
 fn entry_depth(model: &Model, island: &Island, number: usize, here: &Local) -> f64 {
-    ENTRY_ROUNDING * island.reach(model, number) + CLOCK_ROUNDING * island.from * here.gap_rate.abs()
+    ENTRY_ROUNDING * island.reach(model, number) + CLOCK_ROUNDING * island.step.from * here.gap_rate.abs()
 }
 
 /// Whether a node has just entered: gap and forces are round-off of either sign.
@@ -234,7 +236,7 @@ fn dead_band(model: &Model, island: &Island, number: usize, reason: Reason, here
         (Reason::Opening, _) | (Reason::Switching, Mode::Stick { .. }) => length,
         // Over a long implicit step the round-off of a speed is that of positions over the length of the step.
         (Reason::Switching, Mode::Slip { .. }) => {
-            length * island.omega().min(SPEED_ROUNDING_PHASE / (island.until - island.from))
+            length * island.omega().min(SPEED_ROUNDING_PHASE / (island.step.until - island.step.from))
         }
         (Reason::Kink, _) => closed.law.kink_change(here, length, island.omega()),
     }
@@ -242,23 +244,23 @@ fn dead_band(model: &Model, island: &Island, number: usize, reason: Reason, here
 
 /// Adds events of the kinds that are due, of other contacts up to `t`, where that is beyond the end of the step.
 fn also_due(model: &Model, island: &Island, t: f64, due: &mut Vec<Due>) {
-    if t <= island.until {
-        due.sort_by_key(|d| (d.number, d.reason));
+    if t <= island.step.until {
+        due.sort_by_key(|d| (d.index, d.reason));
         return;
     }
     let reasons_due: Vec<Reason> = due.iter().map(|d| d.reason).collect();
     for number in 0..island.system.active.len() {
         for &reason in &reasons_due {
-            let known = due.iter().any(|d| d.number == number);
+            let known = due.iter().any(|d| d.index == number);
             if !known && function(model, island, number, reason, &local_at(model, island, number, t), t) > 0.0 {
-                due.push(Due { number, reason });
+                due.push(Due { index: number, reason });
             }
         }
     }
-    due.sort_by_key(|d| (d.number, d.reason));
+    due.sort_by_key(|d| (d.index, d.reason));
 }
 
-/// Scale of a switching function over its samples, in its unit: tells the zero that the last event left from a value.
+/// Scale of a switching function over its samples, in its unit: rounding of it is the zero that the last event left, and no value.
 fn scale(island: &Island, number: usize, reason: Reason, samples: &[Local]) -> f64 {
     let closed = &island.system.active[number].closed;
     let largest = |f: fn(&Local) -> f64| samples.iter().map(f).fold(0.0, f64::max);

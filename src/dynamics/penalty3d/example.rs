@@ -99,5 +99,5 @@ pub(in crate::dynamics) fn first_event(model: &Model, island: &mut Island) -> (f
             return found;
         }
     }
-    panic!("no event until {} s", island.until);
+    panic!("no event until {} s", island.step.until);
 }

@@ -56,7 +56,7 @@ fn add_contacts(model: &Model, system: &CoupledSystem, y: &[f64], workspace: &mu
         let site = &model.contacts[active.site];
         let node = active.node.map_or(&site.stand, |_| &workspace.frames[active.sections[0]]);
         let face = active.face.map_or(&site.stand, |_| &workspace.frames[active.sections[1]]);
-        let held = workspace.sliding.held(slider, active);
+        let held = workspace.sliding.frozen_contact(slider, active);
         let closed = held.as_ref().unwrap_or(&active.closed);
         let mode = active.angle.map_or(closed.mode, |at| Mode::Slip { direction: direction(y[at]) });
         let action = contact_force::act_in(&active.home, closed, &mode, node, face);

@@ -13,10 +13,9 @@ use crate::dynamics::penalty3d::active_link::ActiveLink;
 use crate::dynamics::penalty3d::constants::{FIRST_PHASE, SMALLEST_PHASE};
 use crate::dynamics::penalty3d::contact_state::ClosedContact;
 use crate::dynamics::penalty3d::coupled_system::CoupledSystem;
-use crate::dynamics::penalty3d::due::Due;
-use crate::dynamics::penalty3d::due::LinkDue;
 use crate::dynamics::penalty3d::equations_of_motion::{EquationsOfMotion, ErrorScale};
 use crate::dynamics::penalty3d::island_kind::IslandKind;
+use crate::dynamics::penalty3d::planned_step::PlannedStep;
 use crate::dynamics::penalty3d::workspace::Workspace;
 use crate::dynamics::trajectory::step_polynomial::StepPolynomial;
 use crate::motion::LinearPiece;
@@ -32,29 +31,19 @@ pub(in crate::dynamics) struct Island {
     pub(super) kind: IslandKind,
     /// Numbers of its closed contacts in the group.
     pub contacts: Vec<usize>,
-    /// Beginning of the planned step \[s\].
-    pub from: f64,
-    /// End of the planned step \[s\].
-    pub until: f64,
-    /// Number of its stretch among the recomputed steps; `None` while no step is stored by its initial state.
-    pub stretch: Option<u32>,
+    /// The step that is planned.
+    pub step: PlannedStep,
+    /// Number of its sequence among the recomputed steps; `None` while no step is stored by its initial state.
+    pub sequence: Option<u32>,
     /// Time \[s\] and interval of the ground motion at which the slope at the start of the next step was evaluated.
     pub(super) sloped: (f64, usize),
-    /// Whether the planned step, recomputed from its initial state, is equal to the last bit.
-    again: bool,
     /// For bodies with quaternions: the states before normalisation at which the slopes at the start of the planned
     /// step and of the next step were evaluated.
     pub(super) raw: Vec<f64>,
     pub(super) next_raw: Vec<f64>,
-    /// Events of contacts that end the planned step.
-    pub due: Vec<Due>,
-    /// End of a device's phase that ends the planned step.
-    pub link_due: Option<LinkDue>,
-    pub(in crate::dynamics) dense: Option<DenseOutput>,
     pub(in crate::dynamics) y: Vec<f64>,
-    /// Number of stretches in the longest path of its bodies, with the planned step.
+    /// Number of segments in the longest path of its bodies, with the planned step.
     pub taken: usize,
-    pub(super) explicit: bool,
     pub(in crate::dynamics) stepper: StepController,
     /// Bound of the displacement of a corner since placed at the start of the step, per body \[m\].
     pub(in crate::dynamics) moved: Vec<f64>,
@@ -95,18 +84,12 @@ impl Island {
             system,
             kind,
             contacts,
-            from: t,
-            until: t,
-            due: Vec::new(),
-            link_due: None,
-            stretch: None,
+            step: PlannedStep::none_yet(t),
+            sequence: None,
             sloped: (t, 0),
-            again: false,
             raw: Vec::new(),
             next_raw: Vec::new(),
-            dense: None,
             taken: 0,
-            explicit: false,
             stepper: StepController::new(y.len(), pace),
             y,
             angles: Vec::new(),
@@ -161,21 +144,22 @@ impl Island {
     ///
     /// If the step that the tolerance asks for is shorter than [`SMALLEST_PHASE`] of a radian.
     pub(in crate::dynamics) fn plan(&mut self, model: &Model, cap: f64, soon: f64) -> Result<(), StepTooSmall> {
-        let t = self.until;
-        self.from = t;
+        let t = self.step.until;
+        self.step.from = t;
         self.taken += 1;
         let scale = self.scale(model);
         let number = model.ground.piece_number(t);
         let piece = model.ground.piece(number);
         let known = self.workspace.sliding.sliders.is_empty() && self.sloped == (t, number);
-        self.explicit = !self.stepper.state().stiff;
-        self.again = known && self.explicit && self.system.links.is_empty();
+        self.step.explicit = !self.stepper.state().stiff;
+        self.step.repeats = known && self.step.explicit && self.system.links.is_empty();
         // Connections in parallel are faster than the fastest of them alone: factor √(2/n) for n connections, n from 2 to 4. Before the
         // first step no length is known, and its error estimate is unreliable beyond the limit of stability: the length of the first step
         // follows from the largest rate |λ|, the frequency of an oscillation or the decay rate of a dashpot.
         let together = (2.0 / (self.system.active.len() + self.system.links.len()).clamp(2, 4) as f64).sqrt();
-        let quickest = if self.stepper.state().step > 0.0 { 0.0 } else { self.system.quickest };
-        let first = FIRST_PHASE * together / scale.omega.max(quickest) * (model.tolerance / 1e-10).powf(0.125);
+        let largest_decay_rate = if self.stepper.state().step > 0.0 { 0.0 } else { self.system.largest_decay_rate };
+        let first =
+            FIRST_PHASE * together / scale.omega.max(largest_decay_rate) * (model.tolerance / 1e-10).powf(0.125);
         let longest = self.longest(model, &scale);
         let kink = self.limiting_kink(model, t);
         let cap = self.drive_cap(model, cap);
@@ -189,7 +173,7 @@ impl Island {
         let (dense, end) = outcome.map_err(|step| StepTooSmall { step })?;
         // The slope is evaluated at the sum, from which `end` can differ by the last bit.
         self.sloped = (t + dense.step, number);
-        (self.dense, self.until) = (Some(dense), end);
+        (self.step.dense, self.step.until) = (Some(dense), end);
         Ok(())
     }
 
@@ -207,7 +191,7 @@ impl Island {
         let mut closed = active.closed;
         if let Some(at) = active.angle {
             let mut angle = [self.y[at]];
-            if let Some(dense) = &self.dense {
+            if let Some(dense) = &self.step.dense {
                 dense.read(at..at + 1, t, &mut angle);
             }
             closed.mode = Mode::Slip { direction: direction(angle[0]) };
@@ -219,7 +203,7 @@ impl Island {
     pub(in crate::dynamics) fn phase_at(&self, index: usize, t: f64) -> Phase {
         let link = &self.system.links[index];
         let mut phase = link.phase_in(&self.y);
-        if let (Some(at), Some(dense)) = (link.evolving, &self.dense) {
+        if let (Some(at), Some(dense)) = (link.evolving, &self.step.dense) {
             dense.read(at..at + 1, t, &mut phase.memory[..1]);
         }
         phase
@@ -228,19 +212,19 @@ impl Island {
     /// Dense output of the planned step for what a device remembers; `None` where that does not change.
     pub(in crate::dynamics) fn memory_path(&self, index: usize) -> Option<DenseOutput> {
         let at = self.system.links[index].evolving?;
-        self.dense.as_ref().map(|dense| dense.slice(at..at + 1))
+        self.step.dense.as_ref().map(|dense| dense.slice(at..at + 1))
     }
 
     /// Dense output of the planned step for one body.
     pub(in crate::dynamics) fn path(&self, index: usize) -> Option<StepPolynomial> {
         let (part, base) = (self.system.layout.range(index), Some(&self.system.bases[index]));
-        self.dense.as_ref().map(|dense| StepPolynomial::of(dense, part, base))
+        self.step.dense.as_ref().map(|dense| StepPolynomial::of(dense, part, base))
     }
 
     /// Length of the planned step \[s\] and initial states of its bodies relative to their reference poses; `None`
     /// where a step recomputed from these would not be equal to the last bit.
-    pub(in crate::dynamics) fn again(&self, model: &Model) -> Option<(f64, Vec<f64>)> {
-        let dense = self.dense.as_ref().filter(|dense| self.again && dense.from == self.from)?;
+    pub(in crate::dynamics) fn repeated(&self, model: &Model) -> Option<(f64, Vec<f64>)> {
+        let dense = self.step.dense.as_ref().filter(|dense| self.step.repeats && dense.from == self.step.from)?;
         let mut start = dense.coefficients().iter().map(|c| c[0]);
         if !self.system.layout.has_unit_parts() {
             return Some((dense.step, start.collect()));
@@ -255,7 +239,7 @@ impl Island {
     /// Dense output of the planned step for the slip angle of one contact; `None` where the angle is no state.
     pub(in crate::dynamics) fn angle_path(&self, number: usize) -> Option<DenseOutput> {
         let at = self.system.active[number].angle?;
-        self.dense.as_ref().map(|dense| dense.slice(at..at + 1))
+        self.step.dense.as_ref().map(|dense| dense.slice(at..at + 1))
     }
 
     /// Method and length of its integrator's next step.

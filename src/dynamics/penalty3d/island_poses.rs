@@ -17,8 +17,8 @@ impl Island {
     /// State of a body at `t` within the planned step, relative to its reference pose.
     pub(in crate::dynamics) fn state_at(&self, model: &Model, index: usize, t: f64) -> Vec<f64> {
         let range = self.system.layout.range(index);
-        match &self.dense {
-            Some(dense) if t < self.until => {
+        match &self.step.dense {
+            Some(dense) if t < self.step.until => {
                 let mut out = vec![0.0; range.len()];
                 dense.read(range, t, &mut out);
                 self.body(model, index).normalise(&mut out);
@@ -42,7 +42,7 @@ impl Island {
     /// dense output gives it.
     fn with_state<T>(&self, model: &Model, index: usize, t: f64, take: impl FnOnce(&Body, &[f64]) -> T) -> T {
         let (range, body) = (self.system.layout.range(index), self.body(model, index));
-        match &self.dense {
+        match &self.step.dense {
             Some(dense) => body.with_state(|state| dense.read(range, t, state), |state| take(body, state)),
             None => take(body, &self.y[range]),
         }
@@ -79,7 +79,7 @@ impl Island {
     /// position and velocity in it, and the coordinate of the body's reference pose \[m\]; `None` otherwise.
     pub(in crate::dynamics) fn along(&self, index: usize, axis: usize) -> Option<(&DenseOutput, [usize; 2], f64)> {
         let components = self.kind.components(index, axis)?;
-        self.dense.as_ref().map(|dense| (dense, components, self.system.bases[index].planar()[axis]))
+        self.step.dense.as_ref().map(|dense| (dense, components, self.system.bases[index].planar()[axis]))
     }
 
     /// Components in the island's vector of the components `own` of a body's state.
@@ -91,22 +91,22 @@ impl Island {
     /// Bound of the displacement of a point at distance `arm` from G of a body from its position at `t` \[m\], within
     /// the planned step.
     pub(in crate::dynamics) fn excursion(&self, model: &Model, index: usize, arm: f64, t: f64) -> f64 {
-        let Some(dense) = &self.dense else { return 0.0 };
+        let Some(dense) = &self.step.dense else { return 0.0 };
         let way = |own: Range<usize>| dense.displacement_bound(self.components(index, own));
         let from_start = self.body(model, index).excursion(arm, &way);
-        if t > self.from { 2.0 * from_start } else { from_start }
+        if t > self.step.from { 2.0 * from_start } else { from_start }
     }
 
     /// Bounds on the motion of a body within the planned step.
     pub(in crate::dynamics) fn bound(&self, model: &Model, index: usize) -> MotionBounds {
-        let Some(dense) = &self.dense else { return MotionBounds::still(f64::INFINITY) };
+        let Some(dense) = &self.step.dense else { return MotionBounds::still(f64::INFINITY) };
         self.body(model, index).bounds(&|own| dense.derivative_bounds(self.components(index, own)))
     }
 
     /// Bounds of relative speed \[m/s\] and acceleration \[m/s²\] of a section of each of two bodies within the planned
     /// step; `None` where these are not differences of components.
     pub(in crate::dynamics) fn apart(&self, model: &Model, pair: [usize; 2]) -> Option<[f64; 2]> {
-        let Some(dense) = &self.dense else { return Some([0.0; 2]) };
+        let Some(dense) = &self.step.dense else { return Some([0.0; 2]) };
         let [one, other] = pair.map(|index| Some(self.components(index, self.body(model, index).displacements()?)));
         let (one, other) = (one?, other?);
         (one.len() == other.len()).then(|| dense.difference_derivative_bounds(one, other.start))
@@ -135,7 +135,7 @@ mod tests {
 
     fn times(island: &Island) -> Vec<f64> {
         (0..=POSE_SAMPLES)
-            .map(|i| island.from + (island.until - island.from) * f64::from(i) / f64::from(POSE_SAMPLES))
+            .map(|i| island.step.from + (island.step.until - island.step.from) * f64::from(i) / f64::from(POSE_SAMPLES))
             .collect()
     }
 
@@ -148,7 +148,7 @@ mod tests {
     fn bounds_on_the_motion_hold_and_are_not_far_above() {
         let (model, island) = hit();
         let frames: Vec<Frame> = times(&island).iter().map(|&t| island.frame_since(&model, 0, 0, t)).collect();
-        let interval = (island.until - island.from) / f64::from(POSE_SAMPLES);
+        let interval = (island.step.until - island.step.from) / f64::from(POSE_SAMPLES);
         let largest = |of: fn(&Frame) -> glam::DVec3| frames.iter().map(|f| of(f).length()).fold(0.0, f64::max);
         let change = |of: fn(&Frame) -> glam::DVec3| steepest(&frames.iter().map(of).collect::<Vec<_>>(), interval);
         let bound = island.bound(&model, 0);
@@ -171,7 +171,7 @@ mod tests {
             let frame = island.frame_since(&model, 0, 0, t);
             frame.shift + frame.turned * arm
         };
-        for from in [island.from, f64::midpoint(island.from, island.until)] {
+        for from in [island.step.from, f64::midpoint(island.step.from, island.step.until)] {
             let far = times(&island).into_iter().filter(|t| *t >= from).map(|t| (place(t) - place(from)).length());
             let (far, bound) = (far.fold(0.0, f64::max), island.excursion(&model, 0, arm.length(), from));
             assert!(far <= bound && bound < 6.0 * far, "from {from} s: {bound} m against {far}");
@@ -193,8 +193,8 @@ mod tests {
     #[test]
     fn states_and_poses_are_those_of_the_dense_output_and_of_the_end() {
         let (model, island) = hit();
-        assert_eq!(island.state_at(&model, 0, island.until), island.y, "the end to the last bit");
-        assert_eq!(island.state_at(&model, 0, island.from)[3..], [SPEED, 0.1, 2.0], "the start");
+        assert_eq!(island.state_at(&model, 0, island.step.until), island.y, "the end to the last bit");
+        assert_eq!(island.state_at(&model, 0, island.step.from)[3..], [SPEED, 0.1, 2.0], "the start");
         let times = times(&island);
         let frames = island.frames_since(&model, &times);
         let alone: Vec<Frame> = times.iter().map(|&t| island.frame(&model, 0, 0, t)).collect();

@@ -11,14 +11,14 @@ use crate::dynamics::penalty3d::island::{Island, normalise};
 impl Island {
     /// Retakes an explicit planned step to end just beyond `t`, if that is well inside it; whether it was retaken.
     pub(in crate::dynamics) fn end_beyond(&mut self, model: &Model, t: f64) -> bool {
-        let retakable = |dense: &&DenseOutput| self.explicit && dense.from == self.from;
-        let Some(dense) = self.dense.as_ref().filter(retakable) else { return false };
-        let part = (t - self.from) / dense.step;
+        let retakable = |dense: &&DenseOutput| self.step.explicit && dense.from == self.step.from;
+        let Some(dense) = self.step.dense.as_ref().filter(retakable) else { return false };
+        let part = (t - self.step.from) / dense.step;
         if !(RETAKE_MARGIN..1.0 - RETAKE_MARGIN).contains(&part) {
             return false;
         }
         let mut y: Vec<f64> = dense.coefficients().iter().map(|c| c[0]).collect();
-        let (from, h) = (self.from, (t - self.from) * (1.0 + RETAKE_OVERSHOOT));
+        let (from, h) = (self.step.from, (t - self.step.from) * (1.0 + RETAKE_OVERSHOOT));
         let number = model.ground.piece_number(from);
         let piece = model.ground.piece(number);
         let mut stepper = std::mem::take(&mut self.stepper);
@@ -29,7 +29,7 @@ impl Island {
         self.note_raw(&y);
         normalise(model, &self.system.bodies, &self.system.layout, &mut y);
         self.sloped = (from + dense.step, number);
-        (self.stepper, self.y, self.until, self.dense) = (stepper, y, from + dense.step, Some(dense));
+        (self.stepper, self.y, self.step.until, self.step.dense) = (stepper, y, from + dense.step, Some(dense));
         true
     }
 }

@@ -18,14 +18,14 @@ pub(in crate::dynamics) fn first_due(model: &Model, island: &Island) -> Option<(
     }
     let sections = island.system.layout.section_count();
     // The start, and as soon as a phase may end further samples.
-    let mut times: SmallVec<[f64; 8]> = SmallVec::from_slice(&[island.from]);
+    let mut times: SmallVec<[f64; 8]> = SmallVec::from_slice(&[island.step.from]);
     let mut frames = island.frames_since(model, &times);
     let mut found: Option<(f64, LinkDue)> = None;
     for (index, active) in island.system.links.iter().enumerate() {
         let link = active.of(model);
         let begins = active.motion(model, &island.system.bases, &frames).0;
         let within = excursion(model, island, active);
-        let phase = island.phase_at(index, island.from);
+        let phase = island.phase_at(index, island.step.from);
         let likely = |number: &usize| !link.device.stays_below(*number, &phase, &begins, within);
         let likely: SmallVec<[usize; 4]> = (0..link.device.switches(&active.phase)).filter(likely).collect();
         if likely.is_empty() {
@@ -33,8 +33,8 @@ pub(in crate::dynamics) fn first_due(model: &Model, island: &Island) -> Option<(
         }
         if times.len() == 1 {
             let last = sample_count(island) - 1;
-            let part = |i: usize| (island.until - island.from) * i as f64 / last as f64;
-            times.extend((1..=last).map(|i| if i == last { island.until } else { island.from + part(i) }));
+            let part = |i: usize| (island.step.until - island.step.from) * i as f64 / last as f64;
+            times.extend((1..=last).map(|i| if i == last { island.step.until } else { island.step.from + part(i) }));
             frames.extend(island.frames_since(model, &times[1..]));
         }
         let motions: Vec<_> =
@@ -70,10 +70,10 @@ fn excursion(model: &Model, island: &Island, active: &ActiveLink) -> Excursion {
     for (end, arm) in active.ends.into_iter().zip(link.arms) {
         let (Some(body), arm) = (end, arm.length()) else { continue };
         let bounds = island.bound(model, body);
-        within.way += island.excursion(model, body, arm, island.from);
+        within.way += island.excursion(model, body, arm, island.step.from);
         // Of a point at this arm: G's, tangential, towards the axis.
         let acceleration = bounds.acceleration + arm * (bounds.spin_rate + bounds.spin * bounds.spin);
-        within.rate += acceleration * (island.until - island.from);
+        within.rate += acceleration * (island.step.until - island.step.from);
     }
     within
 }

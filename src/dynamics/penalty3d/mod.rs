@@ -20,6 +20,7 @@ pub(in crate::dynamics) mod island_kind;
 pub(in crate::dynamics) mod island_poses;
 pub(in crate::dynamics) mod island_retake;
 pub(in crate::dynamics) mod link_events;
+pub(in crate::dynamics) mod planned_step;
 pub(in crate::dynamics) mod sliding;
 
 #[cfg(test)]

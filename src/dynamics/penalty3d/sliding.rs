@@ -21,7 +21,7 @@ pub(in crate::dynamics) struct Sliding {
     /// Regularised directions of sliding at the linearisation, `V_t / max(|V_t|, v_stick)`.
     against: Vec<DVec2>,
     /// Whether directions are held at those of the linearisation.
-    held: bool,
+    frozen: bool,
 }
 
 impl Sliding {
@@ -42,22 +42,22 @@ impl Sliding {
         &self.terms
     }
 
-    /// Holds directions at those of the last evaluation, or follows the state again.
-    pub(in crate::dynamics) fn hold(&mut self, held: bool) {
-        self.held = held;
+    /// Keeps directions at those of the last evaluation, or follows the state again.
+    pub(in crate::dynamics) fn freeze(&mut self, frozen: bool) {
+        self.frozen = frozen;
     }
 
-    /// A contact as it is held while difference quotients are formed; `None` while it follows the state. `slider` is
+    /// A contact as it is frozen while difference quotients are formed; `None` while it follows the state. `slider` is
     /// its number among those that slide in two directions, if it is one.
     #[inline]
-    pub(in crate::dynamics) fn held(&self, slider: usize, active: &ActiveContact) -> Option<ClosedContact> {
-        self.held.then(|| {
-            let mut held = active.closed;
+    pub(in crate::dynamics) fn frozen_contact(&self, slider: usize, active: &ActiveContact) -> Option<ClosedContact> {
+        self.frozen.then(|| {
+            let mut frozen = active.closed;
             if active.turns_at_once() {
-                held.mode = Mode::Slip { direction: self.against[slider] };
-                held.law.v_stick = 0.0;
+                frozen.mode = Mode::Slip { direction: self.against[slider] };
+                frozen.law.v_stick = 0.0;
             }
-            held
+            frozen
         })
     }
 
@@ -188,17 +188,17 @@ mod tests {
         }
         let mut sliding = Sliding::of(&active);
         assert_eq!(sliding.sliders, [0, 1], "both nodes slide in two directions");
-        assert_eq!(sliding.held(0, &active[0]), None, "it follows the state");
+        assert_eq!(sliding.frozen_contact(0, &active[0]), None, "it follows the state");
         let rate = DVec2::new(0.0, 0.05);
         let here = pressed(rate);
         sliding.turns(0, &active[0].closed, &active[0].closed.forces(&here));
-        sliding.hold(true);
+        sliding.freeze(true);
         // Other velocity, same friction: that along Y at the linearisation.
         let elsewhere = pressed(DVec2::new(0.05, 0.0));
-        let held = sliding.held(0, &active[0]).expect("held");
+        let held = sliding.frozen_contact(0, &active[0]).expect("held");
         let friction = held.forces(&elsewhere).tangential;
         assert!(friction.y < 0.0 && friction.x.abs() < 1e-12 * friction.y.abs(), "against Y: {friction} N");
-        sliding.hold(false);
-        assert_eq!(sliding.held(0, &active[0]), None, "it follows the state again");
+        sliding.freeze(false);
+        assert_eq!(sliding.frozen_contact(0, &active[0]), None, "it follows the state again");
     }
 }

@@ -60,13 +60,13 @@ mod tests {
 
     #[test]
     fn the_phase_at_a_time_is_the_last_that_began() {
-        let phase = |law: u32| Phase { law, ..Phase::default() };
+        let phase = |law: u32| Phase { branch: law, ..Phase::default() };
         let mut log = LinkLog::default();
         assert_eq!(log.at(1.0), None, "nothing was entered");
         log.push(0.0, phase(0), 0.0);
         log.push(2.0, phase(1), 0.5);
         log.push(2.0, phase(2), 0.25);
-        assert_eq!([0.0, 1.9, 2.0, 9.0].map(|t| log.at(t).map(|p| p.law)), [Some(0), Some(0), Some(2), Some(2)]);
+        assert_eq!([0.0, 1.9, 2.0, 9.0].map(|t| log.at(t).map(|p| p.branch)), [Some(0), Some(0), Some(2), Some(2)]);
         assert_eq!([log.released(1.0), log.released(2.0)], [0.0, 0.75]);
         assert_eq!((log.changes_at(2.0), log.changes_at(1.0)), (2, 0));
     }

@@ -21,7 +21,7 @@ use crate::dynamics::penalty3d::workspace::Workspace;
 use crate::dynamics::record::contact_log::ContactLog;
 use crate::dynamics::trajectory::packed_states::PackedStates;
 use crate::dynamics::trajectory::step_polynomial::StepPolynomial;
-use crate::dynamics::trajectory::stored_path::{StoredMotion, StoredPath};
+use crate::dynamics::trajectory::stored_path::{NUMBERS, StoredMotion, StoredPath};
 
 /// In place of the number of an initial state: the state is the end of the members' flights.
 const FLOWN: u32 = u32::MAX;
@@ -31,7 +31,7 @@ const STORED_BIT: u32 = 1 << 31;
 /// Steps of a group of bodies.
 #[derive(Clone, Debug, Default)]
 pub struct Replay {
-    stretches: Vec<Stretch>,
+    sequences: Vec<StepSequence>,
     members: Vec<Member>,
     logged_states: Vec<LoggedState>,
     steps: Vec<Step>,
@@ -41,7 +41,7 @@ pub struct Replay {
 /// Consecutive steps of one island with the same contact states: indices of the first member and the first contact
 /// state.
 #[derive(Clone, Copy, Debug)]
-struct Stretch {
+struct StepSequence {
     members: u32,
     logged_states: u32,
 }
@@ -80,7 +80,7 @@ pub(in crate::dynamics) struct LoggedState {
 #[derive(Clone, Copy, Debug)]
 struct Step {
     length: f64,
-    stretch: u32,
+    sequence: u32,
     start: u32,
 }
 
@@ -92,7 +92,7 @@ pub struct Past<'a> {
     /// Paths of all bodies.
     pub paths: &'a [StoredPath],
     /// Free motions of all bodies; `None` for one without a closed form.
-    pub systems: &'a [Option<BodyMotion>],
+    pub free_motions: &'a [Option<BodyMotion>],
     /// State logs of all contacts.
     pub logs: &'a [ContactLog],
 }
@@ -102,13 +102,14 @@ fn count(n: usize) -> Option<u32> {
 }
 
 impl Replay {
-    /// Begins a stretch of steps; its number, `None` where numbers are exhausted.
+    /// Begins a sequence of steps; its number, `None` where numbers are exhausted.
     pub(in crate::dynamics) fn open(&mut self, members: Vec<Member>, logged_states: Vec<LoggedState>) -> Option<u32> {
-        let stretch = Stretch { members: count(self.members.len())?, logged_states: count(self.logged_states.len())? };
-        let number = count(self.stretches.len())?;
+        let sequence =
+            StepSequence { members: count(self.members.len())?, logged_states: count(self.logged_states.len())? };
+        let number = count(self.sequences.len())?;
         self.members.extend(members);
         self.logged_states.extend(logged_states);
-        self.stretches.push(stretch);
+        self.sequences.push(sequence);
         Some(number)
     }
 
@@ -117,16 +118,15 @@ impl Replay {
         self.starts.push(&base.numbers()).filter(|number| number & STORED_BIT == 0)
     }
 
-    /// Adds a step of `length` \[s\] to a stretch, with its initial state, or `None` where that is the end of the
+    /// Adds a step of `length` \[s\] to a sequence, with its initial state, or `None` where that is the end of the
     /// members' flights; its number, `None` where numbers are exhausted.
     pub(in crate::dynamics) fn push<'a>(
         &mut self,
-        stretch: u32,
+        sequence: u32,
         length: f64,
         start: Option<impl ExactSizeIterator<Item = &'a [f64]>>,
     ) -> Option<u32> {
-        // A stored path has 29 bits for the number; 30 are checked here.
-        let number = count(self.steps.len()).filter(|n| *n < 1 << 30)?;
+        let number = count(self.steps.len()).filter(|n| *n < NUMBERS)?;
         let first = match start {
             None => FLOWN,
             Some(states) => {
@@ -137,7 +137,7 @@ impl Replay {
                 count(first)?
             }
         };
-        self.steps.push(Step { length, stretch, start: first });
+        self.steps.push(Step { length, sequence, start: first });
         Some(number)
     }
 
@@ -151,9 +151,9 @@ impl Replay {
         self.steps.is_empty()
     }
 
-    fn of(&self, stretch: usize) -> (&[Member], &[LoggedState]) {
-        let Stretch { members, logged_states } = self.stretches[stretch];
-        let next = self.stretches.get(stretch + 1);
+    fn of(&self, sequence: usize) -> (&[Member], &[LoggedState]) {
+        let StepSequence { members, logged_states } = self.sequences[sequence];
+        let next = self.sequences.get(sequence + 1);
         let (to, end) = next
             .map_or((self.members.len(), self.logged_states.len()), |n| (n.members as usize, n.logged_states as usize));
         (&self.members[members as usize..to], &self.logged_states[logged_states as usize..end])
@@ -161,7 +161,7 @@ impl Replay {
 
     /// Numbers in the model of the bodies of a step.
     pub fn bodies(&self, number: u32) -> impl Iterator<Item = usize> + '_ {
-        self.of(self.steps[number as usize].stretch as usize).0.iter().map(|member| member.body as usize)
+        self.of(self.steps[number as usize].sequence as usize).0.iter().map(|member| member.body as usize)
     }
 
     /// Recomputes step `number`, which begins at `from` \[s\]: the dense output of each of its bodies.
@@ -172,8 +172,8 @@ impl Replay {
     }
 
     fn dense(&self, number: u32, from: f64, past: &Past<'_>) -> (DenseOutput, StateLayout, Vec<ReferencePose>) {
-        let Step { length, stretch, start } = self.steps[number as usize];
-        let (members, logged_states) = self.of(stretch as usize);
+        let Step { length, sequence, start } = self.steps[number as usize];
+        let (members, logged_states) = self.of(sequence as usize);
         let bodies: Vec<usize> = members.iter().map(|member| member.body as usize).collect();
         let layout = StateLayout::of(bodies.iter().map(|&body| &past.model.bodies[body]));
         // Reference pose, and for a body that comes from a flight its state at the end of that flight.
@@ -217,7 +217,7 @@ impl Replay {
 
     /// Memory of the steps \[bytes\].
     pub fn bytes(&self) -> usize {
-        self.stretches.len() * size_of::<Stretch>()
+        self.sequences.len() * size_of::<StepSequence>()
             + self.members.len() * size_of::<Member>()
             + self.logged_states.len() * size_of::<LoggedState>()
             + self.steps.len() * size_of::<Step>()
@@ -226,7 +226,7 @@ impl Replay {
 
     /// Releases reserved memory.
     pub fn shrink(&mut self) {
-        self.stretches.shrink_to_fit();
+        self.sequences.shrink_to_fit();
         self.members.shrink_to_fit();
         self.logged_states.shrink_to_fit();
         self.steps.shrink_to_fit();
@@ -245,15 +245,15 @@ fn again(field: &mut EquationsOfMotion<'_>, from: f64, y: &mut [f64], length: f6
     rk.accept(field, from, y, length)
 }
 
-/// State at the end of a body's flight, which is the beginning of the next stretch of its path.
+/// State at the end of a body's flight, which is the beginning of the next sequence of its path.
 fn landed(member: Member, past: &Past<'_>) -> PlanarState {
     let (body, flown) = (member.body as usize, member.base as usize);
-    match (past.paths[body].kept(flown), past.paths[body].next(flown), &past.systems[body]) {
-        ((from, StoredMotion::Start(state)), Some(until), Some(system)) => {
-            system.girder_state(from, state, until).unwrap_or(state)
+    match (past.paths[body].kept(flown), past.paths[body].next(flown), &past.free_motions[body]) {
+        ((from, StoredMotion::Start(state)), Some(until), Some(free_motion)) => {
+            free_motion.girder_state(from, state, until).unwrap_or(state)
         }
         // Cannot occur: only flights stored by their initial state are referred to, and each is followed by a
-        // stretch.
+        // sequence.
         _ => [0.0; WIDTH],
     }
 }

@@ -1,7 +1,7 @@
 //! Rotation of a spatial body about the vertical, counted along its path (`docs/physics.md#motion-in-space`).
 //!
-//! An attitude determines the heading of the body's axis in plan, an angle modulo 2π. Its half turns are counted stretch
-//! by stretch when a step is stored, so that the angle at any time is a function of the stored path alone. A half turn
+//! An attitude determines the heading of the body's axis in plan, an angle modulo 2π. Its half turns are counted segment
+//! by segment when a step is stored, so that the angle at any time is a function of the stored path alone. A half turn
 //! is a whole one of the heading, or of an axis that has passed through the vertical: there the heading reverses, and
 //! the angle follows the line of the axis.
 
@@ -16,24 +16,24 @@ use crate::dynamics::trajectory::step_polynomial::StepPolynomial;
 /// twentieth of a degree, which at most ten bisections of a radian lead to.
 const VERTICAL: f64 = 1e-3;
 
-/// Half turns of a body's angle at the beginning of each of its stretches.
+/// Half turns of a body's angle at the beginning of each of its segments.
 #[derive(Clone, Debug, Default)]
 pub struct HalfTurns {
     /// Stretches at which the number changes, and the number from there on.
     changes: Vec<(usize, i32)>,
-    /// Angle at the end of the last stretch where that is not in the right half-plane throughout; `None` elsewhere, and
+    /// Angle at the end of the last segment where that is not in the right half-plane throughout; `None` elsewhere, and
     /// the number is that of the last change \[rad\].
     end: Option<f64>,
 }
 
 impl HalfTurns {
-    /// Number at the beginning of stretch `number`.
+    /// Number at the beginning of segment `number`.
     pub fn at(&self, number: usize) -> i32 {
         let known = self.changes.partition_point(|(from, _)| *from <= number);
         known.checked_sub(1).map_or(0, |last| self.changes[last].1)
     }
 
-    /// Follows the step that becomes stretch `number`.
+    /// Follows the step that becomes segment `number`.
     pub(super) fn follow(&mut self, number: usize, step: &StepHeading<'_>) {
         let before = if number == 0 { Some(step.body.start[5]) } else { self.end };
         if before.is_none() && step.begins.x > step.length() {

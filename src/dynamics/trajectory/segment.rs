@@ -1,10 +1,10 @@
-//! A stretch of a body's trajectory: its interval of time and the representation of its motion.
+//! A segment of a body's trajectory: its interval of time and the representation of its motion.
 
 use crate::dynamics::free_flight::body_motion::BodyFlight;
 use crate::dynamics::free_flight::sliding_face::SlidingFace;
 use crate::dynamics::trajectory::step_polynomial::StepPolynomial;
 
-/// One stretch of a body's trajectory.
+/// One segment of a body's trajectory.
 #[derive(Clone, Debug)]
 pub struct Segment {
     /// Beginning \[s\].

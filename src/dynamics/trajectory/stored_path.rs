@@ -1,7 +1,7 @@
-//! Trajectory of one body as stored in a history: beginnings of its stretches, and codes of their representations.
+//! Trajectory of one body as stored in a history: beginnings of its segments, and codes of their representations.
 //!
 //! A flight is stored by its initial state, a step by its polynomial or, in long runs, by its number among the
-//! recomputed steps ([`crate::dynamics::record::recomputed_steps`]). A stretch ends where the next one begins; only
+//! recomputed steps ([`crate::dynamics::record::recomputed_steps`]). A segment ends where the next one begins; only
 //! exceptions store an end.
 
 use crate::dynamics::free_flight::body_motion::BodyFlight;
@@ -13,18 +13,20 @@ use crate::dynamics::trajectory::packed_states::PackedStates;
 use crate::dynamics::trajectory::segment::{Segment, SegmentMotion};
 use crate::dynamics::trajectory::step_polynomial::StepPolynomial;
 
-/// Bits of a code that number the stretch among those of its kind; the three bits above them are the kind.
+/// Bits of a code that number the segment among those of its kind; the three bits above them are the kind.
 const CODE_BITS: u32 = 29;
-const CODE_MASK: u32 = (1 << CODE_BITS) - 1;
+const CODE_MASK: u32 = NUMBERS - 1;
+/// How many numbers of steps there are: what is recomputed from the next one on has none \[–\].
+pub(in crate::dynamics) const NUMBERS: u32 = 1 << CODE_BITS;
 
 /// Stretches of a body's trajectory in order of time.
 #[derive(Clone, Debug, Default)]
 pub struct StoredPath {
     from: Vec<f64>,
     codes: Vec<u32>,
-    /// End of the last stretch \[s\].
+    /// End of the last segment \[s\].
     until: f64,
-    /// Number and end \[s\] of stretches that are not followed at once by another.
+    /// Number and end \[s\] of segments that are not followed at once by another.
     breaks: Vec<(usize, f64)>,
     starts: PackedStates,
     /// Flights that are not determined by their initial state alone.
@@ -45,7 +47,7 @@ pub struct Swept {
     pub chord: f64,
 }
 
-/// Interval and kind of one stretch.
+/// Interval and kind of one segment.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct TimeSpan {
     /// Beginning \[s\].
@@ -56,7 +58,7 @@ pub struct TimeSpan {
     pub flies: bool,
 }
 
-/// Representation from which a stretch's motion is evaluated.
+/// Representation from which a segment's motion is evaluated.
 #[derive(Clone, Copy, Debug)]
 pub enum StoredMotion<'a> {
     /// A flight of a rigid girder in plan with this initial state.
@@ -72,7 +74,7 @@ pub enum StoredMotion<'a> {
 }
 
 impl StoredPath {
-    /// Adds a stretch.
+    /// Adds a segment.
     pub fn push(&mut self, segment: Segment) {
         let Segment { from, until, path } = segment;
         let (kind, which) = match path {
@@ -120,12 +122,12 @@ impl StoredPath {
         }
     }
 
-    /// Half turns of the body's angle at the beginning of stretch `number`, where its attitude does not determine them.
+    /// Half turns of the body's angle at the beginning of segment `number`, where its attitude does not determine them.
     pub fn half_turns(&self, number: usize) -> i32 {
         self.half_turns.at(number)
     }
 
-    /// Adds the only stretch of a path, without reserving memory for more.
+    /// Adds the only segment of a path, without reserving memory for more.
     pub fn push_only(&mut self, segment: Segment) {
         self.from.reserve_exact(1);
         self.codes.reserve_exact(1);
@@ -147,7 +149,7 @@ impl StoredPath {
             .then(|| (u32::try_from(self.codes.len() - 1).unwrap_or(u32::MAX), from, self.starts.get(code & CODE_MASK)))
     }
 
-    /// Beginning \[s\] and representation of stretch `number`.
+    /// Beginning \[s\] and representation of segment `number`.
     pub fn kept(&self, number: usize) -> (f64, StoredMotion<'_>) {
         let which = (self.codes[number] & CODE_MASK) as usize;
         let kept = match self.codes[number] >> CODE_BITS {
@@ -160,23 +162,23 @@ impl StoredPath {
         (self.from[number], kept)
     }
 
-    /// Beginning of the stretch after stretch `number`; `None` after the last \[s\].
+    /// Beginning of the segment after segment `number`; `None` after the last \[s\].
     pub fn next(&self, number: usize) -> Option<f64> {
         self.from.get(number + 1).copied()
     }
 
-    /// Number of the stretch at `t`; `None` for an empty path.
+    /// Number of the segment at `t`; `None` for an empty path.
     pub fn number_at(&self, t: f64) -> Option<usize> {
         let number = self.from.partition_point(|from| *from <= t).saturating_sub(1);
         (number < self.from.len()).then_some(number)
     }
 
-    /// Beginning \[s\] and representation of the stretch at `t`; `None` for an empty path.
+    /// Beginning \[s\] and representation of the segment at `t`; `None` for an empty path.
     pub fn at(&self, t: f64) -> Option<(f64, StoredMotion<'_>)> {
         self.number_at(t).map(|number| self.kept(number))
     }
 
-    /// End of stretch `number` \[s\].
+    /// End of segment `number` \[s\].
     pub fn until(&self, number: usize) -> f64 {
         match self.breaks.binary_search_by_key(&number, |(at, _)| *at) {
             Ok(at) => self.breaks[at].1,
@@ -184,22 +186,22 @@ impl StoredPath {
         }
     }
 
-    /// Number of stretches.
+    /// Number of segments.
     pub fn len(&self) -> usize {
         self.from.len()
     }
 
-    /// Whether there are no stretches.
+    /// Whether there are no segments.
     pub fn is_empty(&self) -> bool {
         self.from.is_empty()
     }
 
-    /// Intervals of all stretches.
+    /// Intervals of all segments.
     pub fn spans(&self) -> impl Iterator<Item = TimeSpan> + '_ {
         self.spans_from(0)
     }
 
-    /// Intervals of the stretches that end after `t`.
+    /// Intervals of the segments that end after `t`.
     pub fn spans_after(&self, t: f64) -> impl Iterator<Item = TimeSpan> + '_ {
         let begun = self.from.partition_point(|from| *from <= t).saturating_sub(1);
         let first = (begun..self.len()).find(|&number| self.until(number) > t).unwrap_or(self.len());
@@ -220,9 +222,9 @@ impl StoredPath {
         let pieces: usize = self.pieces.iter().map(StepPolynomial::bytes).sum();
         let flights: usize = self.flights.iter().map(BodyFlight::bytes).sum();
         let slides = self.slides.len() * size_of::<SlidingFace>();
-        let stretches = self.len() * (size_of::<f64>() + size_of::<u32>());
+        let segments = self.len() * (size_of::<f64>() + size_of::<u32>());
         let breaks = self.breaks.len() * size_of::<(usize, f64)>();
-        stretches + breaks + self.starts.bytes() + flights + slides + pieces + self.half_turns.bytes()
+        segments + breaks + self.starts.bytes() + flights + slides + pieces + self.half_turns.bytes()
     }
 
     /// Releases reserved memory.
@@ -277,7 +279,7 @@ mod tests {
         let (body, ground) = (&model.bodies[0], Ground::Still);
         let state = [0.1, -0.2, 0.3, 1.0, 2.0, -3.0];
         let motion = FreeMotion::new(body, &ground, 9.0);
-        let flight = |start: f64| SegmentMotion::Flight(Box::new(BodyFlight::Girder(motion.fly(start, state))));
+        let flight = |start: f64| SegmentMotion::Flight(Box::new(BodyFlight::RigidInPlan(motion.fly(start, state))));
         let dense = DenseOutput::new(2.0, 1.0, vec![[7.0, 1.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0]; WIDTH]);
         let slide = SlidingFace::new((body, &ground), [DVec2::X; 2], &ground.piece(0), (4.0, &state), 1.0);
         let motions = [
@@ -290,7 +292,7 @@ mod tests {
         let segment = |(i, path): (u32, SegmentMotion)| Segment { from: f64::from(i), until: f64::from(i + 1), path };
         let path: StoredPath = (0..).zip(motions).map(segment).collect();
         assert!(matches!(path.kept(0), (0.0, StoredMotion::Start(kept)) if kept == state), "by its start alone");
-        assert!(matches!(path.kept(1), (1.0, StoredMotion::Flight(f)) if f.start() == 0.5), "begun before the stretch");
+        assert!(matches!(path.kept(1), (1.0, StoredMotion::Flight(f)) if f.start() == 0.5), "begun before the segment");
         let mut place = [0.0; WIDTH];
         let (_, StoredMotion::Step(piece)) = path.kept(2) else { panic!("a step") };
         piece.read(2.5, &mut place);

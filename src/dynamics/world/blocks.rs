@@ -24,8 +24,9 @@ impl World {
             if let Some(block) = (slots.len() > 1).then(|| self.block(&model, &slots)).flatten() {
                 let block = Arc::new(block);
                 for (member, &slot) in slots.iter().enumerate() {
-                    let system = BodyMotion::Custom(Arc::new(BlockMember { block: Arc::clone(&block), member }));
-                    (self.bodies[slot].system, self.bodies[slot].block) = (Some(system), Some(self.blocks.len()));
+                    let free_motion = BodyMotion::Custom(Arc::new(BlockMember { block: Arc::clone(&block), member }));
+                    (self.bodies[slot].free_motion, self.bodies[slot].block) =
+                        (Some(free_motion), Some(self.blocks.len()));
                 }
                 self.blocks.push(slots);
             }

@@ -62,7 +62,7 @@ pub(in crate::dynamics) fn other_of_crossing(world: &World, contact: usize) -> O
 
 /// The nodes at the vertex that the node of `contact` has left, or, with an extra distance, the nearest one as far as that, with a
 /// node that is `beyond` beyond the ends of its edges or beside its face \[m\]: those that are there, corners inside the facing polygon
-/// or crossings without one, and those in contact that are there no more.
+/// or crossings without one, and closed ones that have left the vertex.
 pub(in crate::dynamics) fn at_vertex_of(
     world: &World,
     contact: usize,

@@ -33,8 +33,8 @@ pub(in crate::dynamics) fn in_flight(scene: &Scene, states: &[PlanarState]) -> W
     let model = Model::compile(scene).unwrap_or_else(|errors| panic!("{errors}"));
     let mut world = World::of(&Arc::new(model), 0);
     for (body, state) in world.bodies.iter_mut().zip(states) {
-        let system = body.system.as_ref().expect("a free motion in closed form");
-        body.now = Trajectory::Flight(system.fly(0.0, state));
+        let free_motion = body.free_motion.as_ref().expect("a free motion in closed form");
+        body.now = Trajectory::Flight(free_motion.fly(0.0, state));
     }
     world
 }

@@ -51,9 +51,9 @@ impl World {
     }
 
     /// End of the stretch of a body's flight from `t` on within which it swings by about a radian at most \[s\].
-    pub(in crate::dynamics) fn stretch_end(&self, slot: usize, t: f64) -> f64 {
-        match (&self.bodies[slot].now, &self.bodies[slot].system) {
-            (Trajectory::Flight(flight), Some(system)) => system.stretch_end(flight, t),
+    pub(in crate::dynamics) fn window_end(&self, slot: usize, t: f64) -> f64 {
+        match (&self.bodies[slot].now, &self.bodies[slot].free_motion) {
+            (Trajectory::Flight(flight), Some(free_motion)) => free_motion.window_end(flight, t),
             _ => f64::INFINITY,
         }
     }
@@ -61,8 +61,8 @@ impl World {
     /// Least and greatest value of the one coordinate of a body in flight over an interval without a kink \[m\]; all values where
     /// that is not known.
     pub(in crate::dynamics) fn flight_range(&self, slot: usize, span: [f64; 2]) -> [f64; 2] {
-        let range = match (&self.bodies[slot].now, &self.bodies[slot].system) {
-            (Trajectory::Flight(flight), Some(system)) => system.range(flight, span),
+        let range = match (&self.bodies[slot].now, &self.bodies[slot].free_motion) {
+            (Trajectory::Flight(flight), Some(free_motion)) => free_motion.range(flight, span),
             _ => None,
         };
         range.unwrap_or([f64::NEG_INFINITY, f64::INFINITY])

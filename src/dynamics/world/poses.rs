@@ -11,8 +11,8 @@ impl World {
         let track = &self.bodies[slot];
         match &track.now {
             Trajectory::Placed => self.model.bodies[track.body].initial(),
-            Trajectory::Flight(flight) => match &track.system {
-                Some(system) => system.state(flight, t).into_vec(),
+            Trajectory::Flight(flight) => match &track.free_motion {
+                Some(free_motion) => free_motion.state(flight, t).into_vec(),
                 None => flight.state().to_vec(),
             },
             Trajectory::Island { island, index } => match &self.islands[*island] {
@@ -44,8 +44,8 @@ impl World {
     pub(in crate::dynamics) fn frame(&self, slot: usize, section: usize, t: f64) -> Frame {
         let track = &self.bodies[slot];
         let body = &self.model.bodies[track.body];
-        match (&track.now, &track.system) {
-            (Trajectory::Flight(flight), Some(system)) => system.frame(body, section, flight, t),
+        match (&track.now, &track.free_motion) {
+            (Trajectory::Flight(flight), Some(free_motion)) => free_motion.frame(body, section, flight, t),
             (Trajectory::Island { island, index }, _) => match &self.islands[*island] {
                 Some(island) => island.frame(&self.model, *index, section, t),
                 None => Frame::fixed(body.home),

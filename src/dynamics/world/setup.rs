@@ -17,7 +17,9 @@ use crate::dynamics::world::World;
 use crate::dynamics::world::axial_gap::AxialGap;
 use crate::dynamics::world::constants::{NOMINAL_FREQUENCY, NOMINAL_IMPACT_SPEED};
 use crate::dynamics::world::site_geometry::SiteGeometry;
-use crate::dynamics::world::tracks::{Apart, BodyTrack, ChangeCount, ContactTrack, LinkTrack, PairTrack, Trajectory};
+use crate::dynamics::world::tracks::{
+    BodyTrack, ChangeCount, ContactTrack, LinkTrack, PairTrack, SearchState, Trajectory,
+};
 use crate::dynamics::{ContactSite, Model};
 use crate::scene::facing::{Side, SolidId};
 
@@ -64,7 +66,7 @@ impl World {
     fn add_body(&mut self, model: &Model, body: usize) {
         self.bodies.push(BodyTrack {
             body,
-            system: BodyMotion::of(&model.bodies[body], &model.ground, model.duration),
+            free_motion: BodyMotion::of(&model.bodies[body], &model.ground, model.duration),
             block: None,
             now: Trajectory::Placed,
             path: StoredPath::default(),
@@ -116,7 +118,7 @@ impl World {
             simultaneity,
             axial,
             meeting,
-            apart: Apart::Near,
+            search_state: SearchState::Near,
         });
     }
 
@@ -131,7 +133,7 @@ impl World {
             corners: None,
             rivals: Vec::new(),
             state: Contact::Open { armed: true },
-            sharers: 1.0,
+            divisor: 1.0,
             has_part: false,
             place: NodePlace::default(),
             closing: None,

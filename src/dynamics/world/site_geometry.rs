@@ -15,7 +15,7 @@ pub(in crate::dynamics) struct SiteGeometry {
     /// Distance of the node from G of its own body, of an edge node at most \[m\].
     pub arm: f64,
     /// Distance of the node from G of the face's body as placed \[m\].
-    pub apart: f64,
+    pub lever: f64,
     /// Size of the contact geometry, to which round-off of positions is proportional \[m\].
     pub size: f64,
     /// Whether it is of two bodies that have met: most of their nodes stay behind most of their faces.
@@ -26,9 +26,9 @@ impl SiteGeometry {
     pub(in crate::dynamics) fn of(model: &Model, site: usize) -> Self {
         let site = &model.contacts[site];
         let half = site.half_edge();
-        let (arm, apart) = (site.home.arm.length() + half, site.home.lever.length() + half);
+        let (arm, lever) = (site.home.arm.length() + half, site.home.lever.length() + half);
         let of_met = site.corner.is_some();
-        Self { home_gap: site.home.gap(), arm, apart, size: arm + apart + site.face.size(), of_met }
+        Self { home_gap: site.home.gap(), arm, lever, size: arm + lever + site.face.size(), of_met }
     }
 
     /// The gap `here` with a bound on `|g̈|` from bounds on the motion of both bodies and on their relative motion,
@@ -40,7 +40,7 @@ impl SiteGeometry {
         face: &MotionBounds,
         between: &RelativeBounds,
     ) -> BoundedGap {
-        let apart = self.apart + between.reach + node.turn * self.arm;
+        let apart = self.lever + between.reach + node.turn * self.arm;
         let turn = |spin: f64, spin_rate: f64, arm: f64| (spin_rate + spin * spin) * arm;
         // g = n·r, r from the face's G to the node, n fixed to the face: g̈ = n·r̈ + 2 ṅ·ṙ + n̈·r.
         let curvature = between.acceleration

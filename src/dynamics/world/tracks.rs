@@ -31,7 +31,7 @@ pub(in crate::dynamics) struct BodyTrack {
     /// Number in the model.
     pub body: usize,
     /// Free motion of the body; `None` where that has no closed form.
-    pub system: Option<BodyMotion>,
+    pub free_motion: Option<BodyMotion>,
     /// Number of the linear block that it is of.
     pub block: Option<usize>,
     /// Present trajectory.
@@ -50,13 +50,13 @@ impl BodyTrack {
     pub(in crate::dynamics) fn flown(&self, flight: &BodyFlight, t: f64) -> SmallVec<[Segment; 1]> {
         let mut flight = flight.clone();
         let mut segments = SmallVec::new();
-        if let Some(system) = &self.system {
-            system.remember(&mut flight, t);
-            let mut until = system.stretch_end(&flight, flight.start());
+        if let Some(free_motion) = &self.free_motion {
+            free_motion.remember(&mut flight, t);
+            let mut until = free_motion.window_end(&flight, flight.start());
             while until < t {
-                let rest = system.resume(&flight, until);
+                let rest = free_motion.resume(&flight, until);
                 segments.push(segment(std::mem::replace(&mut flight, rest), until));
-                until = system.stretch_end(&flight, until);
+                until = free_motion.window_end(&flight, until);
             }
         }
         segments.push(segment(flight, t));
@@ -92,12 +92,12 @@ pub(in crate::dynamics) struct PairTrack {
     /// Number in the model of the meeting of its bodies, where every face of the two has a pair.
     pub meeting: Option<usize>,
     /// Where the two bodies of a meeting were at the last search.
-    pub apart: Apart,
+    pub search_state: SearchState,
 }
 
 /// Where two bodies that have met were when a pair of theirs was searched last.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
-pub(in crate::dynamics) enum Apart {
+pub(in crate::dynamics) enum SearchState {
     /// Near each other, or not searched yet: nodes are armed and disarmed as they pass planes.
     #[default]
     Near,
@@ -141,7 +141,7 @@ pub(in crate::dynamics) struct ContactTrack {
     /// Present state.
     pub state: Contact,
     /// Number by which the pair's K and C are divided for this node in the present touch \[–\].
-    pub sharers: f64,
+    pub divisor: f64,
     /// In plan, whether it is one of the nodes among which K and C were divided, and has passed its part to no other.
     pub has_part: bool,
     /// Where the node is and how its contact is directed since its last closing.

@@ -30,7 +30,7 @@ const TILTED_FACE_OVERLAP: f64 = 5e-4;
 impl History {
     /// Overlaps that no contact carries, one for every two bodies, in order of the time when each was seen first.
     pub fn overlaps(&self) -> &[Overlap] {
-        self.overlaps.get_or_init(|| {
+        self.found.overlaps.get_or_init(|| {
             let (solids, joined) = (Solids::of(self.scene(), self.model()), Joined::of(self.model()));
             if solids.len() < 2 {
                 return Vec::new();

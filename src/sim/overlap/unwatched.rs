@@ -61,7 +61,7 @@ pub(super) fn of_pair(history: &History, number: usize, turned: &Turned) -> Unwa
 
 /// Intervals in which a contact is disarmed.
 fn disarmed(history: &History, contact: usize) -> Vec<Interval> {
-    let states = || history.logs[contact].states();
+    let states = || history.run.log(contact).states();
     let ends = states().map(|(from, _)| from).skip(1).chain([history.end()]);
     let off = |((from, state), until): ((f64, Contact), f64)| {
         (state == Contact::Open { armed: false }).then_some([from, until.min(history.end())])
@@ -75,7 +75,7 @@ pub(super) struct Turned(Vec<OnceLock<bool>>);
 
 impl Turned {
     pub(super) fn of(history: &History) -> Self {
-        Self(history.paths.iter().map(|_| OnceLock::new()).collect())
+        Self(history.model().bodies.iter().map(|_| OnceLock::new()).collect())
     }
 
     fn far(&self, history: &History, body: usize) -> bool {
@@ -83,9 +83,9 @@ impl Turned {
     }
 }
 
-/// Whether a body is turned by more than [`MOST_TURNED`] where one of its stretches begins.
+/// Whether a body is turned by more than [`MOST_TURNED`] where one of its segments begins.
 fn turns_far(history: &History, body: usize) -> bool {
-    let (path, own) = (&history.paths[body], &history.model().bodies[body]);
+    let (path, own) = (history.run.path(body), &history.model().bodies[body]);
     let turned = |t: f64| {
         let (theta, attitude) = own.attitude(&history.state(body, t));
         theta.abs().max(attitude.to_axis_angle().1)

@@ -27,7 +27,7 @@ fn soil_that_a_girder_hits_is_that_of_an_independent_program() {
 #[test]
 fn soil_throws_a_mass_back_as_in_closed_form() {
     let history = run(&free(0.34, 0.2), vec![direct(0.01)]);
-    let turned = history.link_phases(0).windows(2).find(|two| two[0].1.law == 2).expect("on the envelope")[1].0;
+    let turned = history.link_phases(0).windows(2).find(|two| two[0].1.branch == 2).expect("on the envelope")[1].0;
     within("greatest push", history.motion(0, turned).displacement.x - 0.01 - 4.942_912_219e-3, 1e-11);
     within("force", -history.link(0, turned).expect("soil").force.x - 38.480_296_673, 1e-8);
     within("rebound", -history.motion(0, 0.2).velocity.x - 0.222_166_096_426, 1e-10);

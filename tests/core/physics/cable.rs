@@ -72,11 +72,11 @@ impl Connection for Cable {
 impl Device for Cable {
     fn initial(&self, motion: &Separation) -> Phase {
         let law = if self.stretch(motion) > 0.0 { TAUT } else { SLACK };
-        Phase { law, ..Phase::default() }
+        Phase { branch: law, ..Phase::default() }
     }
 
     fn acts(&self, phase: &Phase) -> bool {
-        phase.law == TAUT
+        phase.branch == TAUT
     }
 
     /// `(L² − r²)/(2L)`: smooth, where the ends meet, too.
@@ -107,7 +107,7 @@ impl Device for Cable {
     fn next(&self, event: Switch, phase: &Phase, motion: &Separation) -> (Phase, f64) {
         let law = if event == Switch::Closing { TAUT } else { SLACK };
         let released = self.stored_energy(phase, motion);
-        (Phase { law, ..*phase }, if law == SLACK { released } else { 0.0 })
+        (Phase { branch: law, ..*phase }, if law == SLACK { released } else { 0.0 })
     }
 }
 
@@ -191,7 +191,7 @@ fn a_slack_cable_goes_taut_for_half_a_period_and_the_girders_exchange_their_velo
         let [(_, slack), (taut, _), (again, _)] = history.link_phases(0) else {
             panic!("slack, taut, slack: {:?}", history.link_phases(0))
         };
-        assert_eq!(slack.law, SLACK);
+        assert_eq!(slack.branch, SLACK);
         let half = PI * (MASS / 2.0 / STIFFNESS).sqrt();
         within(&format!("{kind}: taut at"), taut - (LENGTH - APART) / SPEED, 1e-12);
         within(&format!("{kind}: half a period"), (again - taut) / half - 1.0, 1e-9);

@@ -154,7 +154,8 @@ fn a_yielding_cable_and_a_bumper_are_those_of_an_independent_program() {
                    bumper=[{ name = \"rubber\", girder = \"deck\", at_m = [0.095, -0.02], to_m = [0.099, 0], \
                    normal = [-1, 0], depth_force_m_n = [[0, 0], [0.0008, 10], [0.0018, 45]], damping_n_s_per_m = 8 }]";
     let history = agrees("d_cable_bumper", &with_devices(0.05, devices, [0.15, 2.4, 20.0]), Vec::new(), 1e-9);
-    let became = |link: usize, law: u32| history.link_phases(link).iter().filter(|(_, phase)| phase.law == law).count();
+    let became =
+        |link: usize, law: u32| history.link_phases(link).iter().filter(|(_, phase)| phase.branch == law).count();
     assert_eq!([became(0, 2), became(1, 1)], [6, 11], "the cable yields six times, the bumper lets go eleven times");
 }
 
@@ -327,7 +328,7 @@ fn a_cable_that_yields_catches_a_mass_as_in_closed_form() {
         let left = history.link(0, t).expect("the cable").gap;
         within("slack that is left", left - (0.01 - history.motion(0, t).displacement.x), 1e-15);
     }
-    let turned = history.link_phases(0).windows(2).find(|two| two[0].1.law == 2).expect("it yields")[1].0;
+    let turned = history.link_phases(0).windows(2).find(|two| two[0].1.branch == 2).expect("it yields")[1].0;
     let elongation = history.motion(0, turned).displacement.x - 0.01;
     within("elongation", elongation - 3.231_056_256e-3, 1e-11);
     let tension = -history.link(0, turned).expect("the cable").force.x;

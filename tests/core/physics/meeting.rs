@@ -191,6 +191,24 @@ fn the_impact_model_ends_where_bodies_meet_that_it_has_no_contact_for() {
 }
 
 #[test]
+fn an_impact_run_that_ends_where_bodies_meet_has_no_later_events() {
+    let text = format!(
+        "name = \"later\"\nduration_s = 0.1\n[model]\nkind = \"impact\"\n[[girder]]\nname = \"one\"\n{BODY}[[girder]]\nname = \"other\"\n{BODY}\
+         position_m = [0.0, 0.09, 0.0]\ninitial = {{ velocity_m_s = [0, -1] }}\n[[girder]]\nname = \"far\"\n{BODY}\
+         position_m = [5.0, 5.0, 0.0]\ninitial = {{ velocity_m_s = [0.5, 0] }}\n\
+         [[abutment]]\nname = \"early\"\nfaces = \"far\"\nend = \"+x\"\ngap_m = 0.005\n[[abutment]]\nname = \"late\"\nfaces = \"far\"\nend = \"-x\"\n\
+         gap_m = 0.005\n"
+    );
+    let scene = scene(&text);
+    let history = History::of(&scene).expect("a sound scene");
+    let end = history.end();
+    within("where the sides meet", end - 0.02, 1e-6);
+    let times: Vec<f64> = history.events().iter().map(|event| event.t).collect();
+    assert!(times.iter().any(|t| (t - 0.01).abs() < 1e-6), "the early hit: {times:?}");
+    assert!(times.iter().all(|t| *t <= end), "nothing later than {end} s: {times:?}");
+}
+
+#[test]
 fn a_girder_that_falls_on_another_comes_to_rest_on_it() {
     let bearings = "vertical_frequency_hz = 15.0, frequency_hz = 8.0, damping_ratio = 0.7, \
                     at_m = [[0.8, 0.2], [-0.8, 0.2], [0.8, -0.2], [-0.8, -0.2]]";

@@ -41,7 +41,7 @@ fn balanced(history: &History, allowed: f64) {
 
 /// Changes of phase of a bearing, by time.
 fn changes(history: &History, bearing: usize) -> Vec<(f64, u32)> {
-    history.link_phases(bearing)[1..].iter().map(|(t, phase)| (*t, phase.law)).collect()
+    history.link_phases(bearing)[1..].iter().map(|(t, phase)| (*t, phase.branch)).collect()
 }
 
 #[test]

@@ -97,7 +97,7 @@ impl PairMotion {
     ) -> Self {
         let moving = [0, 1].map(|side| match (&flying[side], stepping[side]) {
             (Some(s), _) => {
-                let girder = GirderInFlight { system: s.system, state: s.state, free: s.free };
+                let girder = GirderInFlight { free_motion: s.free_motion, state: s.state, free: s.free };
                 Some(BodyInFlight { bound: s.bound(t), girder: Some(girder) })
             }
             (None, stepping) => stepping.map(|bound| BodyInFlight { bound, girder: None }),
@@ -136,7 +136,7 @@ impl PairMotion {
         let rotation = |which: usize| sides[which].map_or([0.0; 4], |side| self.limits.sides[side].rotation);
         let (node, face, relative) = (rotation(0), rotation(1), &self.limits.relative);
         // r from the face's G to the node: its length, and bounds on its derivatives.
-        let r = spot.apart + relative[0] + node[0] * spot.arm;
+        let r = spot.lever + relative[0] + node[0] * spot.arm;
         let r1 = relative[1] + node[1] * spot.arm;
         let r2 = relative[2] + (node[2] + node[1] * node[1]) * spot.arm;
         // g = n·r, and n turns with the face.
@@ -160,8 +160,8 @@ mod tests {
 
     use super::*;
     use crate::dynamics::impact2d::closing::planar_gap::gap;
-    use crate::dynamics::impact2d::engine::Engine;
     use crate::dynamics::impact2d::example;
+    use crate::dynamics::impact2d::run::ImpactRun;
 
     fn world(preset: &str) -> World {
         example::world(example::preset(preset, |scene| {
@@ -203,8 +203,8 @@ mod tests {
                 scene.girders[0].initial.spin_deg_s = spin;
                 scene.girders[0].push.force = [60.0, 0.0, 0.0];
             });
-            let engine = Engine::new(&Arc::new(model), 0);
-            let world = engine.world();
+            let run = ImpactRun::new(&Arc::new(model), 0);
+            let world = run.world();
             let slots = world.pairs[0].slots;
             let end = world.planned_end(0).expect("a planned step");
             let motion = PairMotion::of(world, slots, 0.0, end);

@@ -33,7 +33,7 @@ impl MotionLimits {
 
 /// A side in free flight at an instant.
 pub(in crate::dynamics::impact2d) struct FlyingBody<'a> {
-    pub system: &'a FreeMotion,
+    pub free_motion: &'a FreeMotion,
     pub state: PlanarState,
     /// State less the steady response to a sine; none where the directions are coupled.
     pub free: Option<PlanarState>,
@@ -45,13 +45,13 @@ impl<'a> FlyingBody<'a> {
     pub(in crate::dynamics::impact2d) fn of(world: &'a World, slot: usize, t: f64, horizon: f64) -> Option<Self> {
         let track = &world.bodies[slot];
         let Motion::Flight(flight) = &track.motion else { return None };
-        let (state, free) = track.system.parts(flight, t);
-        Some(Self { system: &track.system, state, free, horizon })
+        let (state, free) = track.free_motion.parts(flight, t);
+        Some(Self { free_motion: &track.free_motion, state, free, horizon })
     }
 
     /// Oscillators and free part, where the directions are uncoupled.
     pub(in crate::dynamics::impact2d) fn uncoupled(&self) -> Option<(&'a [UncoupledAxis; 3], &PlanarState)> {
-        match (&self.system.form, &self.free) {
+        match (&self.free_motion.form, &self.free) {
             (FreeMotionForm::Split { dof, .. }, Some(free)) => Some((dof, free)),
             _ => None,
         }
@@ -63,7 +63,7 @@ impl<'a> FlyingBody<'a> {
     }
 
     fn drive(&self) -> f64 {
-        if let Ground::Sine { omega, .. } = self.system.ground { omega } else { 0.0 }
+        if let Ground::Sine { omega, .. } = self.free_motion.ground { omega } else { 0.0 }
     }
 
     /// `(ẍ, ÿ, θ̈)`, where the directions are uncoupled \[m/s²\], \[rad/s²\].
@@ -74,7 +74,7 @@ impl<'a> FlyingBody<'a> {
             let steady = -drive * drive * (self.state[i] - free[i]);
             let o = &dof[i].oscillator;
             if dof[i].free {
-                steady + self.system.push[i] - 2.0 * o.gamma * free[RATES + i] - o.omega2 * free[i]
+                steady + self.free_motion.push[i] - 2.0 * o.gamma * free[RATES + i] - o.omega2 * free[i]
             } else {
                 0.0
             }
@@ -83,7 +83,7 @@ impl<'a> FlyingBody<'a> {
 
     /// Bounds that hold for a while, whatever the directions.
     pub(in crate::dynamics::impact2d) fn bound(&self, t: f64) -> MotionBounds {
-        self.system.bound_from(t, &self.state, self.free.as_ref(), self.horizon)
+        self.free_motion.bound_from(t, &self.state, self.free.as_ref(), self.horizon)
     }
 
     /// Bounds from here on, where the directions are uncoupled.
@@ -91,7 +91,7 @@ impl<'a> FlyingBody<'a> {
         let (dof, free) = self.uncoupled()?;
         let drive = self.drive();
         let limits =
-            |i: usize| limits(&dof[i], dof[i].amplitude, part(free, i), drive, self.system.push[i], self.horizon);
+            |i: usize| limits(&dof[i], dof[i].amplitude, part(free, i), drive, self.free_motion.push[i], self.horizon);
         let (x, y, rotation) = (limits(0), limits(1), limits(2));
         Some(MotionLimits { translation: std::array::from_fn(|k| norm(x[k], y[k])), rotation })
     }
@@ -129,7 +129,7 @@ pub(in crate::dynamics::impact2d) fn relative_limits(a: &FlyingBody<'_>, b: &Fly
     for (i, limit) in all.iter_mut().enumerate() {
         let (one, other) = (&first[i], &second[i]);
         let steady = norm(one.steady.0 - other.steady.0, one.steady.1 - other.steady.1);
-        let [push, pull] = [a.system.push[i], b.system.push[i]];
+        let [push, pull] = [a.free_motion.push[i], b.free_motion.push[i]];
         if one.oscillator == other.oscillator && one.free && other.free {
             let difference = [p[i] - q[i], p[RATES + i] - q[RATES + i]];
             *limit = limits(one, steady, difference, drive, push - pull, a.horizon);

@@ -75,7 +75,7 @@ fn half_period(world: &World, slots: [Option<usize>; 2]) -> f64 {
     let ground = if let Ground::Sine { omega, .. } = world.model.ground { omega } else { 0.0 };
     let shortest = |slot: usize| match world.bodies[slot].motion {
         Motion::Flight(_) => {
-            let [omega, damping] = world.bodies[slot].system.rates;
+            let [omega, damping] = world.bodies[slot].free_motion.rates;
             std::f64::consts::PI / omega.max(damping).max(ground)
         }
         Motion::Lasting(..) => f64::INFINITY,
@@ -283,7 +283,7 @@ mod tests {
     use super::*;
     use crate::dynamics::impact2d::example;
     use crate::dynamics::impact2d::lasting::lasting_contact::LastingContact;
-    use crate::dynamics::impact2d::run::Run;
+    use crate::dynamics::impact2d::progress::ImpactProgress;
 
     /// A girder of 2 kg before a wall, free to slide along x, at this gap \[m\] with this initial velocity \[m/s\].
     fn world(bearings: &str, gap: f64, speed: f64) -> World {
@@ -325,7 +325,7 @@ mod tests {
         let (speed, amplitude) = (0.1, 0.1 / omega);
         let gap = amplitude - 1e-8;
         let state = [0.0, 0.0, 0.0, speed, 0.0, 0.0];
-        let mut run = Run::new(world(bearings, gap, speed));
+        let mut run = ImpactProgress::new(world(bearings, gap, speed));
         run.world.update_peaks(0, &state);
         // Without a contact mode the integrator follows the bearings alone.
         run.world.lasting.push(Some(LastingContact::new(vec![0], Vec::new(), &[state], 0.0)));

@@ -151,7 +151,7 @@ impl ClosedForm for GivenMotion {
         Vec::new()
     }
 
-    fn stretch_end(&self, _: &[f64], t: f64) -> f64 {
+    fn window_end(&self, _: &[f64], t: f64) -> f64 {
         self.motion.next_kink(t).min(t + self.motion.pace())
     }
 

@@ -130,7 +130,7 @@ impl ClosedForm for GuidedFlight {
         }
     }
 
-    fn stretch_end(&self, numbers: &[f64], t: f64) -> f64 {
+    fn window_end(&self, numbers: &[f64], t: f64) -> f64 {
         let omega = numbers.first().map_or(0.0, |stiffness| stiffness.sqrt());
         let kink = self.ground.next_kink(t);
         let phase = omega * (kink - t);
@@ -241,7 +241,7 @@ mod tests {
             }
             let (mut t, mut kinks) = (start, 0);
             while t < 0.0399 {
-                let end = form.stretch_end(&numbers, t);
+                let end = form.window_end(&numbers, t);
                 let [least, greatest] = form.range(start, &numbers, [t, end]).expect("one coordinate");
                 let ways = (0..=50).map(|i| form.at(start, &numbers, t + (end - t) * f64::from(i) / 50.0)[0]);
                 assert!(ways.into_iter().all(|u| (least..=greatest).contains(&u)), "{least} to {greatest} m");

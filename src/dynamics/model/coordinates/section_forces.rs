@@ -104,16 +104,62 @@ pub struct Equilibrium {
     pub(in crate::dynamics) size: [f64; 2],
     /// Rotary inertia of a section per mass \[m²\].
     pub(in crate::dynamics) rotary: DMat3,
-    /// Stiffness of its sections.
-    pub(in crate::dynamics) stiffness: SectionStiffness,
     /// Loads.
     pub(in crate::dynamics) loads: Vec<Load>,
     /// Acceleration of the mean axes by the loads alone, girder axes \[m/s²\], and of their turning \[rad/s²\].
     pub(in crate::dynamics) rigid: Fields,
     /// Accelerations of the fields, by polynomial.
     pub(in crate::dynamics) fields: Vec<Fields>,
-    /// The fields themselves.
-    pub(in crate::dynamics) strained: Vec<Fields>,
+}
+
+/// A station with what its section forces take from the polynomials of the fields, made once for all instants.
+#[derive(Clone, Debug)]
+pub struct Station {
+    /// From −1 to 1 along the girder.
+    xi: f64,
+    /// `∫_ξ^1 P_k` and `∫_ξ^1 (x − ξ) P_k(x) dx`.
+    integrals: [Vec<f64>; 2],
+}
+
+impl Station {
+    /// At ξ from −1 to 1 along a girder of fields of this degree.
+    pub fn new(degree: usize, xi: f64) -> Self {
+        let xi = xi.clamp(-1.0, 1.0);
+        Self { xi, integrals: [integrals_to_end(degree, xi), moments_to_end(degree, xi)] }
+    }
+
+    /// ξ.
+    pub fn xi(&self) -> f64 {
+        self.xi
+    }
+}
+
+/// The fields of an elastic girder at one instant, for the section forces of their strain.
+#[derive(Clone, Debug)]
+pub struct Strained {
+    /// Half of the girder's length \[m\].
+    pub(in crate::dynamics) half: f64,
+    /// Stiffness of its sections.
+    pub(in crate::dynamics) stiffness: SectionStiffness,
+    /// The fields, by polynomial.
+    pub(in crate::dynamics) fields: Vec<Fields>,
+}
+
+impl Strained {
+    /// Half of the girder's length \[m\].
+    pub fn half(&self) -> f64 {
+        self.half
+    }
+
+    /// `E A u'`, `k_s G A (v' − φ_z)`, `k_s G A (w' + φ_y)`, `G J_t ψ'`, `E I φ'` at a station \[m\].
+    pub fn at(&self, station: f64) -> SectionForces {
+        let (half, degree) = (self.half, self.fields.len() - 1);
+        let xi = (station / half).clamp(-1.0, 1.0);
+        let slope: Fields = self.fields.iter().zip(slopes(degree, xi)).map(|(f, x)| *f * (x / half)).sum();
+        let turned: DVec3 = self.fields.iter().zip(values(degree, xi)).map(|(f, x)| f.turned * x).sum();
+        let SectionStiffness { forces, moments } = self.stiffness;
+        SectionForces::of(forces * (slope.moved + across(turned)), moments * slope.turned)
+    }
 }
 
 /// `e_x × v`.
@@ -130,12 +176,16 @@ impl Equilibrium {
 
     /// Section forces at a station from −a0/2 to a0/2 \[m\]; at an end those just inside of it.
     pub fn at(&self, station: f64) -> SectionForces {
+        self.at_station(&Station::new(self.fields.len() - 1, station / self.half()))
+    }
+
+    /// The same at a station of the girder that is there already.
+    pub fn at_station(&self, station: &Station) -> SectionForces {
         let [length, mass] = self.size;
-        let (half, degree) = (0.5 * length, self.fields.len() - 1);
-        let xi = (station / half).clamp(-1.0, 1.0);
-        let (s, beyond) = (xi * half, half - xi * half);
+        let half = 0.5 * length;
+        let (s, beyond) = (station.xi * half, half - station.xi * half);
         let sum = |of: &[f64]| self.fields.iter().zip(of).map(|(f, x)| *f * *x).sum::<Fields>();
-        let (once, twice) = (sum(&integrals_to_end(degree, xi)), sum(&moments_to_end(degree, xi)));
+        let [once, twice] = station.integrals.each_ref().map(|of| sum(of));
         let Fields { moved: a, turned: alpha } = self.rigid;
         let mu = mass / length;
         // α × e_x, by which a section's centre at s gains s times as much.
@@ -164,16 +214,6 @@ impl Equilibrium {
     pub fn loaded(&self) -> impl Iterator<Item = f64> + '_ {
         let acting = self.loads.iter().filter(|load| load.force != DVec3::ZERO || load.moment != DVec3::ZERO);
         acting.map(|load| load.station)
-    }
-
-    /// The same by the strain of the series: `E A u'`, `k_s G A (v' − φ_z)`, `k_s G A (w' + φ_y)`, `G J_t ψ'`, `E I φ'`.
-    pub fn by_strain(&self, station: f64) -> SectionForces {
-        let (half, degree) = (0.5 * self.size[0], self.strained.len() - 1);
-        let xi = (station / half).clamp(-1.0, 1.0);
-        let slope: Fields = self.strained.iter().zip(slopes(degree, xi)).map(|(f, x)| *f * (x / half)).sum();
-        let turned: DVec3 = self.strained.iter().zip(values(degree, xi)).map(|(f, x)| f.turned * x).sum();
-        let SectionStiffness { forces, moments } = self.stiffness;
-        SectionForces::of(forces * (slope.moved + across(turned)), moments * slope.turned)
     }
 }
 

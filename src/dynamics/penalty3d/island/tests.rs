@@ -8,10 +8,10 @@ fn a_flush_hit_is_half_a_sine() {
     let mut island = island(&model, active, &[[0.0, 0.0, SPEED, 0.0]]);
     let omega = (STIFFNESS / MASS).sqrt();
     let mut steps = 0;
-    while island.until < 3.0 / omega {
+    while island.step.until < 3.0 / omega {
         island.plan(&model, 3.0 / omega, f64::INFINITY).expect("a step that can be made");
-        let phase = omega * island.until;
-        let depth = island.state_at(&model, 0, island.until)[0];
+        let phase = omega * island.step.until;
+        let depth = island.state_at(&model, 0, island.step.until)[0];
         assert!((depth * omega / SPEED - phase.sin()).abs() < 1e-10, "{depth} m at {phase} rad");
         steps += 1;
     }
@@ -24,10 +24,11 @@ fn the_dense_output_joins_the_ends_of_a_step() {
     let mut island = island(&model, active, &[[0.0, 0.0, SPEED, 0.0]]);
     island.plan(&model, 1.0, f64::INFINITY).expect("a step that can be made");
     let omega = (STIFFNESS / MASS).sqrt();
-    let middle = 0.5 * (island.from + island.until);
+    let middle = 0.5 * (island.step.from + island.step.until);
     let depth = island.state_at(&model, 0, middle)[0];
     assert!((depth * omega / SPEED - (omega * middle).sin()).abs() < 1e-8, "{depth} m in the middle");
-    let [before, end] = [island.until * (1.0 - 1e-12), island.until].map(|t| island.state_at(&model, 0, t)[0]);
+    let [before, end] =
+        [island.step.until * (1.0 - 1e-12), island.step.until].map(|t| island.state_at(&model, 0, t)[0]);
     assert!((before - end).abs() < 1e-12, "{before} m before the end, {end} m there");
 }
 
@@ -49,5 +50,5 @@ fn a_normal_force_held_at_zero_does_not_push() {
     }
     let mut island = island(&model, active, &[[0.0, 0.0, SPEED, 0.0]]);
     island.plan(&model, 1e-4, f64::INFINITY).expect("a step that can be made");
-    assert_eq!(island.state_at(&model, 0, island.until)[3], SPEED, "its velocity stays");
+    assert_eq!(island.state_at(&model, 0, island.step.until)[3], SPEED, "its velocity stays");
 }

@@ -6,7 +6,7 @@ use smallvec::smallvec;
 use super::girder::ElasticGirder;
 use super::section::Turns;
 use crate::dynamics::elastic::Fields;
-use crate::dynamics::model::coordinates::section_forces::{Equilibrium, Load, SectionStiffness};
+use crate::dynamics::model::coordinates::section_forces::{Equilibrium, Load, SectionStiffness, Strained};
 use crate::dynamics::model::linear_block::part::RIGID;
 use crate::dynamics::model::wrench::Wrench;
 
@@ -14,7 +14,6 @@ impl ElasticGirder {
     /// What acts in a state since the girder was placed, under wrenches on its sections about the origins of their frames, and the
     /// ground.
     pub fn equilibrium(&self, state: &[f64], wrenches: &[Wrench], ground: DVec3) -> Equilibrium {
-        let (place, _) = self.halves(state);
         let modal = self.accelerations(state, wrenches, ground).split_off(RIGID);
         let mut loads = self.on_sections(state, wrenches);
         loads.extend(self.on_bearings(state).map(|(axis, w, v)| {
@@ -28,26 +27,26 @@ impl ElasticGirder {
             moved: force / self.rigid.mass,
             turned: DVec3::Z * (moment.z / (self.rigid.mass * self.rigid.gyration2)),
         };
-        let sums = |q: &[f64]| {
-            let mut sums = vec![Fields::default(); self.modes.degree + 1];
-            for (j, q) in q.iter().enumerate() {
-                sums.iter_mut().zip(self.modes.coefficients(j)).for_each(|(sum, c)| *sum += Fields::plane(*c * *q));
-            }
-            sums
-        };
-        let (fields, strained, beam) = (sums(&modal), sums(&place[RIGID..]), &self.modes.beam);
-        Equilibrium {
-            size: [beam.length, beam.mass],
-            rotary: DMat3::from_diagonal(DVec3::Z * beam.rotary),
-            stiffness: SectionStiffness {
-                forces: DVec3::new(beam.axial, beam.shear, 0.0),
-                moments: DVec3::Z * beam.bending,
-            },
-            loads,
-            rigid,
-            fields,
-            strained,
+        let beam = &self.modes.beam;
+        let rotary = DMat3::from_diagonal(DVec3::Z * beam.rotary);
+        Equilibrium { size: [beam.length, beam.mass], rotary, loads, rigid, fields: self.fields(&modal) }
+    }
+
+    /// The fields in a state.
+    pub fn strained(&self, state: &[f64]) -> Strained {
+        let (beam, (place, _)) = (&self.modes.beam, self.halves(state));
+        let stiffness =
+            SectionStiffness { forces: DVec3::new(beam.axial, beam.shear, 0.0), moments: DVec3::Z * beam.bending };
+        Strained { half: 0.5 * beam.length, stiffness, fields: self.fields(&place[RIGID..]) }
+    }
+
+    /// Fields of modal coordinates, by polynomial.
+    fn fields(&self, q: &[f64]) -> Vec<Fields> {
+        let mut sums = vec![Fields::default(); self.modes.degree + 1];
+        for (j, q) in q.iter().enumerate() {
+            sums.iter_mut().zip(self.modes.coefficients(j)).for_each(|(sum, c)| *sum += Fields::plane(*c * *q));
         }
+        sums
     }
 
     /// Loads of wrenches on the sections.

@@ -4,7 +4,7 @@ use glam::DVec3;
 
 use super::girder::SpatialElasticGirder;
 use crate::dynamics::elastic::Fields;
-use crate::dynamics::model::coordinates::section_forces::{Equilibrium, Load, SectionStiffness};
+use crate::dynamics::model::coordinates::section_forces::{Equilibrium, Load, SectionStiffness, Strained};
 use crate::dynamics::model::wrench::Wrench;
 
 impl SpatialElasticGirder {
@@ -17,26 +17,28 @@ impl SpatialElasticGirder {
         let [force, moment] = Equilibrium::sum(&loads);
         // Beyond the dead load a weight acts by what the rotation changes of its direction, the same everywhere: it is in the sum.
         let rigid = Fields { moved: force / self.rigid.mass, turned: self.rigid.inertia[1] * moment };
-        let sums = |q: &[f64]| {
-            let mut sums = vec![Fields::default(); self.modes.degree + 1];
-            for (j, q) in q.iter().enumerate() {
-                sums.iter_mut().zip(self.modes.coefficients(j)).for_each(|(sum, c)| *sum += *c * *q);
-            }
-            sums
-        };
         let beam = &self.modes.beam;
-        Equilibrium {
-            size: [beam.plan.length, beam.plan.mass],
-            rotary: beam.rotary,
-            stiffness: SectionStiffness {
-                forces: DVec3::new(beam.plan.axial, beam.plan.shear, beam.shear),
-                moments: DVec3::new(beam.torsion, beam.bending, beam.plan.bending),
-            },
-            loads,
-            rigid,
-            fields: sums(&modal),
-            strained: sums(self.modal(state)[0]),
+        let size = [beam.plan.length, beam.plan.mass];
+        Equilibrium { size, rotary: beam.rotary, loads, rigid, fields: self.fields(&modal) }
+    }
+
+    /// The fields in a state.
+    pub fn strained(&self, state: &[f64]) -> Strained {
+        let beam = &self.modes.beam;
+        let stiffness = SectionStiffness {
+            forces: DVec3::new(beam.plan.axial, beam.plan.shear, beam.shear),
+            moments: DVec3::new(beam.torsion, beam.bending, beam.plan.bending),
+        };
+        Strained { half: 0.5 * beam.plan.length, stiffness, fields: self.fields(self.modal(state)[0]) }
+    }
+
+    /// Fields of modal coordinates, by polynomial.
+    fn fields(&self, q: &[f64]) -> Vec<Fields> {
+        let mut sums = vec![Fields::default(); self.modes.degree + 1];
+        for (j, q) in q.iter().enumerate() {
+            sums.iter_mut().zip(self.modes.coefficients(j)).for_each(|(sum, c)| *sum += *c * *q);
         }
+        sums
     }
 
     /// All loads, in girder axes, as the modes see them.
