@@ -49,5 +49,21 @@ pub(super) fn largest_seen(times: &[f64], values: &[f64], value: &dyn Fn(f64) ->
     let peaks = peaks.filter(|(v, _)| v[1] >= v[0] && v[1] >= v[2] && v[1] > 0.9 * seen.1);
     // Within a plateau there is nothing to look for.
     let peaks = peaks.filter(|(v, _)| exceeds(v[1], v[0]) || exceeds(v[1], v[2]));
-    peaks.map(|(_, t)| golden(value, t[0], t[2])).fold(seen, higher)
+    let inside = peaks.map(|(_, t)| golden(value, t[0], t[2])).fold(seen, higher);
+    let ends = beside_ends(times, values).into_iter().flatten().filter(|(v, _)| *v > 0.9 * seen.1);
+    let before_end = |(v, [end, next]): &(f64, [f64; 2])| exceeds(value(end + INSIDE * (next - end)), *v);
+    ends.filter(before_end).map(|(_, [a, b])| golden(value, a.min(b), a.max(b))).fold(inside, higher)
+}
+
+/// Part of the interval beside the first or last look at which a value is looked at that may be higher inside of it. Chosen: what a peak
+/// that is nearer to the end is higher by is a millionth of what the value changes by over the interval.
+const INSIDE: f64 = 1e-3;
+
+/// First and last look with the next one inside, where it is not below that: its value, and both times.
+fn beside_ends(times: &[f64], values: &[f64]) -> [Option<(f64, [f64; 2])>; 2] {
+    let last = times.len().saturating_sub(1);
+    [(0, 1.min(last)), (last, last.saturating_sub(1))].map(|(end, next)| {
+        let is_end = end != next && values[end] >= values[next];
+        is_end.then(|| (values[end], [times[end], times[next]]))
+    })
 }

@@ -106,8 +106,8 @@ pub(super) fn corner_way(history: &History, girder: usize, corner: usize, t: f64
 /// closed; of an open edge node those of the middle of its edge.
 pub fn before_face(history: &History, contact: usize, t: f64) -> [f64; 2] {
     let site = &history.model().contacts[contact];
-    let [node, face] = history.sides(contact, t.clamp(0.0, history.end()));
-    let place = history.logs[contact].at(t).closed().map_or_else(NodePlace::default, |closed| closed.place);
+    let [node, face] = history.run.sides(contact, t.clamp(0.0, history.end()));
+    let place = history.run.log(contact).at(t).closed().map_or_else(NodePlace::default, |closed| closed.place);
     let here = locate(&site.home_at(&place), &node, &face);
     let at = site.on_face(&place, &here);
     let level = DVec3::Z.cross(site.face.normal);
@@ -120,7 +120,7 @@ pub fn gap(history: &History, pair: usize, t: f64) -> f64 {
     let model = history.model();
     let of = |contact: usize| {
         let site = &model.contacts[contact];
-        let [node, face] = history.sides(contact, t);
+        let [node, face] = history.run.sides(contact, t);
         let here = locate(&site.home, &node, &face);
         (here.gap, site.face.inset_at(here.at) >= 0.0)
     };
@@ -182,10 +182,11 @@ pub(super) fn largest_of_each<const N: usize>(times: &[f64], values: &dyn Fn(f64
     })
 }
 
-/// When a function first rises above 0, to a part in a thousand million of the run \[s\].
-pub(super) fn first(times: &[f64], end: f64, value: impl Fn(f64) -> f64) -> Option<f64> {
-    let seen = times.iter().position(|&t| value(t) > 0.0)?;
-    let (mut below, mut above) = (times[seen.saturating_sub(1)], times[seen]);
+/// When a function first rises above 0, at a look or at its peak between two, to a part in a thousand million of the run \[s\].
+pub(super) fn first(times: &[f64], end: f64, value: &dyn Fn(f64) -> f64) -> Option<f64> {
+    let at_peak = || Some(largest(times, value)).filter(|peak| peak.value > 0.0).map(|peak| peak.t);
+    let mut above = times.iter().copied().find(|&t| value(t) > 0.0).or_else(at_peak)?;
+    let mut below = times[times.partition_point(|&t| t < above).saturating_sub(1)].min(above);
     while above - below > 1e-9 * end {
         let middle = f64::midpoint(below, above);
         if value(middle) > 0.0 {
@@ -227,7 +228,7 @@ fn of_girder(history: &History, girder: usize, name: &str, all: &mut Vec<Passed>
     let limits = history.scene().limits;
     let times = touches::looks(history, girder);
     let mut watch = |limit: Limit, end: Option<End>, (most, sign): (f64, f64), value: &dyn Fn(f64) -> f64| {
-        if let Some(t) = first(&times, history.end(), |t| sign * (value(t) - most)) {
+        if let Some(t) = first(&times, history.end(), &|t| sign * (value(t) - most)) {
             let reached = sign * largest(&times, &|t| sign * value(t)).value;
             all.push(Passed { limit, whose: name.to_owned(), end, t, reached });
         }
@@ -260,7 +261,7 @@ fn of_bearings(history: &History, girder: usize, limit: f64) -> Vec<Passed> {
             Some(along.hypot(across))
         };
         let size = |t: f64| size(t).unwrap_or(0.0);
-        let t = first(&times, history.end(), |t| size(t) - limit)?;
+        let t = first(&times, history.end(), &|t| size(t) - limit)?;
         let whose = format!("{}.bearing{}", body.name, number + 1);
         Some(Passed { limit: Limit::BearingDisplacement, whose, end: None, t, reached: largest(&times, &size).value })
     };
@@ -271,7 +272,7 @@ fn of_bearings(history: &History, girder: usize, limit: f64) -> Vec<Passed> {
 fn of_pier(history: &History, pier: usize, limit: f64) -> Option<Passed> {
     let times = touches::looks(history, history.model().piers[pier].body);
     let drift = |t: f64| history.pier(pier, t).map_or(0.0, |now| now.displacement.truncate().length());
-    let t = first(&times, history.end(), |t| drift(t) - limit)?;
+    let t = first(&times, history.end(), &|t| drift(t) - limit)?;
     let whose = history.scene().piers[pier].name.clone();
     Some(Passed { limit: Limit::PierDrift, whose, end: None, t, reached: largest(&times, &drift).value })
 }
@@ -293,7 +294,7 @@ fn of_resultants(history: &History, limit: f64) -> Vec<Passed> {
         let touches: Vec<&Touch> = touches.filter(|touch| touch.start <= hit.end && touch.end >= hit.start).collect();
         let times = up_to(touches::looks_in_hit(history, &touches), hit.peak.t);
         let force = |t: f64| history.resultant(of.pair, t).length() - limit;
-        let t = first(&times, history.end(), force).unwrap_or(hit.peak.t);
+        let t = first(&times, history.end(), &force).unwrap_or(hit.peak.t);
         let whose = history.model().pairs[of.pair].name.clone();
         Some(Passed { limit: Limit::TotalForce, whose, end: None, t, reached: of.most()?.value })
     };
@@ -309,7 +310,7 @@ fn of_forces(history: &History, limit: f64) -> Vec<Passed> {
         let passes = |touch: &&Touch| {
             let force = |t: f64| history.contact_at(touch.contact, t).map_or(0.0, |c| c.force.length()) - limit;
             let times = up_to(touches::looks_in_hit(history, &[*touch]), touch.peak_time);
-            first(&times, history.end(), force).unwrap_or(touch.peak_time)
+            first(&times, history.end(), &force).unwrap_or(touch.peak_time)
         };
         let Some(t) = over.iter().map(passes).min_by(f64::total_cmp) else { continue };
         let reached = over.iter().map(|touch| touch.peak_force).fold(0.0, f64::max);

@@ -52,7 +52,7 @@ impl History {
 
     /// The same of every girder, by its number; none in a planar scene.
     pub fn uprights(&self) -> &[Upright] {
-        self.uprights.get_or_init(|| {
+        self.found.uprights.get_or_init(|| {
             let girders = if self.model().kind == Kind::Spatial { self.model().girders().len() } else { 0 };
             (0..girders).into_par_iter().map(|girder| self.find_upright(girder)).collect()
         })
@@ -87,7 +87,7 @@ impl History {
         if seen.fold(f64::INFINITY, f64::min) > bound {
             return None;
         }
-        let t = first(times, self.end(), |t| bound - load(t))?;
+        let t = first(times, self.end(), &|t| bound - load(t))?;
         let [pull] = largest_of_each(times, &|t| [-load(t)]);
         let pull = Extreme { value: if pull.value > bound { pull.value } else { 0.0 }, ..pull };
         let lifts = self.bearing_links(girder, number).iter().any(|&link| self.model().links[link].device.lifts());
@@ -102,7 +102,7 @@ impl History {
         }
         let body = &self.model().bodies[girder];
         let beyond = |t: f64| tilt_of(body, &self.frame(girder, t)) - TIPPED.to_radians();
-        Some((first(&touches::looks(self, girder), self.end(), beyond)?, most.value))
+        Some((first(&touches::looks(self, girder), self.end(), &beyond)?, most.value))
     }
 }
 

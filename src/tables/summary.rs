@@ -92,10 +92,15 @@ pub struct Report {
     /// Largest difference in attitude of any body from that run \[rad\].
     #[serde(skip_serializing_if = "Option::is_none")]
     pub estimated_rotation_error: Option<f64>,
+    /// Largest difference of the fibre stress of a girder that bends from that run, where and when it is largest, in parts of it; looked at
+    /// where the tolerance is coarser than 1e-9.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub estimated_stress_error: Option<f64>,
     /// Until when that is known, where the finer run gave up before the end of this one \[s\].
     #[serde(skip_serializing_if = "Option::is_none")]
     pub estimated_until: Option<f64>,
-    /// Whether a corner errs by more than `LARGE_ERROR` of the largest motion of one, as far as that is known by both.
+    /// Whether a corner errs by more than `LARGE_ERROR` of the largest motion of one, as far as that is known by both, or the largest fibre
+    /// stress by more than `LARGE_STRESS_ERROR` of itself.
     pub error_is_large: bool,
     /// What it errs by in parts of that.
     #[serde(skip)]
@@ -121,6 +126,8 @@ pub struct Report {
 /// Part of the largest motion of a corner above which an estimated error is said to be large \[–\]. Chosen: a pixel of a curve that fills a
 /// screen.
 const LARGE_ERROR: f64 = 1e-3;
+/// Part of the largest fibre stress by which it may differ \[–\]. Chosen: what strengths are known to.
+const LARGE_STRESS_ERROR: f64 = 1e-2;
 
 /// A facing pair in short.
 #[derive(Clone, Debug, PartialEq, Serialize)]
@@ -159,6 +166,7 @@ impl Report {
         let turned = numbers.max_rotation.max(max_tilt.unwrap_or(0.0));
         let of_corner = |displacement: f64, rotation: f64| displacement + radius * rotation;
         let error = options.estimated_error.map_or(0.0, |estimate| of_corner(estimate.error, estimate.rotation));
+        let stress_error = options.estimated_error.and_then(|estimate| estimate.stress).unwrap_or(0.0);
         let error_share = if error > 0.0 { error / of_corner(numbers.max_displacement, turned) } else { 0.0 };
         Self {
             scene: scene.name.clone(),
@@ -190,8 +198,9 @@ impl Report {
             tolerance: scene.solver.tolerance,
             estimated_error: options.estimated_error.map(|estimate| estimate.error),
             estimated_rotation_error: options.estimated_error.map(|estimate| estimate.rotation),
+            estimated_stress_error: options.estimated_error.and_then(|estimate| estimate.stress),
             estimated_until: options.estimated_error.and_then(|estimate| estimate.until),
-            error_is_large: error_share > LARGE_ERROR,
+            error_is_large: error_share > LARGE_ERROR || stress_error > LARGE_STRESS_ERROR,
             error_share,
             ledger,
             residual_bound: balance.bound * ledger.scale,
@@ -212,12 +221,19 @@ impl Report {
     /// In words, that the estimated error is large; none where it is not, or not known.
     pub fn uncertain(&self) -> Option<String> {
         let error = self.error_in_words().filter(|_| self.error_is_large)?;
+        if self.error_share <= LARGE_ERROR {
+            let part = format!("{:.1}", 100.0 * self.estimated_stress_error?);
+            return Some(said!("uncertain-sections", "part" => part));
+        }
         Some(said!("uncertain", "error" => error, "share" => format!("{:.2}", 100.0 * self.error_share)))
     }
 
     /// The estimated error with units; nothing where it is not known.
     pub fn error_in_words(&self) -> Option<String> {
-        Some(format!("{:.2e} m, {:.2e} rad", self.estimated_error?, self.estimated_rotation_error?))
+        let stress = self
+            .estimated_stress_error
+            .map_or_else(String::new, |part| said!("estimated-stress", "part" => format!("{part:.1e}")));
+        Some(format!("{:.2e} m, {:.2e} rad{stress}", self.estimated_error?, self.estimated_rotation_error?))
     }
 
     /// The file's bytes. A number that is not finite is written as `null`, −0 as 0.

@@ -8,7 +8,7 @@ use girderbench::sim::quantity::{OfContact, OfPair, Quantity};
 use girderbench::sim::{Carrying, ContactState, ErrorEstimate, History, Unit, readings};
 use girderbench::tables::{Report, TableOptions, devices, in_memory};
 
-use crate::support::scene;
+use crate::support::{run, scene, within};
 
 /// Start speed \[m/s\], angular frequency of the bearings \[rad/s\].
 const V: f64 = 0.02;
@@ -29,6 +29,35 @@ fn swinging() -> (Scene, f64) {
 
 fn near(got: f64, wanted: f64, within: f64, what: &str) {
     assert!((got - wanted).abs() <= within, "{what}: {wanted}, got {got} (off by {:e})", got - wanted);
+}
+
+/// A deck that swings at 1 Hz from rest at 0.3 m/s: `v/ω sin ωt`, largest at a quarter of a second.
+fn swing(until: f64) -> Scene {
+    scene(&format!(
+        "name = \"swing\"\nduration_s = {until}\n[[girder]]\nname = \"deck\"\nlength_m = 30.0\nwidth_m = 8.0\nthickness_m = 1.2\n\
+         mass_kg = 4e5\nbearings = {{ frequency_hz = 1.0, damping_ratio = 0.0, at_m = [[-13, -3], [-13, 3], [13, -3], [13, 3]] }}\n\
+         initial = {{ velocity_m_s = [0.3, 0.0] }}\n"
+    ))
+}
+
+#[test]
+fn a_peak_between_the_last_two_looks_is_read_and_a_limit_below_it_is_passed() {
+    let most = 0.3 / std::f64::consts::TAU;
+    for until in [0.251, 0.255, 0.26, 0.27, 0.29, 0.4] {
+        let mut scene = swing(until);
+        scene.limits =
+            Limits { bearing_displacement: Some(most - 1e-8), drift: Some(most - 1e-8), ..Limits::default() };
+        let history = run(&scene);
+        within("displacement", history.summary().max_displacement / most - 1.0, 1e-9);
+        let moved = history.bearings_reading(0).expect("bearings").deformation.1;
+        within("bearing", moved.value / most - 1.0, 1e-9);
+        let passed = readings::passed(&history);
+        assert_eq!(passed.len(), 1 + 4, "until {until} s: the drift and four bearings: {passed:?}");
+        // sin ωt = 1 − 2.1e-7 at 6.5e-4 rad before the peak.
+        for passed in &passed {
+            within("when", passed.t - 0.25, 2e-4);
+        }
+    }
 }
 
 #[test]
@@ -387,7 +416,7 @@ fn an_error_that_is_known_of_a_part_of_the_run_says_so() {
     let history = hit("planar", 0.0);
     let said = |until: Option<f64>| {
         let options = TableOptions {
-            estimated_error: Some(ErrorEstimate { error: 1e-9, rotation: 1e-10, until }),
+            estimated_error: Some(ErrorEstimate { error: 1e-9, rotation: 1e-10, stress: None, until }),
             ..TableOptions::default()
         };
         let json = String::from_utf8(Report::of(&history, &options).to_json()).expect("text");
