@@ -10,9 +10,9 @@ mod machine;
 mod machine;
 
 use std::future::Future;
-use std::path::PathBuf;
-use std::sync::Arc;
+use std::path::{Path, PathBuf};
 use std::sync::mpsc::{Receiver, Sender, channel};
+use std::sync::{Arc, Mutex, PoisonError};
 
 use machine::{MaySend, finish};
 
@@ -63,6 +63,8 @@ impl<T: Into<String>> From<T> for Told {
 pub(in crate::app) struct Background {
     send: Sender<Told>,
     done: Receiver<Told>,
+    /// Files that are being written.
+    written: Arc<Mutex<Vec<PathBuf>>>,
     wake: Wake,
 }
 
@@ -70,7 +72,7 @@ impl Background {
     /// No work yet.
     pub(in crate::app) fn new(wake: Wake) -> Self {
         let (send, done) = channel();
-        Self { send, done, wake }
+        Self { send, done, written: Arc::default(), wake }
     }
 
     /// Who is woken when work has ended.
@@ -88,6 +90,32 @@ impl Background {
             let _ = send.send(words);
             wake();
         });
+    }
+
+    /// Begins work that writes a file; `false` where that is being written already.
+    pub(in crate::app) fn write(
+        &self,
+        path: &Path,
+        work: impl FnOnce() -> Result<Told, String> + Send + 'static,
+    ) -> bool {
+        let mut all = self.written.lock().unwrap_or_else(PoisonError::into_inner);
+        if all.iter().any(|written| written == path) {
+            return false;
+        }
+        all.push(path.to_owned());
+        drop(all);
+        let (written, path) = (self.written.clone(), path.to_owned());
+        self.run(move || {
+            let told = work();
+            written.lock().unwrap_or_else(PoisonError::into_inner).retain(|other| *other != path);
+            told
+        });
+        true
+    }
+
+    /// Files that are being written, the first begun first.
+    pub(in crate::app) fn written(&self) -> Vec<PathBuf> {
+        self.written.lock().unwrap_or_else(PoisonError::into_inner).clone()
     }
 
     /// Begins work that has to wait for the graphics system, or for the browser.
@@ -118,6 +146,20 @@ mod tests {
         Language::Japanese.within(|| background.run(|| Ok(Language::current().code().into())));
         assert_eq!(background.done.recv().expect("it ends").words, "ja", "there");
         assert_eq!(Language::current(), Language::English, "and here as before");
+    }
+
+    #[test]
+    fn a_file_is_written_once_at_a_time_and_known_to_be_meanwhile() {
+        let (go, wait) = channel();
+        let (send, woken) = channel();
+        let background = Background::new(Arc::new(move || send.send(()).expect("the test listens")));
+        let path = Path::new("deck.html");
+        assert!(background.write(path, move || wait.recv().map(|()| "written".into()).map_err(|e| e.to_string())));
+        assert!(!background.write(path, || Ok("again".into())), "not while it is written");
+        assert_eq!(background.written(), [path], "it is shown");
+        go.send(()).expect("it waits");
+        woken.recv().expect("the window is woken");
+        assert_eq!((background.take(), background.written()), (Some(Told::from("written")), Vec::new()));
     }
 
     #[test]

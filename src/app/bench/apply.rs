@@ -56,7 +56,13 @@ impl Workbench {
         match command.into() {
             Command::Time(command) => self.replay.apply(command),
             Command::Edit(command) => {
+                let work = self.files.document.work();
                 let done = self.files.document.apply(command);
+                if self.files.document.work() != work {
+                    // Taken back, or done again: another scene had been opened.
+                    let scene = self.files.document.scene().clone();
+                    self.turn_to_another_scene(&scene);
+                }
                 self.after(done);
             }
             Command::Place(command) => {
@@ -130,6 +136,10 @@ impl Workbench {
     fn apply_window(&mut self, command: WindowCommand) {
         if command == WindowCommand::CancelRun {
             self.replay.runner.cancel();
+        }
+        if command == WindowCommand::RunAgain {
+            let document = &self.files.document;
+            self.replay.runner.start(document.scene(), document.revision());
         }
         if command == WindowCommand::CopyLink {
             match self.link() {

@@ -9,7 +9,6 @@ use crate::app::disk::record;
 use crate::app::disk::scene_files::{Left, Saved};
 use crate::app::edits;
 use crate::app::plot::plot_files;
-use crate::app::plot::views::PlotViews;
 use crate::app::run::answer::Answer;
 use crate::app::text;
 use crate::files::{Found, SceneSource, load_scene, load_unsaved};
@@ -61,13 +60,17 @@ impl Workbench {
                 self.tasks.export_picture(list, shot.size, title, path);
             }
             FileCommand::Export(Export::Tables, path) => {
-                if let Some(answer) = self.whole() {
-                    self.tasks.export_tables(answer, path);
+                if let Some(answer) = self.whole()
+                    && !self.tasks.export_tables(answer, path)
+                {
+                    self.window.say(text::BEING_WRITTEN);
                 }
             }
             FileCommand::Export(Export::Report, path) => {
-                if let Some(answer) = self.whole() {
-                    self.tasks.export_report(answer, path);
+                if let Some(answer) = self.whole()
+                    && !self.tasks.export_report(answer, path)
+                {
+                    self.window.say(text::BEING_WRITTEN);
                 }
             }
             FileCommand::Plots(path) => {
@@ -167,10 +170,7 @@ impl Workbench {
             // What was tried in a lesson is no work.
             self.files.forget_work();
         }
-        self.learning.close();
-        self.plots = PlotViews::default();
-        self.view.look_as(&scene);
-        self.replay.playback.rewind();
+        self.turn_to_another_scene(&scene);
         let taken = self.files.take_up(scene, source);
         self.after(taken);
     }
@@ -181,8 +181,7 @@ impl Workbench {
             Ok(scene) => {
                 // What is about to be left is kept with the view that it has.
                 let display = self.view.display.clone();
-                self.view.look_as(&scene);
-                self.replay.playback.rewind();
+                self.turn_to_another_scene(&scene);
                 let done = self.files.recover(found, scene, |scene| display.scene_as_seen(scene));
                 self.after(done);
             }

@@ -89,6 +89,7 @@ impl WindowState {
             WindowCommand::Theme(_)
             | WindowCommand::Scale(_)
             | WindowCommand::CancelRun
+            | WindowCommand::RunAgain
             | WindowCommand::GiveUp
             | WindowCommand::CopyLink => {}
             WindowCommand::Language(language) => self.language = language,

@@ -77,6 +77,16 @@ impl Workbench {
         self.angles.follow(document.scene());
     }
 
+    /// What goes with the scene that was worked on is left with it: lesson, charts, map, angles, the time shown, the camera.
+    pub(super) fn turn_to_another_scene(&mut self, scene: &Scene) {
+        self.learning.close();
+        self.plots = PlotViews::default();
+        self.maps.forget();
+        self.angles.forget();
+        self.view.look_as(scene);
+        self.replay.playback.rewind();
+    }
+
     /// Tells who is to be woken when a thread has news; the window's event loop.
     pub fn set_wake(&mut self, wake: Wake) {
         self.replay.runner.set_wake(wake.clone());

@@ -46,6 +46,8 @@ pub enum WindowCommand {
     CopyLink,
     /// Stop computing.
     CancelRun,
+    /// Compute what was stopped.
+    RunAgain,
     /// The notice at the bottom has been read.
     Dismiss,
     /// Close the window; asks first when something is not saved.

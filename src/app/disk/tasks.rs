@@ -94,14 +94,19 @@ impl Tasks {
         self.background.run_later(export::picture(list, size, title, path));
     }
 
-    /// Begins to write the tables of an answer into a folder.
-    pub(in crate::app) fn export_tables(&self, answer: Arc<Answer>, folder: PathBuf) {
-        self.begin(move || export::tables(&answer, &folder));
+    /// Begins to write the tables of an answer into a folder; `false` where they are being written there.
+    pub(in crate::app) fn export_tables(&self, answer: Arc<Answer>, folder: PathBuf) -> bool {
+        self.background.write(&folder.clone(), move || export::tables(&answer, &folder))
     }
 
-    /// Writes the report of an answer.
-    pub(in crate::app) fn export_report(&self, answer: Arc<Answer>, path: PathBuf) {
-        self.begin(move || export::report(&answer, &path));
+    /// Begins to write the report of an answer; `false` where it is being written there.
+    pub(in crate::app) fn export_report(&self, answer: Arc<Answer>, path: PathBuf) -> bool {
+        self.background.write(&path.clone(), move || export::report(&answer, &path))
+    }
+
+    /// Files and folders that are being written.
+    pub(in crate::app) fn written(&self) -> Vec<PathBuf> {
+        self.background.written()
     }
 
     /// Does a command about a film of an answer, of a stretch of it \[s\], each picture taken as `shot`; answers with what

@@ -131,6 +131,12 @@ impl Angles {
         self.background.poll(scene);
     }
 
+    /// Another scene is worked on.
+    pub(in crate::app) fn forget(&mut self) {
+        self.open = false;
+        self.background.forget();
+    }
+
     /// The scene is another one than before.
     pub(in crate::app) fn follow(&mut self, scene: &Scene) {
         self.background.follow(scene);

@@ -47,7 +47,8 @@ fn plots(ui: &mut Ui, angles: &Angles, turned: &Turned, scene: &Scene, out: &mut
                 out.push(AngleCommand::Go(chosen).into());
             }
             if let Some(worst) = polar.worst() {
-                let words = text::worst(&polar.angle_of(worst), &polar.value_of(worst));
+                let whole = angles.progress().is_none();
+                let words = text::worst(whole, &polar.angle_of(worst), &polar.value_of(worst));
                 if ui.link(words).clicked() {
                     out.push(AngleCommand::Go(worst).into());
                 }

@@ -129,6 +129,11 @@ impl<D: Asked> Background<D> {
         self.job = None;
     }
 
+    /// Lets go of everything: it was of another scene.
+    pub(super) fn forget(&mut self) {
+        *self = Self { wake: self.wake.clone(), ..Self::default() };
+    }
+
     /// The window is closed: what is kept is what came out, whether or not it is whole.
     pub(super) fn leave(&mut self) {
         self.stop();

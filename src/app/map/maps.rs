@@ -115,6 +115,12 @@ impl Maps {
         self.background.poll(scene);
     }
 
+    /// Another scene is worked on: its map is not computed yet, and what it is to show is chosen anew.
+    pub(in crate::app) fn forget(&mut self) {
+        self.draft = None;
+        self.background.forget();
+    }
+
     /// The scene is another one than before.
     pub(in crate::app) fn follow(&mut self, scene: &Scene) {
         self.background.follow(scene);

@@ -10,7 +10,7 @@ use crate::app::command::{Command, FileCommand, Pane};
 use crate::app::disk::{film_dialog, path_dialog};
 use crate::app::learn::lesson_panel;
 use crate::app::map;
-use crate::app::panel::shortcuts::Keyboard;
+use crate::app::panel::shortcuts::{Above, Keyboard};
 use crate::app::panel::{
     file_questions, fold, help, inspector, menu, notices, outliner, row_dialog, shortcuts, start, status, view_menu,
     whatif,
@@ -78,7 +78,13 @@ fn commands(bench: &Workbench, ui: &mut Ui) -> Vec<Command> {
         let (display, hand) = (&bench.view.display, &bench.view.viewport.hand);
         let (clock, folded) = (&bench.replay.playback.clock, folded(bench, ui));
         let (help, tool, scene) = (window.help, display.tool, document.scene());
-        let on = Keyboard { typing, listed, help, hand, tool, clock, scene, folded };
+        let above = [
+            (bench.angles.is_open(), Above::Angles),
+            (bench.maps.draft().is_some(), Above::Map),
+            (bench.shaking.is_open(), Above::Quake),
+        ];
+        let above = above.into_iter().find(|(open, _)| *open).map(|(_, above)| above);
+        let on = Keyboard { typing, listed, help, hand, tool, clock, scene, folded, above };
         shortcuts::keys(ui, on, &mut out);
     }
     out
@@ -123,6 +129,7 @@ fn scene_view(bench: &mut Workbench, ui: &mut Ui) {
         start::show(ui, response.rect, (&bench.files, bench.window.bridge), &mut out);
     } else {
         notices::over_view(ui, response.rect, (&bench.replay.runner, bench.view.display.tool), &mut out);
+        notices::writing(ui, response.rect, &bench.tasks.written());
     }
     bench.apply_all(ui, out);
 }

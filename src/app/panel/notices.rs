@@ -1,5 +1,6 @@
 //! What stands over the view: complaints, progress, and questions.
 
+use std::path::PathBuf;
 use std::time::Duration;
 
 use egui::{Align2, Area, Color32, Frame, Id, Order, ProgressBar, Rect, RichText, Ui, vec2};
@@ -41,6 +42,9 @@ pub(in crate::app) fn over_view(ui: &mut Ui, rect: Rect, (runner, tool): (&Runne
         plate(ui, rect, "cancelled", |ui| {
             let words = if runner.answer().is_some() { text::CANCELLED } else { text::CANCELLED_AT_ONCE };
             ui.add(egui::Label::new(words).wrap());
+            if ui.button(text::RUN_AGAIN).clicked() {
+                out.push(WindowCommand::RunAgain.into());
+            }
         });
     } else if let Some(stop) = runner.answer().and_then(|a| a.history.stop()) {
         let words = format!("{} ({} s): {} — {}", text::STOPPED_EARLY, text::short(stop.t), stop.place, stop.reason);
@@ -50,13 +54,27 @@ pub(in crate::app) fn over_view(ui: &mut Ui, rect: Rect, (runner, tool): (&Runne
     }
 }
 
+/// Tells at the bottom of the view what is being written.
+pub(in crate::app) fn writing(ui: &mut Ui, rect: Rect, written: &[PathBuf]) {
+    let Some(path) = written.first() else { return };
+    let place = Rect::from_center_size(rect.center_bottom() - vec2(0.0, 44.0), vec2(320.0_f32.min(rect.width()), 28.0));
+    let mut inner = ui.new_child(egui::UiBuilder::new().max_rect(place).id_salt("writing"));
+    Frame::popup(ui.style()).show(&mut inner, |ui| {
+        let name = path.file_name().unwrap_or(path.as_os_str()).to_string_lossy();
+        ui.add(egui::Label::new(text::is_writing(&name)).truncate());
+    });
+}
+
 #[expect(clippy::cast_possible_truncation, reason = "a share of a bar")]
 fn computing(ui: &mut Ui, progress: f64, out: &mut Vec<Command>) {
     ui.horizontal(|ui| {
-        // Its motion is there: touches, peaks and the ledger are found in it.
-        let computed = progress >= 1.0;
-        ui.label(if computed { text::EVALUATING } else { text::COMPUTING });
-        ui.add(ProgressBar::new(progress as f32).desired_width(140.0).show_percentage());
+        if progress < 1.0 {
+            ui.label(text::COMPUTING);
+            ui.add(ProgressBar::new(progress as f32).desired_width(140.0).show_percentage());
+        } else {
+            // Its motion is there: touches, peaks and the ledger are found in it, by no measure of which a part is known.
+            ui.label(text::EVALUATING);
+        }
         if ui.button(text::CANCEL).clicked() {
             out.push(WindowCommand::CancelRun.into());
         }

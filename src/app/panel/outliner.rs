@@ -10,12 +10,17 @@ use crate::app::{text, unit};
 use crate::scene::DeviceKind;
 use crate::view::Target;
 
+/// Part of the panel's height that the list takes at the most, and the least height that it has \[points\]: six rows.
+const LISTED: f32 = 0.35;
+const LEAST: f32 = 150.0;
+
 /// Shows the list of a scene with what is selected, and the buttons that add to it.
 pub(in crate::app) fn show(ui: &mut Ui, document: &Document, out: &mut Vec<Command>) {
     let (scene, selection) = (document.scene(), document.selection());
     fold::head(ui, Pane::Placed, out, |_, _| ());
     adders(ui, !scene.girders.is_empty(), out);
-    egui::ScrollArea::vertical().id_salt("outliner").max_height(150.0).show(ui, |ui| {
+    let height = (LISTED * ui.available_height()).max(LEAST);
+    egui::ScrollArea::vertical().id_salt("outliner").max_height(height).show(ui, |ui| {
         for (i, girder) in scene.girders.iter().enumerate() {
             let about = format!("β {}°", unit::trimmed(girder.skew_deg));
             row(ui, selection, Target::Girder(i), &girder.name, &about, out);
@@ -80,6 +85,13 @@ fn row(ui: &mut Ui, selection: &Selection, target: Target, name: &str, about: &s
     let button = Button::selectable(selected, name).right_text(RichText::new(about).weak()).truncate();
     let size = egui::vec2(ui.available_width(), 20.0);
     let response = ui.add(button.min_size(size));
+    let known = ui.scope_id().with("listed as selected");
+    let last = selection.all().last().copied();
+    if last == Some(target) && ui.data(|data| data.get_temp::<Option<Target>>(known)) != Some(last) {
+        // What is selected elsewhere comes into view here.
+        ui.data_mut(|data| data.insert_temp(known, last));
+        response.scroll_to_me(None);
+    }
     if response.clicked() {
         let alone = selected && selection.all().len() == 1;
         let also = ui.input(|i| i.modifiers.command || i.modifiers.shift);

@@ -93,6 +93,9 @@ pub(in crate::app) fn show_verdicts(ui: &mut Ui, answer: Option<&Answer>, out: &
     if more > 0 {
         ui.label(RichText::new(text::more(more)).weak());
     }
+    if answer.goes_on_as_carried() {
+        ui.add(egui::Label::new(RichText::new(text::GOES_ON).color(Palette::of(ui).problem)).wrap());
+    }
 }
 
 /// A list of names and values, each value a button to where it is seen.

@@ -9,13 +9,34 @@ use egui::{Event, Key, Modifiers};
 use crate::app::bench::Folded;
 use crate::app::command::{
     AngleCommand, Command, CompareCommand, EditCommand, FileCommand, MapCommand, Nudge, Pane, PlaceCommand,
-    SelectCommand, TimeCommand, Tool, ViewCommand, Way, WindowCommand, Wish,
+    QuakeCommand, SelectCommand, TimeCommand, Tool, ViewCommand, Way, WindowCommand, Wish,
 };
 use crate::app::edits;
 use crate::app::host::PAGE;
 use crate::app::time::clock::Clock;
 use crate::app::viewport::hand::Hand;
 use crate::scene::{Scene, ViewPreset};
+
+/// A window over the view that Escape closes.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub(in crate::app) enum Above {
+    /// The polar plot of the shaking angle.
+    Angles,
+    /// The map of two numbers.
+    Map,
+    /// The ground motion.
+    Quake,
+}
+
+impl Above {
+    fn close(self) -> Command {
+        match self {
+            Self::Angles => Command::Angles(AngleCommand::Show(false)),
+            Self::Map => Command::Map(MapCommand::Show(false)),
+            Self::Quake => Command::Quake(QuakeCommand::Show(false)),
+        }
+    }
+}
 
 /// What keys act on.
 #[derive(Clone, Copy)]
@@ -36,6 +57,8 @@ pub(in crate::app) struct Keyboard<'a> {
     pub(in crate::app) scene: &'a Scene,
     /// Which panels are folded.
     pub(in crate::app) folded: Folded,
+    /// The window over the view that was opened, if one is.
+    pub(in crate::app) above: Option<Above>,
 }
 
 /// Lets keys that came after a press of the mouse in this frame wait for the next.
@@ -155,7 +178,7 @@ fn plain(key: Key, modifiers: Modifiers, on: Keyboard<'_>) -> Option<Command> {
         Key::G => Some(Command::Place(PlaceCommand::AddGirder)),
         Key::B => Some(Command::Place(PlaceCommand::AddAbutment)),
         Key::Delete | Key::Backspace => Some(Command::Place(PlaceCommand::Remove)),
-        Key::Escape => Some(Command::Select(SelectCommand::Only(None))),
+        Key::Escape => Some(on.above.map_or(Command::Select(SelectCommand::Only(None)), Above::close)),
         _ => None,
     }
 }

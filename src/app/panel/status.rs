@@ -37,7 +37,9 @@ pub(in crate::app) fn show(
         }
         let (left, mut cut) = (ui.cursor().left(), 0.0);
         if runner.is_coarse() {
-            ui.label(RichText::new(text::COARSE).weak()).on_hover_text(text::COARSE_MEANS);
+            let follows = runner.progress().is_some() || !runner.is_stale();
+            let words = if follows { text::COARSE } else { text::COARSE_ALONE };
+            ui.label(RichText::new(words).strong()).on_hover_text(text::COARSE_MEANS);
         }
         if let Some(answer) = runner.fresh_answer() {
             balance(ui, answer);
@@ -81,7 +83,8 @@ fn falls(ui: &mut Ui, answer: &Answer, out: &mut Vec<Command>) {
     if let [(girder, verdict), more @ ..] = answer.falls() {
         let more = if more.is_empty() { String::new() } else { format!(" (+{})", more.len()) };
         let name = answer.history.scene().girders.get(*girder).map_or("", |girder| girder.name.as_str());
-        let words = format!("{name} {}", verdict.words());
+        let carried = if answer.goes_on_as_carried() { format!("\n{}", text::GOES_ON) } else { String::new() };
+        let words = format!("{name} {}{carried}", verdict.words());
         let label = RichText::new(format!("{name} {}{more}", text::falls(verdict))).color(Palette::of(ui).problem);
         if ui.link(label).on_hover_text(format!("{words}\n{}", text::GO_THERE)).clicked() {
             Spot::verdict(*girder, verdict).go(out);

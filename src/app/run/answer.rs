@@ -176,6 +176,12 @@ impl Answer {
         self.passed.get_or_init(|| readings::passed(&self.history))
     }
 
+    /// Whether the run goes on as if ends were carried that have come off their seats: no bearing is lost over an edge in it.
+    pub fn goes_on_as_carried(&self) -> bool {
+        let off = |(_, verdict): &(usize, Verdict)| matches!(verdict, Verdict::CornerOff { .. } | Verdict::Lost { .. });
+        self.falls().iter().any(off) && self.history.lost_supports(self.history.end()).is_empty()
+    }
+
     /// Girders that come off their seats, lose a support or tip, with their verdicts, the earliest first, among the first
     /// `MOST_VERDICTS` that could; found when first asked for.
     pub fn falls(&self) -> &[(usize, Verdict)] {

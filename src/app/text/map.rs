@@ -45,9 +45,10 @@ pub(in crate::app) fn angles_of(measure: &str) -> String {
     Text::new("angles-of").with(&values!["measure" => measure])
 }
 
-/// The worst angle and its value.
-pub(in crate::app) fn worst(angle: &str, value: &str) -> String {
-    Text::new("worst").with(&values!["angle" => angle, "value" => value])
+/// The worst angle and its value, of all runs or of those that have come out so far.
+pub(in crate::app) fn worst(whole: bool, angle: &str, value: &str) -> String {
+    let text = if whole { Text::new("worst") } else { Text::new("worst-so-far") };
+    text.with(&values!["angle" => angle, "value" => value])
 }
 
 /// What the picture of a map is called.

@@ -103,6 +103,9 @@ pub(super) const START_NOTHING: Text = Text::new("start-nothing");
 // The view.
 pub(super) const VIEW: Text = Text::new("view");
 pub(super) const COMPUTING: Text = Text::new("computing");
+pub(super) const BEING_WRITTEN: Text = Text::new("being-written");
+pub(super) const RUN_AGAIN: Text = Text::new("run-again");
+pub(super) const COARSE_ALONE: Text = Text::new("coarse-alone");
 pub(super) const EVALUATING: Text = Text::new("evaluating");
 pub(super) const CANCEL: Text = Text::new("cancel");
 pub(super) const CANCELLED: Text = Text::new("cancelled");

@@ -1,7 +1,12 @@
 //! Words about paths: what they are asked for, and what is asked about them.
 
 use crate::app::command::{Export, FilmFormat, Wish};
-use crate::language::Text;
+use crate::language::{Text, values};
+
+/// That a file is being written.
+pub(in crate::app) fn is_writing(name: &str) -> String {
+    Text::new("is-writing").with(&values!["name" => name])
+}
 
 pub(in crate::app) const PATH: Text = Text::new("path");
 pub(in crate::app) const PATHS_HERE: Text = Text::new("paths-here");

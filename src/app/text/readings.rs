@@ -110,6 +110,9 @@ pub(in crate::app) fn periods(count: f64) -> String {
     Text::new("periods").with(&values!["count" => format!("{count:.3}")])
 }
 
+/// What the run shows after an end has come off its seat.
+pub(in crate::app) const GOES_ON: Text = Text::new("report-goes-on");
+
 /// That a girder does not stay on its seats, and when, in few words.
 pub(in crate::app) fn falls(verdict: &Verdict) -> String {
     let text = match verdict {

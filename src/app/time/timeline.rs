@@ -27,8 +27,14 @@ const NARROWEST: f32 = 1.5;
 /// Between the hatch lines of slip \[points\].
 const HATCH: f32 = 4.0;
 
-/// Lowest bar that a hatch can be seen in, and lowest lane of one pair alone \[points\].
+/// Lowest bar that a hatch can be seen in, and half of the lowest lane \[points\]: stick and slip are one bar each.
 const LOWEST: f32 = 1.5;
+
+/// Part of half a lane that is left free over its bar, where that is less than a point.
+const OVER: f32 = 0.2;
+
+/// Most pairs of a lane that are named \[–\].
+const MOST_NAMES: usize = 4;
 
 /// What the timeline shows.
 #[derive(Clone, Copy)]
@@ -88,6 +94,23 @@ pub(in crate::app) fn show(ui: &mut Ui, shown: Shown<'_>, [left, right]: [f32; 2
         painter.vline(x, strip.y_range(), Stroke::new(1.0, palette.weak));
     }
     playhead(&painter, &axis, strip, t, &palette);
+    if let (Some(answer), Some(at)) = (answer, response.hover_pos().filter(|at| lanes.contains(*at))) {
+        let whose = whose(answer, lanes, at.y);
+        if !response.dragged() && !whose.is_empty() {
+            response.on_hover_text_at_pointer(whose);
+        }
+    }
+}
+
+/// Names of the pairs in the lane at this height.
+fn whose(answer: &Answer, lanes: Rect, y: f32) -> String {
+    let pairs: Vec<usize> = Rows::of(answer, lanes).pairs_at(y).collect();
+    let model = answer.history.model();
+    let names: Vec<&str> = pairs.iter().take(MOST_NAMES).map(|pair| model.pairs[*pair].name.as_str()).collect();
+    match pairs.len().saturating_sub(MOST_NAMES) {
+        0 => names.join(", "),
+        more => text::and_more(&names.join(", "), more),
+    }
 }
 
 /// The bars in words, for who does not see them.
@@ -161,7 +184,6 @@ fn draw_lanes(painter: &Painter, answer: &Answer, axis: &TimeAxis, lanes: Rect, 
     for i in 1..rows.count {
         painter.hline(lanes.x_range(), rows.top(i), Stroke::new(0.5, palette.line));
     }
-    let height = rows.height;
     let mut last = vec![[f32::NEG_INFINITY; 2]; rows.count];
     for span in visible(&answer.spans, axis.window) {
         let slip = usize::from(span.state == ContactState::Slip);
@@ -173,8 +195,7 @@ fn draw_lanes(painter: &Painter, answer: &Answer, axis: &TimeAxis, lanes: Rect, 
             continue;
         }
         *done = to;
-        let top = rows.top(rows.of_pair(span.pair)) + slip as f32 * height / 2.0;
-        let bar = Rect::from_min_max(pos2(from, top + 1.0), pos2(to, top + height / 2.0));
+        let bar = rows.bar(rows.of_pair(span.pair), slip, from..=to);
         if slip == 0 {
             painter.rect_filled(bar, 0.0, STICK);
         } else {
@@ -193,10 +214,13 @@ struct Rows {
 }
 
 impl Rows {
-    #[expect(clippy::cast_possible_truncation, clippy::cast_sign_loss, reason = "a strip of some points")]
     fn of(answer: &Answer, lanes: Rect) -> Self {
-        let pairs = answer.history.listed_pairs();
-        let count = pairs.len().min((lanes.height() / LOWEST) as usize).max(1);
+        Self::over(answer.history.listed_pairs(), lanes)
+    }
+
+    #[expect(clippy::cast_possible_truncation, clippy::cast_sign_loss, reason = "a strip of some points")]
+    fn over(pairs: Vec<usize>, lanes: Rect) -> Self {
+        let count = pairs.len().min((lanes.height() / (2.0 * LOWEST)) as usize).max(1);
         Self { count, pairs, first: lanes.top(), height: lanes.height() / count as f32 }
     }
 
@@ -207,6 +231,20 @@ impl Rows {
 
     fn top(&self, row: usize) -> f32 {
         self.first + row as f32 * self.height
+    }
+
+    /// A bar of a row between two places of the strip: of stick above (0), of slip below (1).
+    fn bar(&self, row: usize, state: usize, between: std::ops::RangeInclusive<f32>) -> Rect {
+        let half = 0.5 * self.height;
+        let top = self.top(row) + state as f32 * half;
+        Rect::from_x_y_ranges(between, top + (OVER * half).min(1.0)..=top + half)
+    }
+
+    /// Numbers of the pairs whose bars are in the row at this height \[points\].
+    #[expect(clippy::cast_possible_truncation, clippy::cast_sign_loss, reason = "a row of the strip")]
+    fn pairs_at(&self, y: f32) -> impl Iterator<Item = usize> + '_ {
+        let row = (((y - self.first) / self.height).max(0.0) as usize).min(self.count - 1);
+        self.pairs.iter().copied().filter(move |pair| self.of_pair(*pair) == row)
     }
 }
 
@@ -260,4 +298,25 @@ fn playhead(painter: &Painter, axis: &TimeAxis, strip: Rect, t: f64, palette: &P
     let top = strip.top();
     let handle = vec![pos2(x - 5.0, top), pos2(x + 5.0, top), pos2(x, top + 7.0)];
     painter.add(egui::Shape::convex_polygon(handle, palette.playhead, Stroke::NONE));
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn every_pair_of_many_has_bars_that_are_seen_and_a_lane_that_names_it() {
+        for pairs in [1, 3, 8, 21, 400] {
+            let lanes = Rect::from_min_size(pos2(0.0, 100.0), vec2(500.0, LANES));
+            let rows = Rows::over((0..pairs).collect(), lanes);
+            for pair in 0..pairs {
+                for state in [0, 1] {
+                    let bar = rows.bar(rows.of_pair(pair), state, 10.0..=12.0);
+                    assert!(bar.height() >= 0.75 * LOWEST && lanes.contains_rect(bar), "{pair} of {pairs}: {bar:?}");
+                    let whose: Vec<usize> = rows.pairs_at(bar.center().y).collect();
+                    assert!(whose.contains(&pair), "{pair} of {pairs}: {whose:?}");
+                }
+            }
+        }
+    }
 }

@@ -37,6 +37,18 @@ pub(in crate::app) enum Dimension {
     Pressure,
     /// Newtons a metre to the power of 3/2.
     HertzStiffness,
+    /// Newton metres a radian.
+    TurnStiffness,
+    /// Kilograms a cubic metre.
+    Density,
+    /// Metres to the fourth power.
+    SecondMoment,
+    /// Kilogram square metres.
+    Inertia,
+    /// Per second.
+    Rate,
+    /// Newtons by seconds a metre to a power that stands beside it.
+    PowerDamping,
 }
 
 impl Dimension {
@@ -61,6 +73,14 @@ impl Dimension {
             Self::Damping => &[("N s/m", 1.0), ("Ns/m", 1.0), ("kN s/m", 1e3), ("kNs/m", 1e3)],
             Self::Pressure => &[("Pa", 1.0), ("MPa", 1e6), ("GPa", 1e9)],
             Self::HertzStiffness => &[("N/m^1.5", 1.0), ("MN/m^1.5", 1e6), ("GN/m^1.5", 1e9)],
+            Self::TurnStiffness => {
+                &[("N m/rad", 1.0), ("Nm/rad", 1.0), ("kN m/rad", 1e3), ("kNm/rad", 1e3), ("MN m/rad", 1e6)]
+            }
+            Self::Density => &[("kg/m³", 1.0), ("kg/m3", 1.0), ("t/m³", 1e3), ("t/m3", 1e3)],
+            Self::SecondMoment => &[("m⁴", 1.0), ("m4", 1.0), ("cm⁴", 1e-8), ("cm4", 1e-8)],
+            Self::Inertia => &[("kg m²", 1.0), ("kg m2", 1.0), ("t m²", 1e3), ("t m2", 1e3)],
+            Self::Rate => &[("1/s", 1.0)],
+            Self::PowerDamping => &[("N (s/m)^α", 1.0), ("kN (s/m)^α", 1e3)],
         }
     }
 }

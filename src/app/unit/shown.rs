@@ -60,6 +60,21 @@ pub(in crate::app) const MODULUS: Unit = Unit::new(Dimension::Pressure, 1e-9, " 
 /// Stiffnesses of Hertz springs.
 pub(in crate::app) const HERTZ_STIFFNESS: Unit = Unit::new(Dimension::HertzStiffness, 1e-6, " MN/m^1.5", 0.01);
 
+/// Metres a second of waves in the ground.
+pub(in crate::app) const WAVE_SPEED: Unit = Unit::new(Dimension::Speed, 1.0, " m/s", 1.0);
+/// Newton metres a radian.
+pub(in crate::app) const TURN_STIFFNESS: Unit = Unit::new(Dimension::TurnStiffness, 1.0, " N m/rad", 1.0);
+/// Kilograms a cubic metre.
+pub(in crate::app) const DENSITY: Unit = Unit::new(Dimension::Density, 1.0, " kg/m³", 1.0);
+/// Metres to the fourth power.
+pub(in crate::app) const SECOND_MOMENT: Unit = Unit::new(Dimension::SecondMoment, 1.0, " m⁴", 0.01);
+/// Kilogram square metres.
+pub(in crate::app) const INERTIA: Unit = Unit::new(Dimension::Inertia, 1.0, " kg m²", 1.0);
+/// Per second.
+pub(in crate::app) const RATE: Unit = Unit::new(Dimension::Rate, 1.0, " 1/s", 0.01);
+/// Coefficients of dampers whose force is a power of the speed.
+pub(in crate::app) const POWER_DAMPING: Unit = Unit::new(Dimension::PowerDamping, 1.0, " N (s/m)^α", 1.0);
+
 /// Lengths of a scene: millimetres on the bench, metres at a bridge.
 pub(in crate::app) fn length_unit(size: f64) -> Unit {
     if size < 2.0 {
