@@ -59,6 +59,9 @@ impl<T: Into<String>> From<T> for Told {
     }
 }
 
+/// Work whose result is a sentence, whether it succeeds or fails.
+pub(in crate::app) type Work = Box<dyn FnOnce() -> Result<Told, String> + Send>;
+
 /// Work on threads that ends with one sentence for the user.
 pub(in crate::app) struct Background {
     send: Sender<Told>,
@@ -81,7 +84,7 @@ impl Background {
     }
 
     /// Begins work; its result is a sentence, whether it succeeds or fails; an empty one is not told.
-    pub(in crate::app) fn run(&self, work: impl FnOnce() -> Result<Told, String> + Send + 'static) {
+    pub(in crate::app) fn run(&self, work: Work) {
         let (send, wake) = (self.send.clone(), self.wake.clone());
         // It ends by itself.
         let _ = spawn(move || {
@@ -93,11 +96,7 @@ impl Background {
     }
 
     /// Begins work that writes a file; `false` where that is being written already.
-    pub(in crate::app) fn write(
-        &self,
-        path: &Path,
-        work: impl FnOnce() -> Result<Told, String> + Send + 'static,
-    ) -> bool {
+    pub(in crate::app) fn write(&self, path: &Path, work: Work) -> bool {
         let mut all = self.written.lock().unwrap_or_else(PoisonError::into_inner);
         if all.iter().any(|written| written == path) {
             return false;
@@ -105,11 +104,11 @@ impl Background {
         all.push(path.to_owned());
         drop(all);
         let (written, path) = (self.written.clone(), path.to_owned());
-        self.run(move || {
+        self.run(Box::new(move || {
             let told = work();
             written.lock().unwrap_or_else(PoisonError::into_inner).retain(|other| *other != path);
             told
-        });
+        }));
         true
     }
 
@@ -143,7 +142,7 @@ mod tests {
     #[test]
     fn work_speaks_the_language_of_who_began_it() {
         let background = Background::new(Arc::new(|| ()));
-        Language::Japanese.within(|| background.run(|| Ok(Language::current().code().into())));
+        Language::Japanese.within(|| background.run(Box::new(|| Ok(Language::current().code().into()))));
         assert_eq!(background.done.recv().expect("it ends").words, "ja", "there");
         assert_eq!(Language::current(), Language::English, "and here as before");
     }
@@ -154,8 +153,10 @@ mod tests {
         let (send, woken) = channel();
         let background = Background::new(Arc::new(move || send.send(()).expect("the test listens")));
         let path = Path::new("deck.html");
-        assert!(background.write(path, move || wait.recv().map(|()| "written".into()).map_err(|e| e.to_string())));
-        assert!(!background.write(path, || Ok("again".into())), "not while it is written");
+        assert!(
+            background.write(path, Box::new(move || wait.recv().map(|()| "written".into()).map_err(|e| e.to_string())))
+        );
+        assert!(!background.write(path, Box::new(|| Ok("again".into()))), "not while it is written");
         assert_eq!(background.written(), [path], "it is shown");
         go.send(()).expect("it waits");
         woken.recv().expect("the window is woken");
@@ -166,7 +167,7 @@ mod tests {
     fn work_ends_with_its_sentence_whether_it_succeeds_or_fails() {
         let (send, woken) = channel();
         let background = Background::new(Arc::new(move || send.send(()).expect("the test listens")));
-        background.run(|| Err("no place".to_owned()));
+        background.run(Box::new(|| Err("no place".to_owned())));
         woken.recv().expect("the window is woken");
         assert_eq!(background.take(), Some(Told::from("no place")), "the reason");
         assert_eq!(background.take(), None, "once");

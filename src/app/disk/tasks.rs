@@ -86,7 +86,7 @@ impl Tasks {
 
     /// Begins work that ends with a sentence for the user.
     pub(in crate::app) fn begin(&self, work: impl FnOnce() -> Result<Told, String> + Send + 'static) {
-        self.background.run(work);
+        self.background.run(Box::new(work));
     }
 
     /// Begins to write a picture of a list, `size` in pixels.
@@ -96,12 +96,12 @@ impl Tasks {
 
     /// Begins to write the tables of an answer into a folder; `false` where they are being written there.
     pub(in crate::app) fn export_tables(&self, answer: Arc<Answer>, folder: PathBuf) -> bool {
-        self.background.write(&folder.clone(), move || export::tables(&answer, &folder))
+        self.background.write(&folder.clone(), Box::new(move || export::tables(&answer, &folder)))
     }
 
     /// Begins to write the report of an answer; `false` where it is being written there.
     pub(in crate::app) fn export_report(&self, answer: Arc<Answer>, path: PathBuf) -> bool {
-        self.background.write(&path.clone(), move || export::report(&answer, &path))
+        self.background.write(&path.clone(), Box::new(move || export::report(&answer, &path)))
     }
 
     /// Files and folders that are being written.

@@ -86,10 +86,10 @@ fn row(ui: &mut Ui, selection: &Selection, target: Target, name: &str, about: &s
     let size = egui::vec2(ui.available_width(), 20.0);
     let response = ui.add(button.min_size(size));
     let known = ui.scope_id().with("listed as selected");
-    let last = selection.all().last().copied();
-    if last == Some(target) && ui.data(|data| data.get_temp::<Option<Target>>(known)) != Some(last) {
+    let is_last = selection.all().last() == Some(&target);
+    if is_last && ui.data(|data| data.get_temp::<String>(known)).is_none_or(|before| before != name) {
         // What is selected elsewhere comes into view here.
-        ui.data_mut(|data| data.insert_temp(known, last));
+        ui.data_mut(|data| data.insert_temp(known, name.to_owned()));
         response.scroll_to_me(None);
     }
     if response.clicked() {
