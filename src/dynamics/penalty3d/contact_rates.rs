@@ -35,7 +35,7 @@ pub(in crate::dynamics) fn largest_decay_rate(model: &Model, active: &[ActiveCon
 }
 
 /// Upper bound of the relative acceleration of node and face per unit force \[1/kg\].
-fn mobility(model: &Model, active: &ActiveContact) -> f64 {
+pub(super) fn mobility(model: &Model, active: &ActiveContact) -> f64 {
     let pair = &model.pairs[model.contacts[active.site].pair];
     pair.bodies.iter().flatten().map(|&b| model.bodies[b].rate_bounds.mobility).sum::<f64>()
 }

@@ -30,6 +30,8 @@ pub(in crate::dynamics) struct ErrorScale {
     pub relaxation: f64,
     /// Least [`smooth_within`](crate::dynamics::connection::Device::smooth_within) of the devices \[m/s\].
     pub smooth_within: f64,
+    /// Least time to the opening of a contact whose force is no power series there, as long as that is more than the allowed error \[s\].
+    pub opening: f64,
 }
 
 /// Right-hand side of an island.

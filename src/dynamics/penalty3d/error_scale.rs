@@ -1,14 +1,18 @@
 //! Error scale of an island's step, and caps of its length.
 
-use crate::contact::{Mode, NormalLaw};
+use smallvec::SmallVec;
+
+use crate::contact::{Local, Mode, NormalLaw};
 use crate::dynamics::Model;
 use crate::dynamics::integrator::constants::{RESOLVED_CHANGE, RESOLVED_DECAY, RESOLVED_RELAXATION};
+use crate::dynamics::penalty3d::active_contact::ActiveContact;
 use crate::dynamics::penalty3d::active_link::ActiveLink;
 use crate::dynamics::penalty3d::constants::{
     EXPLICIT_ROUNDING, FINEST_TOLERANCE_FREE, GROUND_PHASE_CONTACT, GROUND_PHASE_FREE, IMPLICIT_ROUNDING,
     LEAST_ACCELERATION, LONG_RUN_CONTACT, LONG_RUN_FREE, REST_SPEED, REVERSAL_SPEED, ROUNDING_FLOOR,
     ROUNDING_FLOOR_TURNING, SIZE_ROUNDING_SHARE, SLOPE_PHASE,
 };
+use crate::dynamics::penalty3d::contact_rates::mobility;
 use crate::dynamics::penalty3d::equations_of_motion::ErrorScale;
 use crate::dynamics::penalty3d::island::Island;
 use crate::motion::Ground;
@@ -46,6 +50,7 @@ impl Island {
             }
         }
         let omega = if free { self.system.omega.max(self.largest_spin()) } else { self.system.omega };
+        let mut openings: SmallVec<[[f64; 2]; 4]> = SmallVec::new();
         self.angles.clear();
         if !free {
             speed2 = 0.0;
@@ -57,6 +62,7 @@ impl Island {
             if let Mode::Stick { anchor } = active.closed.mode {
                 speed2 = speed2.max((omega * (here.way - anchor)).length_squared() + here.rate.length_squared());
             }
+            openings.extend(opening(model, active, &here));
             if active.angle.is_some() {
                 // Stretch at the largest depth of the remaining touch: towards its end the direction acts on a
                 // vanishing force.
@@ -102,7 +108,9 @@ impl Island {
             *stretch = (speed / (omega * *stretch)).min(model.tolerance.sqrt());
         }
         self.angles.extend(memories.iter().map(|length| speed / (omega * length)));
-        ErrorScale { speed, omega, place, relaxation, smooth_within }
+        let felt = openings.iter().filter(|[_, impulse]| *impulse > speed).map(|[time, _]| *time);
+        let opening = felt.fold(f64::INFINITY, f64::min);
+        ErrorScale { speed, omega, place, relaxation, smooth_within, opening }
     }
 
     /// Largest angular speed of a body \[rad/s\]. A body that rotates without contact and bearings has no other frequency, and
@@ -139,6 +147,7 @@ impl Island {
         } else {
             self.decay_time(model).min(RESOLVED_RELAXATION / scale.relaxation)
         };
+        let explicit = explicit.min(RESOLVED_CHANGE * scale.opening);
         if scale.smooth_within < f64::INFINITY { explicit.min(self.smooth_time(model)) } else { explicit }
     }
 
@@ -175,6 +184,19 @@ impl Island {
         let moved: f64 = [active.node, active.face].into_iter().flatten().map(|body| self.moved[body]).sum();
         moved.max(SIZE_ROUNDING_SHARE * model.contacts[active.site].reach())
     }
+}
+
+/// Of a contact that opens under a law whose force is no power series in δ at δ = 0, as `δ^{3/2}`: the time δ/V_n to the opening, up to which its
+/// series in time converges \[s\], and the change of a speed by its force until then \[m/s\]. An estimate says nothing of a step beyond.
+fn opening(model: &Model, active: &ActiveContact, here: &Local) -> Option<[f64; 2]> {
+    let normal = &active.closed.law.normal;
+    let is_series = normal.energy_power().fract() == 0.0;
+    if is_series || here.gap >= 0.0 || here.gap_rate <= 0.0 {
+        return None;
+    }
+    let time = -here.gap / here.gap_rate;
+    let force = normal.elastic(-here.gap) + normal.damping_coefficient(-here.gap) * here.gap_rate;
+    Some([time, mobility(model, active) * force * time])
 }
 
 /// Bound of the force at the radii of gyration that given moments amount to \[N\].

@@ -66,3 +66,29 @@ fn steps_shorten_towards_the_zero_of_a_dampers_rate() {
         assert!(error < 1e-8, "{error} m at {tolerance:e}");
     }
 }
+
+/// A Hertz spring's force ends as δ^{3/2}: a step to 7 % beyond the opening left 1100 tolerances of the energy at the first of these, one to
+/// nine at most of their neighbours.
+#[test]
+fn steps_do_not_go_over_the_opening_of_a_hertz_contact() {
+    let text = |tolerance: f64| {
+        format!(
+            "name = \"hertz\"\nduration_s = 3.69\n[contact]\nstiffness_n_per_m = 439612362\nrestitution_normal = 1.0\n\
+             restitution_tangential = 0.5\nmu_static = 0.3\nmu_kinetic = 0.2\nnormal_law = \"hertz-viscous\"\nlaw = \"return-mapping\"\n\
+             [motion]\nkind = \"sine\"\namplitude_g = 0.424\nfrequency_hz = 0.46\nangle_deg = -24.0\n\
+             [[girder]]\nname = \"g0\"\nlength_m = 28.2\nwidth_m = 9.0\nthickness_m = 1.8\nmass_kg = 537982.0\nafter_unseating = \"continue\"\n\
+             bearings = {{ frequency_hz = 0.7, damping_ratio = 0.048, at_skewed_m = [[-12.69, -3.6], [-12.69, 3.6], [12.69, -3.6], \
+             [12.69, 3.6]], on_minus_x = \"west\", on_plus_x = \"east\", travel_m = 0.089 }}\n\
+             initial = {{ velocity_m_s = [0.163, 0.165], spin_deg_s = -1.6 }}\n\
+             [[abutment]]\nname = \"west\"\nfaces = \"g0\"\nend = \"-x\"\ngap_m = 0.017\nground = \"copy\"\n\
+             [[abutment]]\nname = \"east\"\nfaces = \"g0\"\nend = \"+x\"\ngap_m = 0.05\nwidth_m = 11.4833\noffset_m = 0.3501\nground = \"copy\"\n\
+             [[ground]]\nname = \"copy\"\nkind = \"sine\"\namplitude_g = 0.424\nfrequency_hz = 0.46\nangle_deg = -24.0\n\
+             [solver]\ntolerance = {tolerance:e}\n"
+        )
+    };
+    for tolerance in [1e-10, 1.24519e-10, 3e-10] {
+        let books = run(&scene(&text(tolerance))).ledger(3.69);
+        let parts = books.residual.abs() / (books.scale * tolerance);
+        assert!(parts < 20.0, "{parts} tolerances of the energy at {tolerance:e}");
+    }
+}
