@@ -180,7 +180,9 @@ fn optional_row(
     value: &mut Option<f64>,
 ) -> Option<Change> {
     let (place, names, unit) = (look.place, (key.name, label), look.unit_of_optional(key, *value));
-    if let Fallback::Needed(_) = key.fallback {
+    // What another key says in its place is reckoned, or off.
+    let otherwise = value.is_none() && !matches!(look.without, Without::Under(_));
+    if let (Fallback::Needed(_), false) = (key.fallback, otherwise) {
         let mut given = value.unwrap_or(0.0);
         let change = number(ui, place, names, &mut given, unit);
         return change.inspect(|_| *value = Some(given));

@@ -186,7 +186,7 @@ impl Island {
     }
 }
 
-/// Of a contact that opens under a law whose force is no power series in δ at δ = 0, as `δ^{3/2}`: the time δ/V_n to the opening, up to which its
+/// Of a contact that opens under a law whose force is no power series in δ at δ = 0, as `δ^{3/2}`: the time `δ/V_n` to the opening, up to which its
 /// series in time converges \[s\], and the change of a speed by its force until then \[m/s\]. An estimate says nothing of a step beyond.
 fn opening(model: &Model, active: &ActiveContact, here: &Local) -> Option<[f64; 2]> {
     let normal = &active.closed.law.normal;
