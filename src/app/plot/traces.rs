@@ -244,7 +244,7 @@ fn largest(curves: &[Curve], window: [f64; 2], points: usize) -> Curve {
     for (i, column) in columns.iter().enumerate() {
         let Some([t, value]) = *column else { continue };
         let open = |at: Option<usize>| at.and_then(|at| columns.get(at)).is_none_or(Option::is_none);
-        // Half a column aside: a line that turns back on itself can be drawn as a wedge as wide as the way to the next point.
+        // Half a column aside, so that the line turns back on itself nowhere: its joints stay sharp.
         curve.extend(open(i.checked_sub(1)).then_some([t - 0.5 * per_point, 0.0]));
         curve.push([t, value]);
         curve.extend(open(Some(i + 1)).then_some([t + 0.5 * per_point, 0.0]));
