@@ -103,11 +103,10 @@ impl Background {
         }
         all.push(path.to_owned());
         drop(all);
-        let (written, path) = (self.written.clone(), path.to_owned());
+        let until_done = BeingWritten { all: self.written.clone(), path: path.to_owned() };
         self.run(Box::new(move || {
-            let told = work();
-            written.lock().unwrap_or_else(PoisonError::into_inner).retain(|other| *other != path);
-            told
+            let _until_done = until_done;
+            work()
         }));
         true
     }
@@ -131,6 +130,18 @@ impl Background {
     /// The sentence of work that has ended, one at a time.
     pub(in crate::app) fn take(&self) -> Option<Told> {
         self.done.try_recv().ok().filter(|told| !told.words.is_empty())
+    }
+}
+
+/// A file among those that are being written, however its work ends.
+struct BeingWritten {
+    all: Arc<Mutex<Vec<PathBuf>>>,
+    path: PathBuf,
+}
+
+impl Drop for BeingWritten {
+    fn drop(&mut self) {
+        self.all.lock().unwrap_or_else(PoisonError::into_inner).retain(|other| *other != self.path);
     }
 }
 

@@ -25,14 +25,14 @@ impl History {
     /// A closed contact at `t` with its sides, measured from the reference poses of its bodies as during the run.
     fn closed(&self, contact: usize, t: f64) -> Option<Seen> {
         let site = &self.model().contacts[contact];
-        let log = self.run.log(contact);
+        let log = self.trajectories.log(contact);
         let closed = log.since(t)?;
         // Where a run gave up, what its last state is counted from may have no step that is.
         let counted = self.stop().is_none() || t < self.end();
         let sections = self.model().sections(contact);
         let side = |body: Option<usize>, which: usize| match body {
             Some(_) if !counted => None,
-            Some(body) => self.run.since(body, sections[which], t).map(|(base, frame)| (Some(base), frame)),
+            Some(body) => self.trajectories.since(body, sections[which], t).map(|(base, frame)| (Some(base), frame)),
             None => Some((None, site.stand)),
         };
         if let (Some((node, at_node)), Some((face, at_face))) = (side(site.node_body, 0), side(site.face_body, 1)) {
@@ -40,7 +40,7 @@ impl History {
             let whole = [(node, at_node), (face, at_face)].map(|(base, at)| base.map_or(at, |base| base.whole(&at)));
             return Some(Seen { closed, home, since: [at_node, at_face], sides: whole });
         }
-        let (closed, sides) = (*log.at(t).closed()?, self.run.sides(contact, t));
+        let (closed, sides) = (*log.at(t).closed()?, self.trajectories.sides(contact, t));
         Some(Seen { closed, home: site.home_at(&closed.place), since: sides, sides })
     }
 

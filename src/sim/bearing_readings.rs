@@ -40,7 +40,7 @@ impl History {
             // Of all bearings together the girder's pose is computed once.
             let own = self.frame(girder, t);
             let frame = |body: usize, section: usize| {
-                if (body, section) == (girder, 0) { own } else { self.run.section_frame(body, section, t) }
+                if (body, section) == (girder, 0) { own } else { self.trajectories.section_frame(body, section, t) }
             };
             for (number, sizes) in all.iter_mut().enumerate().filter(|(number, _)| t <= until[*number]) {
                 *sizes = self.bearing_loop_in((girder, number), t, &frame).map_or([0.0; 2], sizes_of);

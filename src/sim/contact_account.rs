@@ -11,7 +11,7 @@ use crate::dynamics::penalty3d::contact_state::Contact;
 pub(super) fn contact_account(history: &History, contact: usize) -> Account<4> {
     let mut account = Account::new();
     let site = &history.model().contacts[contact];
-    let states: Vec<(f64, Contact)> = history.run.log(contact).states().collect();
+    let states: Vec<(f64, Contact)> = history.trajectories.log(contact).states().collect();
     for (i, (from, state)) in states.iter().enumerate() {
         let until = states.get(i + 1).map_or(history.end(), |(t, _)| t.min(history.end()));
         let Contact::Closed(closed) = state else { continue };
@@ -19,7 +19,7 @@ pub(super) fn contact_account(history: &History, contact: usize) -> Account<4> {
             continue;
         }
         let stored = |t: f64| {
-            let [node, face] = history.run.sides(contact, t);
+            let [node, face] = history.trajectories.sides(contact, t);
             closed.law.normal.stored_energy(locate(&site.home_at(&closed.place), &node, &face).penetration())
         };
         let bodies = [site.node_body, site.face_body].into_iter().flatten();

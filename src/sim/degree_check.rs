@@ -141,7 +141,7 @@ impl History {
             let site = &self.model().contacts[touch.contact];
             let bodies = [site.node_body, site.face_body].into_iter().flatten();
             let mut borders: Vec<f64> = bodies
-                .flat_map(|body| self.run.path(body).spans_after(touch.start).map(|span| span.from))
+                .flat_map(|body| self.trajectories.path(body).spans_after(touch.start).map(|span| span.from))
                 .filter(|t| *t > touch.start && *t < touch.end)
                 .chain([touch.start, touch.end])
                 .collect();

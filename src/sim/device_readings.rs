@@ -38,7 +38,7 @@ impl History {
     /// What the run did to the device of this number in the model.
     pub fn device_reading(&self, number: usize) -> Option<DeviceReading> {
         let ModelDevice { links, .. } = self.model().devices.get(number)?;
-        self.run.link_log(links.start)?;
+        self.trajectories.link_log(links.start)?;
         let strength = links.clone().filter_map(|link| self.link(link, 0.0)?.strength).reduce(f64::min);
         let times = self.device_looks(links.clone());
         let [force, greatest, least] = largest_of_each(&times, &|t| {

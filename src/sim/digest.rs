@@ -29,7 +29,7 @@ fn digest(history: &History) -> u64 {
         }
     };
     for body in 0..history.model().bodies.len() {
-        let path = history.run.path(body);
+        let path = history.trajectories.path(body);
         for (number, span) in path.spans().enumerate() {
             add(span.from);
             add(span.until);
@@ -44,12 +44,14 @@ fn digest(history: &History) -> u64 {
                 StoredMotion::Slide(slide) => slide.numbers().for_each(&mut add),
                 StoredMotion::Step(piece) => piece.numbers().for_each(&mut add),
                 StoredMotion::Recomputed(step) => {
-                    history.run.stepped(body, (step, from), |piece| piece.numbers().for_each(&mut add));
+                    history.trajectories.stepped(body, (step, from), |piece| piece.numbers().for_each(&mut add));
                 }
             }
         }
     }
-    for (t, contact) in (0..history.model().contacts.len()).flat_map(|contact| history.run.log(contact).states()) {
+    for (t, contact) in
+        (0..history.model().contacts.len()).flat_map(|contact| history.trajectories.log(contact).states())
+    {
         add(t);
         match contact {
             Contact::Open { armed } => add(if armed { 1.0 } else { 2.0 }),

@@ -8,8 +8,8 @@ const FINER: f64 = 100.0;
 /// Times by which it is larger where there is none that is smaller \[–\].
 const COARSER: f64 = 10.0;
 
-/// Tolerance up to which section forces are not looked at anew \[–\]. Measured: at 1e-10 those of 30 girders in plan and space, with every
-/// kind of bearing and device, differ from an independent program by up to 4e-8 of the largest.
+/// Tolerance up to which section forces are not looked at anew \[–\]. Measured: from 1e-10 to 1e-12 the largest stress of a deck with one end
+/// on a pier and of one with every device changes by less than 4e-8 of itself, from 1e-6 by up to 9e-5.
 const SECTIONS_KNOWN: f64 = 1e-9;
 
 /// The estimated error of displacements and attitudes, and until when it is known.

@@ -34,7 +34,7 @@ const COMPARED_TOGETHER: usize = 16;
 pub struct History {
     scene: Scene,
     stop: Option<Stop>,
-    pub(super) run: Trajectories,
+    pub(super) trajectories: Trajectories,
     events: Vec<Event>,
     record: Option<Record>,
     /// The same scene by the other model.
@@ -58,10 +58,10 @@ impl History {
     pub(super) fn gather(scene: Scene, model: Arc<Model>, groups: Vec<Finished>) -> Self {
         let end = groups.iter().map(|g| g.end).fold(model.duration, f64::min);
         let stop = groups.iter().filter_map(|g| g.stop.clone()).min_by(|a, b| a.t.total_cmp(&b.t));
-        let mut run = Trajectories::new(model, end);
+        let mut trajectories = Trajectories::new(model, end);
         let (mut events, mut records, mut effort) = (Vec::new(), Vec::new(), Effort::default());
         for mut group in groups {
-            run.take_in(&mut group);
+            trajectories.take_in(&mut group);
             effort += group.effort;
             records.extend(group.record);
             // The first group's stay where they are.
@@ -74,10 +74,10 @@ impl History {
         events.retain(|event| event.t <= end);
         let record = (!records.is_empty()).then(|| Record::together(records, end));
         if let Some(record) = &record {
-            events = events::of(record, run.model());
+            events = events::of(record, trajectories.model());
         }
         events.sort_by(|a, b| a.t.total_cmp(&b.t));
-        Self { scene, stop, run, events, record, beside: None, effort, found: Found::default() }
+        Self { scene, stop, trajectories, events, record, beside: None, effort, found: Found::default() }
     }
 
     /// The scene that was run.
@@ -87,12 +87,12 @@ impl History {
 
     /// Bodies, pairs and contacts as compiled from the scene.
     pub fn model(&self) -> &Model {
-        self.run.model()
+        self.trajectories.model()
     }
 
     /// How far the answer reaches \[s\].
     pub fn end(&self) -> f64 {
-        self.run.end()
+        self.trajectories.end()
     }
 
     /// What the impact model did; nothing where the contact model computed the run.
@@ -149,7 +149,7 @@ impl History {
 
     /// Ends the answer at `t` at the latest \[s\], without what was found of the longer one.
     fn shorten(&mut self, t: f64) {
-        self.run.shorten(t);
+        self.trajectories.shorten(t);
         self.events.retain(|event| event.t <= t);
         self.record = self.record.take().map(|record| Record::together(vec![record], t));
         self.found = Found::default();
@@ -173,27 +173,27 @@ impl History {
 
     /// What the answer takes, without the scene \[bytes\]: paths, contact states, events.
     pub fn bytes(&self) -> usize {
-        self.run.bytes() + self.events.len() * size_of::<Event>()
+        self.trajectories.bytes() + self.events.len() * size_of::<Event>()
     }
 
     /// State of a body as its integrator holds it, at `t` clamped to what was computed.
     pub(super) fn state(&self, body: usize, t: f64) -> BodyState {
-        self.run.state(body, t)
+        self.trajectories.state(body, t)
     }
 
     /// Pose and twist of a body at G.
     pub fn frame(&self, body: usize, t: f64) -> Frame {
-        self.run.section_frame(body, 0, t)
+        self.trajectories.section_frame(body, 0, t)
     }
 
     /// Motion of a girder at `t`, clamped to what was computed.
     pub fn motion(&self, girder: usize, t: f64) -> Motion {
-        self.run.motion(girder, t)
+        self.trajectories.motion(girder, t)
     }
 
     /// Motion at `t` of a rigid girder that an end of this one would be the end of: of a rigid girder its own.
     pub fn end_motion(&self, girder: usize, end: End, t: f64) -> Motion {
-        self.run.end_motion(girder, end, t)
+        self.trajectories.end_motion(girder, end, t)
     }
 
     /// All events in order of time.

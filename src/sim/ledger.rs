@@ -87,7 +87,7 @@ impl Books {
             ledger.work_ground += given;
             let entry = if self.bearings[link] { &mut ledger.loss_bearing } else { &mut ledger.loss_device };
             *entry += loss;
-            ledger.jump_device += history.run.link_log(link).map_or(0.0, |log| log.released(t));
+            ledger.jump_device += history.trajectories.link_log(link).map_or(0.0, |log| log.released(t));
         }
         if let Some(record) = history.impact() {
             for (interval, account) in record.lasting.iter().zip(&self.lasting) {
@@ -180,8 +180,8 @@ fn balance(ledger: &mut Ledger, initial: f64, kinetic: f64) {
 fn body_account(history: &History, body: usize) -> Account<4> {
     let mut account = Account::new();
     let rate = flight_rate(history, body) * PER_LOOK;
-    let closed = history.run.free_motion(body).is_some_and(BodyMotion::has_works);
-    for span in history.run.path(body).spans().take_while(|span| span.from < history.end()) {
+    let closed = history.trajectories.free_motion(body).is_some_and(BodyMotion::has_works);
+    for span in history.trajectories.path(body).spans().take_while(|span| span.from < history.end()) {
         let until = span.until.min(history.end());
         let cells = if span.flies && !closed { (until - span.from) * rate } else { 1.0 };
         for (a, b) in cut(&history.model().ground, span.from, until, cells) {
@@ -193,7 +193,7 @@ fn body_account(history: &History, body: usize) -> Account<4> {
 
 /// Work of the ground and of pushes, losses in the bearings and in the body, over a cell \[J\].
 fn body_works(history: &History, body: usize, [a, b]: [f64; 2]) -> [f64; 4] {
-    let flown = || match (history.run.path(body).at(a)?.1, history.run.free_motion(body)?) {
+    let flown = || match (history.trajectories.path(body).at(a)?.1, history.trajectories.free_motion(body)?) {
         (StoredMotion::Flight(flight), motion) => motion.works(flight, [a, b]),
         _ => None,
     };
@@ -282,7 +282,10 @@ impl Poses {
     fn place(&mut self, history: &History, body: usize, section: usize) -> usize {
         let known = self.of.iter().position(|(of, _)| *of == (body, section));
         known.unwrap_or_else(|| {
-            self.of.push(((body, section), self.nodes.times.map(|t| history.run.section_frame(body, section, t))));
+            self.of.push((
+                (body, section),
+                self.nodes.times.map(|t| history.trajectories.section_frame(body, section, t)),
+            ));
             self.of.len() - 1
         })
     }
@@ -306,9 +309,11 @@ fn device_works(history: &History, number: usize, poses: &mut Poses) -> [f64; 2]
 
 /// Whether a body is in a flight at `t` that says its works.
 fn flies_with_works(history: &History, body: usize, t: f64) -> bool {
-    let flight = history.run.path(body).spans_after(t).next().is_some_and(|span| span.flies);
+    let flight = history.trajectories.path(body).spans_after(t).next().is_some_and(|span| span.flies);
     // Ground that moves as given always flies.
-    flight && !history.model().moves_as_given(body) && history.run.free_motion(body).is_some_and(BodyMotion::has_works)
+    flight
+        && !history.model().moves_as_given(body)
+        && history.trajectories.free_motion(body).is_some_and(BodyMotion::has_works)
 }
 
 /// Loss in the friction of a stretch of lasting contact, step by step.

@@ -8,7 +8,7 @@ use super::History;
 pub(super) fn step_borders(history: &History, bodies: impl Iterator<Item = usize>, from: f64, until: f64) -> Vec<f64> {
     let mut borders = vec![from, until];
     for body in bodies {
-        let begins = history.run.path(body).spans_after(from).map(|span| span.from);
+        let begins = history.trajectories.path(body).spans_after(from).map(|span| span.from);
         borders.extend(begins.take_while(|t| *t < until).filter(|t| *t > from));
     }
     borders.sort_by(f64::total_cmp);

@@ -72,7 +72,7 @@ impl History {
     /// The same in this phase of its log, where several begin at one instant.
     pub fn link_in(&self, number: usize, phase: Phase, t: f64) -> Option<LinkNow> {
         let LinkMotion { link, frames, motion, .. } =
-            self.link_motion_of(number, |body, section| self.run.section_frame(body, section, t))?;
+            self.link_motion_of(number, |body, section| self.trajectories.section_frame(body, section, t))?;
         let device = &link.device;
         let (acts, gap) = (device.acts(&phase), device.distance_left(&phase, &motion));
         let ends = [0, 1].map(|i| frames[i].origin() + frames[i].turn(link.arms[i]));
@@ -129,18 +129,18 @@ impl History {
 
     /// Changes of a device's phase in order of time: when \[s\], and the phase from then on.
     pub fn link_phases(&self, number: usize) -> &[(f64, Phase)] {
-        self.run.link_log(number).map_or(&[], |log| log.phases())
+        self.trajectories.link_log(number).map_or(&[], |log| log.phases())
     }
 
     fn link_phase(&self, number: usize, t: f64) -> Option<Phase> {
         let device = &self.model().links.get(number)?.device;
-        self.run.link_log(number)?.evolved_at(t, |phase| device.evolves(phase))
+        self.trajectories.link_log(number)?.evolved_at(t, |phase| device.evolves(phase))
     }
 
     fn link_motion(&self, number: usize, t: f64) -> Option<(&Link, Phase, Separation)> {
         let phase = self.link_phase(number, t)?;
         let LinkMotion { link, motion, .. } =
-            self.link_motion_of(number, |body, section| self.run.section_frame(body, section, t))?;
+            self.link_motion_of(number, |body, section| self.trajectories.section_frame(body, section, t))?;
         Some((link, phase, motion))
     }
 
@@ -159,7 +159,7 @@ impl History {
             if other == body {
                 self.model().bodies[body].frame(section, state)
             } else {
-                self.run.section_frame(other, section, t)
+                self.trajectories.section_frame(other, section, t)
             }
         };
         let own = |(number, link): (usize, &Link)| link.bodies.contains(&Some(body)).then_some(number);

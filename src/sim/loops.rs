@@ -44,7 +44,7 @@ impl History {
     pub fn bearing_loop(&self, girder: usize, number: usize, t: f64) -> Option<Loop> {
         let t = t.clamp(0.0, self.end());
         self.model().girders().get(girder)?;
-        self.bearing_loop_in((girder, number), t, &|body, section| self.run.section_frame(body, section, t))
+        self.bearing_loop_in((girder, number), t, &|body, section| self.trajectories.section_frame(body, section, t))
     }
 
     /// The same by the poses of sections of bodies at `t`, within what was computed.

@@ -106,8 +106,8 @@ pub(super) fn corner_way(history: &History, girder: usize, corner: usize, t: f64
 /// closed; of an open edge node those of the middle of its edge.
 pub fn before_face(history: &History, contact: usize, t: f64) -> [f64; 2] {
     let site = &history.model().contacts[contact];
-    let [node, face] = history.run.sides(contact, t.clamp(0.0, history.end()));
-    let place = history.run.log(contact).at(t).closed().map_or_else(NodePlace::default, |closed| closed.place);
+    let [node, face] = history.trajectories.sides(contact, t.clamp(0.0, history.end()));
+    let place = history.trajectories.log(contact).at(t).closed().map_or_else(NodePlace::default, |closed| closed.place);
     let here = locate(&site.home_at(&place), &node, &face);
     let at = site.on_face(&place, &here);
     let level = DVec3::Z.cross(site.face.normal);
@@ -120,7 +120,7 @@ pub fn gap(history: &History, pair: usize, t: f64) -> f64 {
     let model = history.model();
     let of = |contact: usize| {
         let site = &model.contacts[contact];
-        let [node, face] = history.run.sides(contact, t);
+        let [node, face] = history.trajectories.sides(contact, t);
         let here = locate(&site.home, &node, &face);
         (here.gap, site.face.inset_at(here.at) >= 0.0)
     };

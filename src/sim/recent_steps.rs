@@ -82,7 +82,7 @@ mod tests {
     fn a_step_taken_again_is_the_same_to_the_last_bit() {
         for angle in [0.0, 20.0] {
             let (whole, part, none) = (row(angle, usize::MAX), row(angle, 10_000), row(angle, 0));
-            let counts = [&whole, &part, &none].map(|history| history.run.replays()[0].len());
+            let counts = [&whole, &part, &none].map(|history| history.trajectories.replays()[0].len());
             let steps = usize::try_from(whole.effort().steps).expect("few");
             assert!(counts[0] == 0 && counts[1] > 0 && counts[2] > counts[1], "{counts:?} of {steps}");
             assert!(counts[2] + 8 > steps / 2, "most are explicit: {counts:?} of {steps}");
@@ -105,7 +105,7 @@ mod tests {
     #[test]
     fn a_spatial_step_taken_again_is_the_same_to_the_last_bit() {
         let (whole, none) = (deck(usize::MAX), deck(0));
-        let (kept, steps) = (none.run.replays()[0].len(), usize::try_from(whole.effort().steps).expect("few"));
+        let (kept, steps) = (none.trajectories.replays()[0].len(), usize::try_from(whole.effort().steps).expect("few"));
         assert!(kept > steps / 8, "those without sliding: {kept} of {steps}");
         assert_eq!(whole.digest(), none.digest());
         for i in 0..=1000 {
@@ -125,11 +125,11 @@ mod tests {
         for (angle, most) in [(0.0, 72.0), (20.0, 110.0)] {
             let (whole, none) = (row(angle, usize::MAX), row(angle, 0));
             let paths = |history: &History, of: &dyn Fn(&StoredPath) -> usize| -> usize {
-                (0..history.model().bodies.len()).map(|body| of(history.run.path(body))).sum()
+                (0..history.model().bodies.len()).map(|body| of(history.trajectories.path(body))).sum()
             };
             let segments = paths(&none, &StoredPath::len);
             let each = |history: &History| {
-                let replays = history.run.replays().iter().map(Replay::bytes).sum::<usize>();
+                let replays = history.trajectories.replays().iter().map(Replay::bytes).sum::<usize>();
                 (paths(history, &StoredPath::bytes) + replays) as f64 / segments as f64
             };
             assert!(each(&none) < most, "{} bytes a segment at {angle}°", each(&none));

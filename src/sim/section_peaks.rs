@@ -125,7 +125,7 @@ impl History {
         let values = |t: f64| reading.values(&self.equilibrium_in(girder, made, (t, &self.state(girder, t))));
         let gains = self.gains(girder, made, &reading);
         let bound = |interval: &Interval<'_>| -> Option<[f64; VALUES]> {
-            let second = self.run.free_motion(girder)?.second_derivatives(interval.flight?, interval.span);
+            let second = self.trajectories.free_motion(girder)?.second_derivatives(interval.flight?, interval.span);
             let mut sum = [0.0; VALUES];
             for (gain, second) in gains.iter().zip(second) {
                 sum.iter_mut().zip(gain).for_each(|(sum, gain)| *sum += MARGIN * gain * second);
@@ -139,7 +139,7 @@ impl History {
     /// By how much a unit coefficient of each exponential of the girder's free motion changes each value at most, by strain.
     fn gains(&self, girder: usize, made: &ElasticBody, reading: &Reading<'_>) -> Vec<[f64; VALUES]> {
         let by = |state: &Vec<f64>| reading.by_strain(&made.strained(state));
-        let shapes = self.run.free_motion(girder).map_or(Vec::new(), BodyMotion::shapes);
+        let shapes = self.trajectories.free_motion(girder).map_or(Vec::new(), BodyMotion::shapes);
         let both = |[real, imaginary]: &[Vec<f64>; 2]| {
             let (mut one, other) = (by(real), by(imaginary));
             one.iter_mut().zip(other).for_each(|(one, other)| *one += other);
@@ -150,7 +150,7 @@ impl History {
 
     /// The run of a girder, cut where it is looked at: as bodies are, and at every kink of the ground's motion in flights.
     fn intervals(&self, girder: usize) -> Vec<Interval<'_>> {
-        let (ground, path) = (&self.model().ground, self.run.path(girder));
+        let (ground, path) = (&self.model().ground, self.trajectories.path(girder));
         let looks = touches::looks(self, girder);
         let mut intervals = Vec::with_capacity(looks.len());
         for pair in looks.windows(2) {

@@ -57,7 +57,7 @@ fn find(history: &History) -> Vec<Touch> {
 }
 
 fn of_contact(history: &History, contact: usize) -> Vec<Touch> {
-    let states: Vec<(f64, Contact)> = history.run.log(contact).states().collect();
+    let states: Vec<(f64, Contact)> = history.trajectories.log(contact).states().collect();
     let site = &history.model().contacts[contact];
     let (pair, bodies) = (site.pair, [site.node_body, site.face_body]);
     let sound = bodies.into_iter().flatten().map(|body| history.sound_until(body)).fold(history.end(), f64::min);
@@ -111,7 +111,7 @@ pub(super) fn looks_in_hit(history: &History, hit: &[&Touch]) -> Vec<f64> {
         return in_order(hit.iter().flat_map(of_touch).collect());
     }
     let of_touch = |touch: &&Touch| {
-        let log = history.run.log(touch.contact);
+        let log = history.trajectories.log(touch.contact);
         let inside = log.states().map(|(t, _)| t).filter(|t| (touch.start..=touch.end).contains(t));
         let starts: Vec<f64> = inside.collect();
         let ends = starts.iter().copied().skip(1).chain([touch.end]).collect::<Vec<_>>();
@@ -134,7 +134,7 @@ fn looks_in_state(history: &History, contact: usize, from: f64, until: f64) -> V
     let mut times = vec![from];
     let site = &history.model().contacts[contact];
     for body in [site.node_body, site.face_body].into_iter().flatten() {
-        for span in history.run.path(body).spans_after(from).take_while(|span| span.from < until) {
+        for span in history.trajectories.path(body).spans_after(from).take_while(|span| span.from < until) {
             let (a, b) = (span.from.max(from), span.until.min(until));
             times.extend((0..LOOKS).map(|i| a + (b - a) * (i as f64 + 0.5) / LOOKS as f64));
         }
@@ -163,7 +163,7 @@ pub(super) fn hits(touches: &[Touch]) -> usize {
 pub(super) fn looks(history: &History, body: usize) -> Vec<f64> {
     let (rate, last) = (flight_rate(history, body), history.sound_until(body));
     let mut times = Vec::new();
-    for span in history.run.path(body).spans().take_while(|span| span.from < last) {
+    for span in history.trajectories.path(body).spans().take_while(|span| span.from < last) {
         let (from, until) = (span.from, span.until.min(last));
         #[expect(clippy::cast_possible_truncation, clippy::cast_sign_loss, reason = "a count of looks, clamped")]
         let count =
@@ -178,7 +178,7 @@ pub(super) fn looks(history: &History, body: usize) -> Vec<f64> {
 pub(super) fn flight_rate(history: &History, body: usize) -> f64 {
     use crate::motion::Ground;
     let model = history.model();
-    let together = history.run.free_motion(body).map_or(0.0, BodyMotion::fastest);
+    let together = history.trajectories.free_motion(body).map_or(0.0, BodyMotion::fastest);
     let omega = model.bodies[body].fastest().max(together);
     let drive = match &model.ground {
         Ground::Still => 0.0,

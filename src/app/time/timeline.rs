@@ -30,7 +30,7 @@ const HATCH: f32 = 4.0;
 /// Lowest bar that a hatch can be seen in, and half of the lowest lane \[points\]: stick and slip are one bar each.
 const LOWEST: f32 = 1.5;
 
-/// Part of half a lane that is left free over its bar, where that is less than a point.
+/// Part of half a lane that is left free over its bar, where that is less than a point. Chosen.
 const OVER: f32 = 0.2;
 
 /// Most pairs of a lane that are named \[–\].

@@ -7,7 +7,8 @@ use crate::dynamics::free_flight::uncoupled_axis::UncoupledAxis;
 use crate::dynamics::model::coordinates::planar::{self, PlanarState};
 use crate::dynamics::model::motion_bounds::MotionBounds;
 
-/// Phase of the fastest motion over which the work of forces bounds a flight \[rad\]. Tuned: bounds by energy double over about a radian.
+/// Phase of the fastest motion over which the work of forces bounds a flight \[rad\]. Chosen: longer, bounds are looser; shorter, they are asked
+/// for more often.
 const BOUND_PHASE: f64 = 0.5;
 
 impl FreeMotion {

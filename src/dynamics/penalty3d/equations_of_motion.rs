@@ -30,7 +30,8 @@ pub(in crate::dynamics) struct ErrorScale {
     pub relaxation: f64,
     /// Least [`smooth_within`](crate::dynamics::connection::Device::smooth_within) of the devices \[m/s\].
     pub smooth_within: f64,
-    /// Least time to the opening of a contact whose force is no power series there, as long as that is more than the allowed error \[s\].
+    /// Least time to the opening of a contact whose force is no power series there, of those whose forces change a speed by more than the
+    /// allowed error until then \[s\].
     pub opening: f64,
 }
 

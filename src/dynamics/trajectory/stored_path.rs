@@ -16,7 +16,7 @@ use crate::dynamics::trajectory::step_polynomial::StepPolynomial;
 /// Bits of a code that number the segment among those of its kind; the three bits above them are the kind.
 const CODE_BITS: u32 = 29;
 const CODE_MASK: u32 = NUMBERS - 1;
-/// How many numbers of steps there are: what is recomputed from the next one on has none \[–\].
+/// Numbers that a code can hold \[–\].
 pub(in crate::dynamics) const NUMBERS: u32 = 1 << CODE_BITS;
 
 /// Stretches of a body's trajectory in order of time.

@@ -22,14 +22,14 @@ pub(super) struct Bound {
 /// Bound on the speed of girder `body` from `t` on, as far as its segment reaches; `radius` is the distance of its farthest
 /// corner from G \[m\].
 pub(super) fn bound(history: &History, body: usize, radius: f64, t: f64) -> Bound {
-    let path = history.run.path(body);
+    let path = history.trajectories.path(body);
     let Some(number) = path.number_at(t) else { return Bound { until: f64::INFINITY, speed: 0.0, acceleration: 0.0 } };
     let end = end_of(history, body, number);
     let own = &history.model().bodies[body];
     let step = |piece: &StepPolynomial| own.bounds(&|range| piece.derivative_bounds(range));
     let bounds = match path.kept(number).1 {
         StoredMotion::Step(piece) => step(piece),
-        StoredMotion::Recomputed(recipe) => history.run.stepped(body, (recipe, path.kept(number).0), step),
+        StoredMotion::Recomputed(recipe) => history.trajectories.stepped(body, (recipe, path.kept(number).0), step),
         StoredMotion::Slide(slide) => {
             let until = end.min(t + slide.sight / LOOKS_PER_REVERSAL);
             let [here, there] = [t, until].map(|t| history.frame(body, t).shift);
@@ -55,7 +55,7 @@ pub(super) fn speed(history: &History, body: usize, radius: f64, t: f64) -> f64 
 
 /// Largest distance of G of girder `body` from where the body was placed, over the whole answer \[m\].
 pub(super) fn reach(history: &History, body: usize) -> f64 {
-    let (path, own) = (history.run.path(body), &history.model().bodies[body]);
+    let (path, own) = (history.trajectories.path(body), &history.model().bodies[body]);
     let at = |t: f64| history.frame(body, t).shift.length();
     let within = |number: usize| match path.kept(number) {
         (from, StoredMotion::Step(piece)) => at(from) + own.excursion(0.0, &|range| piece.displacement_bound(range)),
@@ -84,7 +84,7 @@ pub(super) fn reach(history: &History, body: usize) -> f64 {
 
 /// End of segment `number` of a body's path \[s\].
 fn end_of(history: &History, body: usize, number: usize) -> f64 {
-    let path = history.run.path(body);
+    let path = history.trajectories.path(body);
     let until = path.until(number);
     if number + 1 == path.len() { history.end().max(until) } else { until }
 }
@@ -92,7 +92,7 @@ fn end_of(history: &History, body: usize, number: usize) -> f64 {
 /// Bounds on segment `number`, a flight, from `t` on.
 fn in_flight(history: &History, body: usize, number: usize, t: f64) -> MotionBounds {
     let horizon = end_of(history, body, number) - t;
-    match (history.run.path(body).kept(number), history.run.free_motion(body)) {
+    match (history.trajectories.path(body).kept(number), history.trajectories.free_motion(body)) {
         ((from, StoredMotion::Start(start)), Some(system)) => system.bounds(&system.fly(from, &start), t, horizon),
         ((_, StoredMotion::Flight(flight)), Some(system)) => system.bounds(flight, t, horizon),
         // Without a closed form nothing flies.

@@ -193,10 +193,10 @@ impl Meeting<'_> {
 
     /// Deepest penetration of a closed contact between the two bodies \[m\]; `None` where all are open.
     fn carried(&self, t: f64) -> Option<f64> {
-        let closed = |&contact: &usize| matches!(self.history.run.log(contact).at(t), Contact::Closed(_));
+        let closed = |&contact: &usize| matches!(self.history.trajectories.log(contact).at(t), Contact::Closed(_));
         let depth = |contact: usize| {
             let site = &self.history.model().contacts[contact];
-            let [node, face] = self.history.run.sides(contact, t);
+            let [node, face] = self.history.trajectories.sides(contact, t);
             // An edge node carries what overlaps at its crossing, and a corner that took over displaced along its normal what the corner
             // itself is behind its face.
             let gap = match &site.edge {

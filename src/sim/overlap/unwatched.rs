@@ -61,7 +61,7 @@ pub(super) fn of_pair(history: &History, number: usize, turned: &Turned) -> Unwa
 
 /// Intervals in which a contact is disarmed.
 fn disarmed(history: &History, contact: usize) -> Vec<Interval> {
-    let states = || history.run.log(contact).states();
+    let states = || history.trajectories.log(contact).states();
     let ends = states().map(|(from, _)| from).skip(1).chain([history.end()]);
     let off = |((from, state), until): ((f64, Contact), f64)| {
         (state == Contact::Open { armed: false }).then_some([from, until.min(history.end())])
@@ -85,7 +85,7 @@ impl Turned {
 
 /// Whether a body is turned by more than [`MOST_TURNED`] where one of its segments begins.
 fn turns_far(history: &History, body: usize) -> bool {
-    let (path, own) = (history.run.path(body), &history.model().bodies[body]);
+    let (path, own) = (history.trajectories.path(body), &history.model().bodies[body]);
     let turned = |t: f64| {
         let (theta, attitude) = own.attitude(&history.state(body, t));
         theta.abs().max(attitude.to_axis_angle().1)
