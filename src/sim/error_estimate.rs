@@ -20,7 +20,7 @@ pub struct ErrorEstimate {
     /// Largest difference in attitude \[rad\].
     pub rotation: f64,
     /// Largest difference of the fibre stress of a girder that bends, where and when that is largest, in parts of it \[–\]; `None` where no
-    /// girder bends, or at tolerances up to [`SECTIONS_KNOWN`].
+    /// girder bends, or at tolerances up to 1e-9.
     pub stress: Option<f64>,
     /// Where the finer run gave up before the end of this one: until when they were compared \[s\].
     pub until: Option<f64>,
