@@ -7,6 +7,7 @@ pub mod chart;
 pub(crate) mod color_map;
 pub(crate) mod draw;
 pub mod heat_map;
+pub(crate) mod paper;
 #[cfg(feature = "study")]
 mod raster;
 

@@ -3,6 +3,7 @@
 use std::fmt::Write as _;
 
 use super::draw::{escape, line, text};
+use super::paper::{GREY, INK, PALE, WHITE};
 
 const WIDTH: f64 = 900.0;
 /// Height of a panel with the room below it.
@@ -12,9 +13,6 @@ const TOP: f64 = 64.0;
 const UNTITLED: f64 = 26.0;
 const LEFT: f64 = 84.0;
 const RIGHT: f64 = 690.0;
-const INK: &str = "#222222";
-const PALE: &str = "#e4e4e4";
-const GREY: &str = "#6b6b6b";
 
 /// A line of a panel.
 #[derive(Clone, Debug)]
@@ -101,7 +99,7 @@ impl Chart {
             svg,
             r#"<svg xmlns="http://www.w3.org/2000/svg" viewBox="0 0 {WIDTH} {height}" width="{WIDTH}" height="{height}" font-family="sans-serif">"#
         );
-        let _ = writeln!(svg, r##"<rect width="{WIDTH}" height="{height}" fill="#ffffff"/>"##);
+        let _ = writeln!(svg, r#"<rect width="{WIDTH}" height="{height}" fill="{WHITE}"/>"#);
         text(&mut svg, (LEFT, 30.0), 17.0, "start", INK, &escape(&self.title));
         let x = range(self.panels.iter().flat_map(|p| &p.curves).flat_map(|c| &c.points).map(|p| p[0]));
         for (number, panel) in self.panels.iter().enumerate() {

@@ -2,15 +2,13 @@
 
 use std::fmt::Write as _;
 
+use super::paper::{GREY, INK, PALE, WHITE};
 use super::{Guide, Mark, Marker, Plot, Series, Ticks};
 
 const WIDTH: f64 = 860.0;
 const HEIGHT: f64 = 560.0;
 /// The field: left, top, right, bottom.
 const FIELD: [f64; 4] = [86.0, 78.0, 660.0, 492.0];
-const INK: &str = "#222222";
-const PALE: &str = "#e4e4e4";
-const GREY: &str = "#6b6b6b";
 /// Distance of two labels at least.
 const LINE: f64 = 19.0;
 
@@ -84,7 +82,7 @@ fn marker(svg: &mut String, shape: Marker, (x, y): (f64, f64), r: f64, color: &s
     let points = |list: &[(f64, f64)]| -> String {
         list.iter().map(|(dx, dy)| format!("{:.1},{:.1}", x + r * dx, y + r * dy)).collect::<Vec<_>>().join(" ")
     };
-    let rim = r##"stroke="#ffffff" stroke-width="1""##;
+    let rim = format!(r#"stroke="{WHITE}" stroke-width="1""#);
     let polygon: &[(f64, f64)] = match shape {
         Marker::Circle => {
             let _ = writeln!(svg, r#"<circle cx="{x:.1}" cy="{y:.1}" r="{r}" fill="{color}" {rim}/>"#);
@@ -133,10 +131,10 @@ impl Plot {
         let x = Axis::over(all().map(|p| p.0), self.x.1, left, right);
         let y = Axis::over(all().map(|p| p.1).chain(self.floor.iter().map(|f| f.0)), self.y.1, bottom, top);
         let mut svg = format!(
-            r##"<svg xmlns="http://www.w3.org/2000/svg" viewBox="0 0 {WIDTH} {HEIGHT}" width="{WIDTH}" height="{HEIGHT}" font-family="Ubuntu, 'Helvetica Neue', Arial, sans-serif">
-<rect width="{WIDTH}" height="{HEIGHT}" fill="#ffffff"/>
+            r#"<svg xmlns="http://www.w3.org/2000/svg" viewBox="0 0 {WIDTH} {HEIGHT}" width="{WIDTH}" height="{HEIGHT}" font-family="Ubuntu, 'Helvetica Neue', Arial, sans-serif">
+<rect width="{WIDTH}" height="{HEIGHT}" fill="{WHITE}"/>
 <clipPath id="field"><rect x="{left}" y="{top}" width="{}" height="{}"/></clipPath>
-"##,
+"#,
             right - left,
             bottom - top
         );
@@ -285,7 +283,7 @@ fn draw_marks(svg: &mut String, marks: &[Mark], x: &Axis, y: &Axis) {
         };
         let _ = writeln!(
             svg,
-            r##"<text x="{at:.1}" y="{height:.1}" font-size="12" text-anchor="{anchor}" fill="{INK}" stroke="#ffffff" stroke-width="3" paint-order="stroke">{}</text>"##,
+            r#"<text x="{at:.1}" y="{height:.1}" font-size="12" text-anchor="{anchor}" fill="{INK}" stroke="{WHITE}" stroke-width="3" paint-order="stroke">{}</text>"#,
             escape(&mark.name)
         );
     }

@@ -5,6 +5,7 @@ use std::fmt::Write as _;
 use super::chart::{number, range, ticks};
 use super::color_map::{Colors, LEVELS, level};
 use super::draw::{escape, line, text};
+use super::paper::{EMPTY, GREY, INK, WHITE};
 
 /// Side of a panel's field.
 const FIELD: f64 = 330.0;
@@ -15,10 +16,6 @@ const TOP: f64 = 84.0;
 /// Room for the colour bar.
 const BAR: f64 = 118.0;
 const BELOW: f64 = 78.0;
-const INK: &str = "#222222";
-const GREY: &str = "#6b6b6b";
-/// Of cells without a value.
-const EMPTY: &str = "#d0d0d0";
 /// Ticks along an axis that are labelled, about.
 const LABELS: usize = 7;
 
@@ -71,7 +68,7 @@ impl HeatMap {
             svg,
             r#"<svg xmlns="http://www.w3.org/2000/svg" viewBox="0 0 {width} {height}" width="{width}" height="{height}" font-family="sans-serif">"#
         );
-        let _ = writeln!(svg, r##"<rect width="{width}" height="{height}" fill="#ffffff"/>"##);
+        let _ = writeln!(svg, r#"<rect width="{width}" height="{height}" fill="{WHITE}"/>"#);
         text(&mut svg, (LEFT, 28.0), 17.0, "start", INK, &escape(&self.title));
         text(&mut svg, (LEFT, 48.0), 12.0, "start", GREY, &escape(&self.subtitle));
         let colors = self.colors.range(range(self.maps.iter().flat_map(|map| &map.values).flatten().copied()));
@@ -183,7 +180,7 @@ impl HeatMap {
 
 /// A ring that is seen on every colour.
 fn ring(svg: &mut String, (x, y): (f64, f64)) {
-    for (color, width) in [("#ffffff", 4.0), (INK, 1.6)] {
+    for (color, width) in [(WHITE, 4.0), (INK, 1.6)] {
         let _ = writeln!(
             svg,
             r#"<circle cx="{x:.1}" cy="{y:.1}" r="6" fill="none" stroke="{color}" stroke-width="{width}"/>"#

@@ -5,6 +5,7 @@ use std::fmt::Write as _;
 use crate::language::{Text, said};
 use crate::plot::chart::{number, ticks};
 use crate::plot::draw::{line, text};
+use crate::plot::paper::{EDGE, EMPTY, GREY, INK, WHITE};
 use crate::sim::History;
 use crate::sim::seat_on::SeatOn;
 use crate::sim::seats::{self, OrbitPoint, Seat, SeatCorner};
@@ -12,9 +13,6 @@ use crate::tables::corner_angle;
 
 const PANEL: f64 = 400.0;
 const MARGIN: f64 = 58.0;
-const INK: &str = "#222222";
-const GREY: &str = "#6b6b6b";
-const EDGE: &str = "#a83f00";
 /// First and last colour of an orbit.
 const COLORS: [[f64; 3]; 2] = [[158.0, 202.0, 225.0], [8.0, 48.0, 107.0]];
 /// Pieces of an orbit, each of one colour.
@@ -53,7 +51,7 @@ fn svg(seat: &Seat, kinds: [&str; 2], orbit: &[OrbitPoint], end: f64) -> String 
     let width = 2.0 * PANEL + 20.0;
     let _ = writeln!(
         svg,
-        r##"<svg xmlns="http://www.w3.org/2000/svg" viewBox="0 0 {width} {PANEL}" width="{width}" height="{PANEL}" font-family="sans-serif"><rect width="{width}" height="{PANEL}" fill="#ffffff"/>"##
+        r#"<svg xmlns="http://www.w3.org/2000/svg" viewBox="0 0 {width} {PANEL}" width="{width}" height="{PANEL}" font-family="sans-serif"><rect width="{width}" height="{PANEL}" fill="{WHITE}"/>"#
     );
     for (which, (corner, kind)) in seat.corners.iter().zip(kinds).enumerate() {
         let panel = Panel::of(seat, which, orbit, (PANEL + 20.0) * which as f64);
@@ -112,15 +110,15 @@ impl<'a> Panel<'a> {
             (right - left).max(0.0),
             (bottom - top).max(0.0)
         );
-        let pale = r##"stroke="#d0d0d0" stroke-width="0.7""##;
+        let pale = format!(r#"stroke="{EMPTY}" stroke-width="0.7""#);
         for value in ticks([self.low[0], high[0]], 4.0) {
             let ((x, y), (_, y_top)) = (self.at([value, self.low[1]]), self.at([value, high[1]]));
-            line(svg, (x, y), (x, y_top), pale);
+            line(svg, (x, y), (x, y_top), &pale);
             text(svg, (x, y + 14.0), 10.0, "middle", GREY, &number(1e3 * value));
         }
         for value in ticks([self.low[1], high[1]], 4.0) {
             let ((x, y), (x_right, _)) = (self.at([self.low[0], value]), self.at([high[0], value]));
-            line(svg, (x, y), (x_right, y), pale);
+            line(svg, (x, y), (x_right, y), &pale);
             text(svg, (x - 5.0, y + 4.0), 10.0, "end", GREY, &number(1e3 * value));
         }
         let edge = format!(r#"stroke="{EDGE}" stroke-width="2.4""#);

@@ -8,6 +8,7 @@ use super::units::force;
 use crate::geometry::{End, Prism};
 use crate::language::{Text, said};
 use crate::plot::draw::{escape, line, text};
+use crate::plot::paper::{DECK, EDGE, GREY, INK, PLACED, WHITE};
 use crate::scene::facing::Side;
 use crate::scene::placed::{abutment_depth, abutment_face};
 use crate::scene::{Abutment, Scene};
@@ -16,8 +17,6 @@ use crate::sim::{ContactNow, ContactState, History, Touch};
 
 const WIDTH: f64 = 900.0;
 const MARGIN: f64 = 46.0;
-const INK: &str = "#222222";
-const GREY: &str = "#6b6b6b";
 const FORCE: &str = "#D55E00";
 const DEVICE: &str = "#882255";
 /// Longest arrow of a force \[pixels\].
@@ -157,12 +156,12 @@ impl<'a> Plan<'a> {
         let mut svg = String::new();
         let _ = writeln!(
             svg,
-            r##"<svg xmlns="http://www.w3.org/2000/svg" viewBox="0 0 {WIDTH} {height:.1}" width="{WIDTH}" height="{height:.1}" font-family="sans-serif"><rect width="{WIDTH}" height="{height:.1}" fill="#ffffff"/>"##
+            r#"<svg xmlns="http://www.w3.org/2000/svg" viewBox="0 0 {WIDTH} {height:.1}" width="{WIDTH}" height="{height:.1}" font-family="sans-serif"><rect width="{WIDTH}" height="{height:.1}" fill="{WHITE}"/>"#
         );
         let scene = self.history.scene();
         for abutment in &scene.abutments {
             if let Some(corners) = abutment_plan(scene, abutment) {
-                self.polygon(&mut svg, &corners, r##"fill="#d9dce0" stroke="#6b6b6b""##);
+                self.polygon(&mut svg, &corners, &format!(r##"fill="#d9dce0" stroke="{GREY}""##));
             }
         }
         let girders = 0..self.history.model().girders().len();
@@ -172,13 +171,14 @@ impl<'a> Plan<'a> {
             self.polygon(
                 &mut svg,
                 &cap,
-                r##"fill="none" stroke="#222222" stroke-width="1.3" stroke-dasharray="1.5 3""##,
+                &format!(r#"fill="none" stroke="{INK}" stroke-width="1.3" stroke-dasharray="1.5 3""#),
             );
         }
         self.devices(&mut svg);
         let sizes = self.forces(&mut svg, height);
         // Texts lie above all that is drawn, with a rim in the colour of the paper.
-        svg.push_str("<g paint-order=\"stroke\" stroke=\"#ffffff\" stroke-width=\"2.5\" stroke-linejoin=\"round\">\n");
+        let _ =
+            writeln!(svg, r#"<g paint-order="stroke" stroke="{WHITE}" stroke-width="2.5" stroke-linejoin="round">"#);
         if self.dimensions {
             girders.for_each(|girder| self.dimensions(&mut svg, girder));
             self.label_joints(&mut svg);
@@ -198,10 +198,10 @@ impl<'a> Plan<'a> {
     fn girder(&self, svg: &mut String, number: usize) {
         let body = &self.history.model().bodies[number];
         let placed = placed(self.history, number);
-        let solid = r##"fill="#e9e3d6" fill-opacity="0.9" stroke="#222222" stroke-width="1.3""##;
-        self.polygon(svg, &self.corners(number), solid);
+        let solid = format!(r#"fill="{DECK}" fill-opacity="0.9" stroke="{INK}" stroke-width="1.3""#);
+        self.polygon(svg, &self.corners(number), &solid);
         if self.at.is_some() {
-            self.polygon(svg, &placed, r##"fill="none" stroke="#9aa0a6" stroke-dasharray="4 3""##);
+            self.polygon(svg, &placed, &format!(r#"fill="none" stroke="{PLACED}" stroke-dasharray="4 3""#));
         } else {
             let home = self.history.motion(number, 0.0);
             for bearing in &body.bearings {
@@ -235,7 +235,7 @@ impl<'a> Plan<'a> {
         let Some(ledge) = Ledge::of(self.history, number, end) else { return };
         let back = -ledge.normal.truncate() * ledge.placed();
         let [from, to] = Prism::end_corners(end).map(|corner| self.place(placed[corner] + back));
-        line(svg, from, to, r##"stroke="#a83f00" stroke-width="1.3" stroke-dasharray="6 3""##);
+        line(svg, from, to, &format!(r#"stroke="{EDGE}" stroke-width="1.3" stroke-dasharray="6 3""#));
     }
 
     /// Name, length, width and skew of a girder as placed.

@@ -220,6 +220,22 @@ mod tests {
     }
 
     #[test]
+    fn what_the_keys_say_is_assumed_is_what_is() {
+        let assumed = [
+            ("post_yield_period_s", PERIOD),
+            ("yield_force_per_weight", FORCE_PER_WEIGHT),
+            ("stiffness_ratio", STIFFNESS_RATIO),
+            ("friction", FRICTION),
+            ("slider_displacement_m", SLIDER_DISPLACEMENT),
+        ];
+        for (name, number) in assumed {
+            let key = DECK_BEARINGS.iter().find(|key| key.name == name).expect("a key");
+            let words = format!("{number:?}, assumed");
+            assert!(matches!(key.fallback, Fallback::Words(said) if said == words), "{name}: {words}");
+        }
+    }
+
+    #[test]
     fn lead_rubber_of_a_30_m_deck_has_the_worked_numbers() {
         let proposed = DeckBearings::proposed(BearingKind::LeadRubber, vec![[0.0; 2]; 8]);
         let whole = proposed.whole(MASS, STANDARD_GRAVITY);

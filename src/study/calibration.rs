@@ -12,6 +12,7 @@ use crate::identify::noise::{Noise, student_95};
 use crate::language::{said, six};
 use crate::plot::COLORS;
 use crate::plot::chart::{Chart, Curve, Panel};
+use crate::plot::paper::INK;
 use crate::scene::validate::validate;
 use crate::scene::{Scene, overrides};
 use crate::sim::History;
@@ -75,7 +76,7 @@ impl Calibration {
         };
         let names = ["x", "y"];
         let panel = |((axis, x), fitted): (&(usize, Vec<f64>), &Vec<f64>)| {
-            let points = curve("measured", ("#222222", "none"), crossed(over_time(&mut x.iter().copied())));
+            let points = curve("measured", (INK, "none"), crossed(over_time(&mut x.iter().copied())));
             let line = curve("least squares", (COLORS[*axis], "none"), over_time(&mut fitted.iter().copied()));
             Panel { name: format!("{} [mm]", names[*axis]), curves: vec![line, points] }
         };

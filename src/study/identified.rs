@@ -5,6 +5,7 @@ use std::fmt::Write as _;
 use crate::identify::{Identified, Measured, Quantity};
 use crate::plot::COLORS;
 use crate::plot::chart::{Chart, Curve, Panel};
+use crate::plot::paper::{BEHIND, INK};
 
 /// Measured points are drawn as crosses up to so many, else joined.
 const MOST_CROSSES: usize = 200;
@@ -32,7 +33,7 @@ pub fn chart(measured: &Measured, found: &Identified, first: Quantity, title: &s
     };
     // Crosses lie over the line of the fit; measured points that are joined lie under its dashes.
     let fitted = curve("least squares", (COLORS[0], if few { "none" } else { "7 4" }), mm(&found.fitted));
-    let points = curve("measured", (if few { "#222222" } else { "#b0b0b0" }, "none"), crossed(mm(&measured.x)));
+    let points = curve("measured", (if few { INK } else { BEHIND }, "none"), crossed(mm(&measured.x)));
     let residual = curve("residual", (COLORS[1], "none"), mm(&found.residuals));
     let panels = vec![
         Panel { name: name.to_owned(), curves: if few { vec![fitted, points] } else { vec![points, fitted] } },

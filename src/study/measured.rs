@@ -5,6 +5,7 @@ use std::fmt::Write as _;
 use crate::measure::Pose;
 use crate::plot::COLORS;
 use crate::plot::chart::{Chart, Curve, Panel};
+use crate::plot::paper::BEHIND;
 
 /// A body of a film.
 #[derive(Clone, Debug)]
@@ -113,7 +114,7 @@ impl Film {
         };
         let panel = |(axis, name): (usize, &str)| {
             let dashes = if run.is_empty() { "none" } else { "7 4" };
-            let computed = curve("computed", ("#b0b0b0", "none"), of_axis(&computed, axis));
+            let computed = curve("computed", (BEHIND, "none"), of_axis(&computed, axis));
             let measured = curve("measured", (COLORS[axis], dashes), of_axis(&measured, axis));
             let curves = if run.is_empty() { vec![measured] } else { vec![computed, measured] };
             Panel { name: name.to_owned(), curves }

@@ -2,17 +2,17 @@
 
 use glam::DVec3;
 
-use super::ViewInput;
 use super::block::moved_girder_block;
 use super::list::Line;
 use super::moment::Moment;
 use super::palette::Palette;
+use super::{Target, ViewInput};
 use super::{scale, walls};
 use crate::geometry::End;
 use crate::language::{Text, values};
 use crate::scene::Scene;
 use crate::scene::facing::Side;
-use crate::sim::readings;
+use crate::sim::{SolidId, readings};
 
 /// Difference of two readings of a gap that is not told, in parts of the larger one \[–\]. Chosen: the third digit.
 const ALIKE: f64 = 0.01;
@@ -76,6 +76,17 @@ pub(super) struct Dimension {
 }
 
 impl Dimension {
+    /// Whether one of the two bodies is selected.
+    pub(super) fn is_selected(&self, input: &ViewInput<'_>) -> bool {
+        let pairs = input.history.map(|history| &history.model().pairs);
+        let Some(pair) = self.pair.and_then(|pair| pairs?.get(pair)) else { return false };
+        let target = |side: Side| match side.solid() {
+            SolidId::Girder(i) => Target::Girder(i),
+            SolidId::Abutment(i) => Target::Abutment(i),
+        };
+        [pair.first, pair.second].into_iter().any(|side| input.selected.contains(&target(side)))
+    }
+
     /// The value in words: along the axis from the middle of the end, and where it is another the least gap, square to the face.
     pub(super) fn words(&self, input: &ViewInput<'_>) -> String {
         let along = scale::length(self.gap);

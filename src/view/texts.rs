@@ -168,6 +168,22 @@ pub(super) fn names(input: &ViewInput<'_>, moment: &Moment, palette: &Palette, p
         .collect()
 }
 
+/// Of more gaps than this the least, the largest and those of what is selected are told. Chosen: more values than these are not read in a
+/// picture, and leave no room for names.
+const MANY_GAPS: usize = 8;
+
+/// The gaps that are told in words.
+fn told<'a>(input: &ViewInput<'_>, dimensions: &'a [Dimension]) -> Vec<&'a Dimension> {
+    if dimensions.len() <= MANY_GAPS {
+        return dimensions.iter().collect();
+    }
+    let gaps = || dimensions.iter().map(|d| d.gap).enumerate();
+    let least = gaps().min_by(|a, b| a.1.total_cmp(&b.1)).map(|(i, _)| i);
+    let largest = gaps().max_by(|a, b| a.1.total_cmp(&b.1)).map(|(i, _)| i);
+    let told = |(i, d): &(usize, &Dimension)| least == Some(*i) || largest == Some(*i) || d.is_selected(input);
+    dimensions.iter().enumerate().filter(told).map(|(_, d)| d).collect()
+}
+
 /// The values of the gaps.
 pub(super) fn gap_values(
     input: &ViewInput<'_>,
@@ -187,7 +203,7 @@ pub(super) fn gap_values(
             placer.take_stroke(from, to, 4.0 * ppp);
         }
     }
-    dimensions.iter().filter_map(label).flat_map(|l| placer.place(&l)).collect()
+    told(input, dimensions).into_iter().filter_map(label).flat_map(|l| placer.place(&l)).collect()
 }
 
 /// The force at the hardest contacts, all of it, beside the tip of the arrow or the contact; where the arrow, without

@@ -7,6 +7,11 @@ use crate::snapshot::MOST_FPS;
 /// A longer film is a mistake in a number.
 const MOST_FRAMES: u32 = 20_000;
 
+/// Longest film that is offered before a number is typed \[s\]. Chosen: a longer one is not watched to its end, nor sent as a file.
+const OFFERED_LENGTH: f64 = 20.0;
+/// Speeds that are offered \[s of the run per s\]. Chosen: at the slowest a hit of 10 ms lasts 0.1 s.
+const OFFERED_SPEEDS: [f64; 7] = [0.1, 0.2, 0.5, 1.0, 2.0, 5.0, 10.0];
+
 /// What a film becomes.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum FilmFormat {
@@ -34,9 +39,11 @@ pub struct FilmPlan {
 }
 
 impl FilmPlan {
-    /// A slow film of a stretch of the run.
+    /// A film of a stretch of the run: as slow as leaves it no longer than [`OFFERED_LENGTH`].
     pub(in crate::app) fn of(from: f64, to: f64) -> Self {
-        Self { format: FilmFormat::Gif, from, to, speed: 0.1, fps: 25.0, size: None }
+        let short_enough = |speed: &f64| (to - from) / speed <= OFFERED_LENGTH;
+        let speed = OFFERED_SPEEDS.into_iter().find(short_enough).unwrap_or(1.0);
+        Self { format: FilmFormat::Gif, from, to, speed, fps: 25.0, size: None }
     }
 
     /// Frames a second that the format can have.
@@ -75,6 +82,7 @@ mod tests {
     fn a_film_has_a_frame_at_both_ends() {
         // 1 s of the run at 0.1 s/s and 25 Hz: 250 intervals, 251 frames.
         assert_eq!(FilmPlan::of(0.0, 1.0).frames(), Some(251), "both ends");
+        assert_eq!(FilmPlan::of(0.0, 40.0).frames(), Some(501), "20 s of 40 s");
         assert_eq!(FilmPlan::of(1.0, 0.0).frames(), None, "ends before it begins");
         assert_eq!(FilmPlan { speed: 1e-6, ..FilmPlan::of(0.0, 1.0) }.frames(), None, "far too long");
     }

@@ -20,6 +20,8 @@ pub enum TimeCommand {
     StepEvent(Way),
     /// To a time \[s\].
     Seek(f64),
+    /// To a time that a reading names, and stand there \[s\].
+    StandAt(f64),
     /// Playing speed \[s of the answer per s\].
     Speed(f64),
     /// The next faster (+1) or slower (−1) playing speed.

@@ -72,6 +72,8 @@ pub enum ViewCommand {
     Frame,
     /// Turn to a part of the scene.
     Look(Look),
+    /// Back to the camera before the last of these four.
+    Back,
     /// Which layers are shown.
     Overlays(Overlays),
     /// Force scale \[N per m\]; from the run's peak when none.

@@ -9,10 +9,10 @@ use crate::codes::least_seat;
 use crate::files::SceneSource;
 use crate::scene::{Scene, SceneErrors, format};
 
-/// Ranges of the numbers that are asked for: span and width \[m\], skew \[degrees\], spans.
-const RANGES: [[f64; 2]; 3] = [[5.0, 200.0], [3.0, 60.0], [20.0, 160.0]];
-/// Most spans of a new bridge (chosen).
-const MOST_BRIDGE_SPANS: usize = 20;
+/// Ranges of the numbers that are asked for: span and width \[m\], skew \[degrees\].
+pub(in crate::app) const RANGES: [[f64; 2]; 3] = [[5.0, 200.0], [3.0, 60.0], [20.0, 160.0]];
+/// Most spans of a new bridge (chosen); a row of spans can be longer.
+pub(in crate::app) const MOST_BRIDGE_SPANS: usize = 200;
 
 /// Mass of a deck over its area, as that of the preset `deck-30m` \[kg/m²\].
 const MASS_PER_AREA: f64 = 2000.0;

@@ -14,7 +14,7 @@ mod selection;
 mod spans;
 
 pub(in crate::app) use bearings::{four_below, of_deck, one_by_one};
-pub(in crate::app) use bridge::{assumed, bridge, sound};
+pub(in crate::app) use bridge::{MOST_BRIDGE_SPANS, RANGES, assumed, bridge, sound};
 pub(in crate::app) use change::*;
 pub(in crate::app) use devices::{device, points_before};
 pub(in crate::app) use document::Document;

@@ -18,7 +18,7 @@ use crate::app::panel::{
 use crate::app::plot::plots;
 use crate::app::quake;
 use crate::app::style::letters;
-use crate::app::style::theme::{self, Palette};
+use crate::app::style::theme::{self, Palette, greyed};
 use crate::app::text;
 use crate::app::time::replay::Replay;
 use crate::app::time::{timeline, transport};
@@ -139,7 +139,7 @@ fn panels(bench: &Workbench, ui: &mut Ui, out: &mut Vec<Command>) {
     let (document, display, plots) = (&files.document, &view.display, bench.plot_source());
     Panel::top("bar")
         .resizable(false)
-        .show(ui, |ui| menu::show(ui, files, (*learning, display.sight, bench.tasks.paths.is_here()), out));
+        .show(ui, |ui| menu::show(ui, files, (*learning, view, bench.tasks.paths.is_here()), out));
     let scene = document.scene();
     let empty = scene.girders.is_empty() && scene.abutments.is_empty();
     let adapter = view.adapter();
@@ -155,7 +155,7 @@ fn panels(bench: &Workbench, ui: &mut Ui, out: &mut Vec<Command>) {
         let time = Panel::bottom("time").resizable(true).default_size(room * 0.37).min_size(180.0).max_size(room * 0.7);
         time.show(ui, |ui| {
             time_rows(scene, replay, ui, (Some(false), plots::legend_width(ui)), out);
-            plots::show(ui, &plots, out);
+            greyed(ui, replay.runner.shows_older(), |ui| plots::show(ui, &plots, out));
         });
     }
     beside(ui, (Pane::Placed, folded), out, |ui, out| {
@@ -215,7 +215,7 @@ fn lecture_panels(bench: &Workbench, ui: &mut Ui, out: &mut Vec<Command>) {
     let document = &bench.files.document;
     Panel::top("bar").resizable(false).show(ui, |ui| {
         ui.horizontal(|ui| {
-            ui.menu_button(text::VIEWS, |ui| view_menu::menu(ui, bench.view.display.sight, document, out));
+            ui.menu_button(text::VIEWS, |ui| view_menu::menu(ui, &bench.view, document, out));
             ui.menu_button(text::LEARN, |ui| lesson_panel::menu(ui, bench.learning, out));
         });
     });
@@ -235,7 +235,7 @@ fn time_rows(scene: &Scene, replay: &Replay, ui: &mut Ui, (plots, right): (Optio
         passed: replay.runner.passed(scene.limits).unwrap_or_default(),
         falls: replay.runner.fresh_answer().map(|answer| answer.falls()).unwrap_or_default(),
     };
-    timeline::show(ui, shown, [plots::AXIS_WIDTH, right], out);
+    greyed(ui, replay.runner.shows_older(), |ui| timeline::show(ui, shown, [plots::AXIS_WIDTH, right], out));
 }
 
 /// Asks for another frame only when there is a reason.

@@ -6,8 +6,8 @@ use egui::containers::menu::{MenuButton, MenuConfig};
 use egui::{Button, MenuBar, PopupCloseBehavior, Theme, Ui};
 
 use crate::app::command::{
-    Command, EditCommand, Export, FileCommand, Filming, MapCommand, PathCommand, PlaceCommand, SelectCommand, Sight,
-    Tool, ViewCommand, WindowCommand, Wish,
+    Command, EditCommand, Export, FileCommand, Filming, MapCommand, PathCommand, PlaceCommand, SelectCommand, Tool,
+    ViewCommand, WindowCommand, Wish,
 };
 use crate::app::disk::recent;
 use crate::app::disk::scene_files::SceneFiles;
@@ -16,6 +16,7 @@ use crate::app::host::PAGE;
 use crate::app::learn::lesson_panel;
 use crate::app::learn::lessons::Learning;
 use crate::app::panel::view_menu;
+use crate::app::viewport::scene_view::SceneView;
 use crate::app::{edits, text};
 use crate::scene::{DeviceKind, Scene, ViewPreset, presets};
 
@@ -26,7 +27,7 @@ const ALL_BUTTONS: f32 = 720.0;
 pub(in crate::app) fn show(
     ui: &mut Ui,
     files: &SceneFiles,
-    (learning, sight, paths_here): (Learning, Sight, bool),
+    (learning, view, paths_here): (Learning, &SceneView, bool),
     out: &mut Vec<Command>,
 ) {
     let document = &files.document;
@@ -60,7 +61,7 @@ pub(in crate::app) fn show(
                 ui.horizontal(|ui| views(ui, out));
                 ui.separator();
             }
-            view_menu::menu(ui, sight, document, out);
+            view_menu::menu(ui, view, document, out);
         });
         button(ui, true, &text::MAP_OPEN, &text::MAP_OPEN_HINT, Command::Map(MapCommand::Show(true)), out);
         ui.with_layout(egui::Layout::right_to_left(egui::Align::Center), |ui| {

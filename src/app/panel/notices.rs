@@ -17,7 +17,7 @@ const NOTICE_SHOWN: f64 = 10.0;
 
 /// Greys an old answer and says why it is old.
 pub(in crate::app) fn over_view(ui: &mut Ui, rect: Rect, (runner, tool): (&Runner, Tool), out: &mut Vec<Command>) {
-    if runner.is_stale() && runner.answer().is_some() {
+    if runner.shows_older() {
         let veil: Color32 = Palette::of(ui).view.gamma_multiply(0.55);
         ui.painter().rect_filled(rect, 0.0, veil);
     }

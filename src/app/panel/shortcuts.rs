@@ -171,6 +171,7 @@ fn plain(key: Key, modifiers: Modifiers, on: Keyboard<'_>) -> Option<Command> {
         Key::O => Some(Command::Time(TimeCommand::SpanTo)),
         Key::X => Some(Command::Time(TimeCommand::PlaySpan(None))),
         Key::F => Some(Command::View(ViewCommand::Frame)),
+        Key::V => Some(Command::View(ViewCommand::Back)),
         Key::Num1 => Some(Command::View(ViewCommand::Preset(ViewPreset::Iso))),
         Key::Num2 => Some(Command::View(ViewCommand::Preset(ViewPreset::Top))),
         Key::Num3 => Some(Command::View(ViewCommand::Preset(ViewPreset::Side))),

@@ -54,6 +54,8 @@ fn bridge(ui: &mut Ui, draft: BridgeDraft, out: &mut Vec<Command>) {
         number(ui, place, ("", text::START_SKEW.as_str()), &mut new.skew_deg, DEGREES);
         number(ui, place, ("", text::START_SPANS.as_str()), &mut spans, Unit { speed: 0.05, ..PURE });
     });
+    let ranges = RichText::new(text::ranges(edits::RANGES, edits::MOST_BRIDGE_SPANS)).weak();
+    ui.add(egui::Label::new(ranges).wrap());
     let new = edits::sound(BridgeDraft { spans: whole(spans), ..new });
     if new != draft {
         out.push(WindowCommand::Bridge(new).into());

@@ -7,7 +7,7 @@ use crate::app::panel::limits;
 use crate::app::run::answer::Answer;
 use crate::app::run::runner::Runner;
 use crate::app::run::spot::Spot;
-use crate::app::style::theme::Palette;
+use crate::app::style::theme::{Palette, greyed};
 use crate::app::text;
 use crate::scene::Limits;
 use crate::sim::moving_ground;
@@ -33,7 +33,7 @@ pub(in crate::app) fn show(
             let first = problems.0.first().map(|e| format!("{}: {}", e.place, e.remedy)).unwrap_or_default();
             ui.add(egui::Label::new(RichText::new(first).color(Palette::of(ui).problem)).truncate());
         } else if let Some(answer) = runner.answer() {
-            numbers(ui, answer, room, out);
+            greyed(ui, runner.shows_older(), |ui| numbers(ui, answer, room, out));
         }
         let (left, mut cut) = (ui.cursor().left(), 0.0);
         if runner.is_coarse() {
@@ -99,7 +99,7 @@ fn overlaps(ui: &mut Ui, answer: &Answer, out: &mut Vec<Command>) {
         let words = format!("{}{more}", text::overlap(&answer.history, first));
         let label = ui.link(RichText::new(words).color(Palette::of(ui).problem)).on_hover_text(text::OVERLAP_MEANS);
         if label.clicked() {
-            out.push(TimeCommand::Seek(first.first()).into());
+            out.push(TimeCommand::StandAt(first.first()).into());
             if let SolidId::Girder(girder) = first.bodies[0] {
                 out.push(ViewCommand::Look(Look::Girder(girder)).into());
             }

@@ -7,13 +7,19 @@ use crate::app::edits::Document;
 use crate::app::field::slider_row;
 use crate::app::style::size::SCALES;
 use crate::app::text;
+use crate::app::viewport::scene_view::SceneView;
 use crate::language::Language;
 use crate::scene::Kind;
 use crate::sim::OfSection;
 use crate::view::{Bending, section_force};
 
 /// The menu of views beyond the standing ones.
-pub(in crate::app) fn menu(ui: &mut Ui, sight: Sight, document: &Document, out: &mut Vec<Command>) {
+pub(in crate::app) fn menu(ui: &mut Ui, view: &SceneView, document: &Document, out: &mut Vec<Command>) {
+    if ui.add_enabled(view.has_been_turned(), Button::new(text::VIEW_BACK).shortcut_text("V")).clicked() {
+        out.push(ViewCommand::Back.into());
+    }
+    ui.separator();
+    let sight = view.display.sight;
     let mut new = sight;
     ui.checkbox(&mut new.plan, text::PLAN_BESIDE);
     ui.checkbox(&mut new.section, text::GAP_SECTION);

@@ -4,12 +4,12 @@ use std::f32::consts::FRAC_PI_2;
 
 use egui::epaint::TextShape;
 use egui::{Align2, FontId, Id, Rect, Sense, Stroke, Ui, UiBuilder, Vec2, pos2, vec2};
-use egui_plot::{FilledArea, Line, Plot, PlotBounds, PlotPoints, PlotUi, VLine};
+use egui_plot::{FilledArea, Plot, PlotBounds, PlotUi, VLine};
 
 use crate::app::command::{Command, PlotCommand};
 use crate::app::plot::charts::{Chart, Drawn};
 use crate::app::plot::value_axis::{Ticks, ValueAxis, fitting};
-use crate::app::plot::{dashes, legend};
+use crate::app::plot::{dashes, legend, resolution};
 use crate::app::style::theme::Palette;
 use crate::app::text;
 use crate::app::time::time_axis::{TimeAxis, ticks};
@@ -118,8 +118,7 @@ fn curves(ui: &mut Ui, chart: &Chart<'_>, over: &Over<'_>, axis: &ValueAxis, pal
             plot.add(area.fill_color(*color).allow_hover(false));
         }
         for drawn in chart.curves.iter().filter(|drawn| chart.filled || !dashes::is_broken(drawn.style)) {
-            let points = PlotPoints::new(drawn.curve.to_vec());
-            let line = Line::new("", points).stroke(stroke(drawn)).allow_hover(false);
+            let line = resolution::line("", drawn.curve.to_vec()).stroke(stroke(drawn)).allow_hover(false);
             plot.line(if chart.filled { line.fill(0.0).fill_alpha(1.0) } else { line });
         }
         plot.vline(VLine::new("", over.t).stroke(Stroke::new(1.2, palette.playhead)).allow_hover(false));
@@ -152,5 +151,61 @@ fn pointed(ui: &Ui, chart: &Chart<'_>, over: &Over<'_>, axis: &ValueAxis, palett
     for entry in chart.entries.iter().filter(|_| !chart.filled) {
         let Some(value) = entry.value.map(|v| if chart.log { v.abs().log10() } else { v }) else { continue };
         painter.circle_filled(pos2(x, axis.y(value)), 2.6, entry.color);
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use std::borrow::Cow;
+
+    use egui::RawInput;
+    use egui::epaint::Primitive;
+    use egui_plot::LineStyle;
+
+    use super::*;
+    use crate::app::style::theme;
+
+    /// Triangles of a curve in a field of 400 × 100 points, 10 s by 10 N.
+    fn triangles(curve: &[[f64; 2]]) -> Vec<Rect> {
+        let place = Rect::from_min_size(pos2(0.0, 0.0), vec2(400.0, 100.0));
+        let axis = TimeAxis::over(place, None, 10.0);
+        let over = Over { number: 0, place, axis: &axis, t: 0.0 };
+        let values = ValueAxis { range: [0.0, 10.0], edges: [place.top(), place.bottom()], log: false };
+        let drawn = Drawn {
+            curve: Cow::Owned(curve.to_vec()),
+            color: egui::Color32::WHITE,
+            style: LineStyle::Solid,
+            chosen: true,
+        };
+        let (curves_of, bands, entries) = (vec![drawn], Vec::new(), Vec::new());
+        let chart =
+            Chart { name: String::new(), unit: "N", curves: curves_of, bands, entries, filled: false, log: false };
+        let context = theme::context();
+        let input = RawInput { screen_rect: Some(place), ..RawInput::default() };
+        let mut output = context.run_ui(input, |ui| {
+            let palette = Palette::of(ui);
+            curves(ui, &chart, &over, &values, &palette);
+        });
+        output.textures_delta.clear();
+        let mut all = Vec::new();
+        for clipped in context.tessellate(std::mem::take(&mut output.shapes), 1.0) {
+            let Primitive::Mesh(mesh) = clipped.primitive else { continue };
+            let corners = |i: &[u32]| i.iter().map(|&i| mesh.vertices[i as usize].pos).collect::<Vec<_>>();
+            all.extend(mesh.indices.chunks_exact(3).map(|i| Rect::from_points(&corners(i))));
+        }
+        all
+    }
+
+    #[test]
+    fn where_a_curve_has_no_points_nothing_is_filled() {
+        let curve =
+            [[1.0, 0.0], [1.0, 5.0], [1.01, 4.0], [1.01, 0.0], [8.0, 0.0], [8.0, 9.0], [8.01, 6.0], [8.01, 0.0]];
+        let all = triangles(&curve);
+        let second = all.iter().filter(|t| t.left() > 300.0);
+        let highest = second.map(Rect::top).fold(f32::INFINITY, f32::min);
+        assert!((8.0..12.0).contains(&highest), "the second spike is drawn: up to {highest}");
+        let between = all.iter().filter(|t| t.left() < 200.0 && t.right() > 200.0);
+        let up_to = between.map(Rect::top).fold(f32::INFINITY, f32::min);
+        assert!(up_to > 95.0, "between the two there is the line at 0 N alone, not up to {up_to} of 100 points");
     }
 }

@@ -6,7 +6,7 @@ mod dashes;
 mod legend;
 pub(in crate::app) mod plot_files;
 pub(in crate::app) mod plots;
-mod resolution;
+pub(in crate::app) mod resolution;
 pub(in crate::app) mod sampled;
 pub(in crate::app) mod source;
 pub(in crate::app) mod traces;

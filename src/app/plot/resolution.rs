@@ -1,6 +1,8 @@
 //! How many samples a curve takes, and how many of them are drawn: a run that swings faster than the picture has columns is drawn as
 //! the band between the lowest and the highest value of each column, never as the slow wave that too few samples would make of it.
 
+use egui_plot::{Line, PlotPoints};
+
 /// A curve: `[t, value]`.
 pub(in crate::app) type Curve = Vec<[f64; 2]>;
 
@@ -72,6 +74,12 @@ pub(super) fn by_columns(curve: Curve, [from, to]: [f64; 2], columns: usize) -> 
         drawn.extend((first != last).then_some(*last));
     }
     drawn
+}
+
+/// The line of a plot through these points and no others. `egui_plot` draws lines of several points a column as bands by itself, and
+/// a band that is followed by a stretch without points is joined to the next one by a filled triangle.
+pub(in crate::app) fn line<'a>(name: &str, points: Vec<[f64; 2]>) -> Line<'a> {
+    Line::new(name, PlotPoints::new(points)).allow_band(false)
 }
 
 #[cfg(test)]

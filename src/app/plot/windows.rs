@@ -2,10 +2,11 @@
 //! spectra. The mouse moves and zooms both axes; a double click shows everything.
 
 use egui::{Id, RichText, Stroke, Ui, Window, vec2};
-use egui_plot::{HoverPosition, Line, Plot, PlotPoints, PlotUi, Points};
+use egui_plot::{HoverPosition, Plot, PlotPoints, PlotUi, Points};
 
 use crate::app::command::{Command, EditCommand};
 use crate::app::plot::charts::look;
+use crate::app::plot::resolution;
 use crate::app::plot::sampled::Sampled;
 use crate::app::plot::source::Source;
 use crate::app::plot::value_axis::{fitting, grid_marks};
@@ -85,7 +86,7 @@ fn draw(ui: &mut Ui, (id, height, factor): (Id, f32, f64), panel: &Sampled, here
                     curve.iter().map(scaled).filter(|p| p[1].is_finite() && p[0].is_finite()).collect();
                 let (color, style) = look(panel, i);
                 let stroke = Stroke::new(if panel.kept(i).is_some() { 0.9 } else { 1.5 }, color);
-                plot.line(Line::new(name.as_str(), PlotPoints::new(points)).stroke(stroke).style(style));
+                plot.line(resolution::line(name, points).stroke(stroke).style(style));
             }
             let here: Vec<[f64; 2]> = here.iter().map(scaled).filter(|p| p[1].is_finite()).collect();
             plot.points(Points::new("", PlotPoints::new(here)).radius(4.0).color(palette.playhead).allow_hover(false));

@@ -1,10 +1,11 @@
 //! The window of the ground motion: acceleration, velocity, displacement against time; the response spectrum against the period.
 
 use egui::{Id, RichText, Stroke, Ui, Window, vec2};
-use egui_plot::{AxisHints, Line, Plot, PlotPoints, PlotUi, Points, Text, VLine};
+use egui_plot::{AxisHints, Plot, PlotUi, Points, Text, VLine};
 
 use super::shaking::{OwnPeriod, Shaking, own_periods};
 use crate::app::command::{Command, QuakeCommand, TimeCommand};
+use crate::app::plot::resolution::line;
 use crate::app::plot::value_axis::grid_marks;
 use crate::app::run::answer::Answer;
 use crate::app::style::theme::{OWN, Palette};
@@ -157,8 +158,8 @@ fn plot<R>(
     let plot = plot.x_grid_spacer(move |grid| grid_marks(grid.bounds, width / LEVEL, false));
     plot.show(ui, |plot| {
         for curve in &panel.curves {
-            let points = PlotPoints::new(curve.points.clone());
-            plot.line(Line::new("", points).stroke(Stroke::new(1.2, OWN[color])).allow_hover(false));
+            let line = line("", curve.points.clone()).stroke(Stroke::new(1.2, OWN[color]));
+            plot.line(line.allow_hover(false));
         }
         upon(plot)
     })

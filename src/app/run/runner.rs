@@ -139,6 +139,11 @@ impl Runner {
         self.problems.is_some() || self.given_up || self.answered().is_none_or(|revision| revision != self.revision)
     }
 
+    /// Whether an answer is shown, and that of the scene before its last edit.
+    pub(in crate::app) fn shows_older(&self) -> bool {
+        self.is_stale() && self.answer().is_some()
+    }
+
     /// End of what is shown: of the answer, or what the scene asks for \[s\].
     pub fn end(&self) -> f64 {
         self.answer().map_or(self.wanted, |a| a.history.end())

@@ -137,7 +137,7 @@ impl Spot {
 
     /// What leads there.
     pub(in crate::app) fn go(self, out: &mut Vec<Command>) {
-        out.push(TimeCommand::Seek(self.t).into());
+        out.push(TimeCommand::StandAt(self.t).into());
         out.extend(self.select.map(|target| SelectCommand::Only(Some(target)).into()));
         out.push(ViewCommand::Look(self.look).into());
     }

@@ -1,7 +1,7 @@
 //! Colours and spacing of the window, light and dark.
 
 use egui::epaint::text::{FontInsert, FontPriority, InsertFontFamily};
-use egui::{Color32, Context, CornerRadius, FontData, FontFamily, Id, Stroke, Theme, Visuals};
+use egui::{Color32, Context, CornerRadius, FontData, FontFamily, Id, Stroke, Theme, Ui, Visuals};
 
 use crate::render;
 
@@ -31,6 +31,19 @@ pub(in crate::app) const OWN: [Color32; 6] = [
     Color32::from_rgb(0xCC, 0x79, 0xA7),
     Color32::from_rgb(0x8C, 0x96, 0xA3),
 ];
+
+/// How much is left of the ink of curves and figures of an earlier scene \[–\]; the view is veiled.
+const OLDER: f32 = 0.4;
+
+/// Shows figures, greyed where they are of an earlier scene than the one worked on.
+pub(in crate::app) fn greyed(ui: &mut Ui, older: bool, body: impl FnOnce(&mut Ui)) {
+    ui.scope(|ui| {
+        if older {
+            ui.multiply_opacity(OLDER);
+        }
+        body(ui);
+    });
+}
 
 /// What the two themes disagree about beyond egui's own visuals.
 #[derive(Clone, Copy, Debug, PartialEq)]

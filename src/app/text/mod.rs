@@ -88,6 +88,7 @@ pub(super) const VIEW_ISO: Text = Text::new("view-iso");
 pub(super) const VIEW_TOP: Text = Text::new("view-top");
 pub(super) const VIEW_SIDE: Text = Text::new("view-side");
 pub(super) const VIEW_CONTACT: Text = Text::new("view-contact");
+pub(super) const VIEW_BACK: Text = Text::new("view-back");
 pub(super) const VIEW_FRAME: Text = Text::new("view-frame");
 pub(super) const FRAME_HINT: Text = Text::new("frame-hint");
 
@@ -365,6 +366,7 @@ pub(super) const KEYS: &[(Text, Text)] = &[
     (Text::new("key-slow"), Text::new("key-slow-does")),
     (Text::new("key-views"), Text::new("key-views-does")),
     (Text::new("key-frame"), Text::new("key-frame-does")),
+    (Text::new("key-back"), Text::new("key-back-does")),
     (Text::new("key-left-drag"), Text::new("key-left-drag-does")),
     (Text::new("key-shift-drag"), Text::new("key-shift-drag-does")),
     (Text::new("key-wheel"), Text::new("key-wheel-does")),

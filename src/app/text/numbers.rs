@@ -195,6 +195,13 @@ pub(in crate::app) fn bars(count: usize, stick: f64, slip: f64) -> String {
     Text::new("bars").with(&values!["count" => count, "stick" => short(stick), "slip" => short(slip)])
 }
 
+/// Which numbers a new bridge can have: span and width \[m\], skew \[degrees\], and how many spans at most.
+pub(in crate::app) fn ranges(ranges: [[f64; 2]; 3], spans: usize) -> String {
+    let [span, width, skew] = ranges.map(|[least, most]| format!("{}–{}", short(least), short(most)));
+    Text::new("start-ranges")
+        .with(&values!["span" => span, "width" => width, "skew" => skew, "spans" => spans.to_string()])
+}
+
 /// What is assumed of a new bridge: depth, gap and seat \[m\], mass of a span \[kg\], contact \[N/m\], bearings \[Hz\].
 pub(in crate::app) fn assumed([depth, gap, seat]: [f64; 3], mass: f64, k: f64, frequency: f64) -> String {
     let values = values![

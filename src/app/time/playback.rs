@@ -30,6 +30,10 @@ impl Playback {
                 }
             }
             TimeCommand::Seek(t) => self.seek(t, end),
+            TimeCommand::StandAt(t) => {
+                self.clock.playing = false;
+                self.seek(t, end);
+            }
             TimeCommand::Speed(speed) => self.clock.speed = speed.clamp(0.001, 10.0),
             TimeCommand::StepSpeed(by) => self.clock.step_speed(by),
             TimeCommand::Loop(on) => self.clock.looping = on,

@@ -15,7 +15,7 @@ use crate::scene::edit::EditError;
 use crate::scene::{Scene, ViewPreset};
 use crate::sim::OfSection;
 use crate::snapshot::{Instant, Shot};
-use crate::view::Background;
+use crate::view::{Background, Camera};
 
 /// Width of a picture for paper: 20 cm at 300 dots an inch \[pixels\].
 const PRINT_WIDTH: u32 = 2400;
@@ -32,6 +32,8 @@ pub struct SceneView {
     adapter: Option<AdapterSummary>,
     /// Where to look from once the panels have taken their room.
     aim_next: Option<ViewPreset>,
+    /// The camera before a command last turned it.
+    before: Option<Camera>,
 }
 
 impl SceneView {
@@ -43,6 +45,7 @@ impl SceneView {
             format: TextureFormat::Rgba8Unorm,
             adapter: None,
             aim_next: None,
+            before: None,
         }
     }
 
@@ -58,6 +61,7 @@ impl SceneView {
 
     /// Looks at another scene as it wants to be looked at.
     pub(in crate::app) fn look_as(&mut self, scene: &Scene) {
+        self.before = None;
         self.display.take_from(scene);
         self.viewport.want(scene.view.camera);
     }
@@ -97,6 +101,9 @@ impl SceneView {
 
     /// Does a command about the view of a scene and its answer.
     pub(in crate::app) fn apply(&mut self, command: ViewCommand, document: &Document, replay: &Replay) {
+        if matches!(command, ViewCommand::Preset(_) | ViewCommand::Frame | ViewCommand::Look(_)) {
+            self.before = self.viewport.camera().copied();
+        }
         match command {
             ViewCommand::Preset(preset) => self.viewport.want(preset),
             ViewCommand::Camera(camera) => self.viewport.set_camera(camera),
@@ -107,6 +114,12 @@ impl SceneView {
             ViewCommand::Look(look) => {
                 let (viewport, seen) = self.parts(document, replay, &[]);
                 viewport.look(&seen, look);
+            }
+            ViewCommand::Back => {
+                if let Some(camera) = self.before {
+                    self.before = self.viewport.camera().copied();
+                    self.viewport.set_camera(camera);
+                }
             }
             ViewCommand::Overlays(overlays) => self.display.overlays = overlays,
             ViewCommand::ForceScale(scale) => self.display.set_force_scale(scale),
@@ -140,6 +153,11 @@ impl SceneView {
         self.display.sight.bent.and_then(|bent| bent.force).unwrap_or(OfSection::Axial)
     }
 
+    /// Whether there is a camera to go back to.
+    pub(in crate::app) fn has_been_turned(&self) -> bool {
+        self.before.is_some()
+    }
+
     /// A picture of the view as it is, but for its instant.
     pub(in crate::app) fn shot(&self) -> Shot {
         Shot {
@@ -167,7 +185,7 @@ impl SceneView {
     /// Everything of it that commands can change and a frame shows.
     pub(in crate::app) fn shown(&self) -> impl PartialEq + use<> {
         let viewport = (self.viewport.camera().copied(), self.viewport.wanted(), self.viewport.hand.seen());
-        (viewport, self.display.seen(), self.aim_next)
+        (viewport, self.display.seen(), self.aim_next, self.before)
     }
 }
 
@@ -176,7 +194,7 @@ mod tests {
     use glam::DVec3;
 
     use super::*;
-    use crate::app::command::{Flank, Grip, HandKey, Sight, Tool};
+    use crate::app::command::{Flank, Grip, HandKey, Look, Sight, Tool};
     use crate::files::SceneSource;
     use crate::scene::presets;
 
@@ -217,6 +235,25 @@ mod tests {
         assert_ne!(view.viewport.wanted(), Some(ViewPreset::Top), "not yet");
         view.aim();
         assert_eq!(view.viewport.wanted(), Some(ViewPreset::Top), "now");
+    }
+
+    #[test]
+    fn a_view_that_a_reading_has_turned_goes_back_and_forth() {
+        let (mut view, document) = opened();
+        let camera = |view: &SceneView| view.viewport.camera().copied();
+        let bounds = crate::view::Bounds::of_scene(document.scene());
+        let own = Camera { yaw: 0.3, ..Camera::preset(ViewPreset::Iso, bounds, 1.5) };
+        view.viewport.set_camera(own);
+        assert!(!view.has_been_turned(), "by nothing yet");
+        view.apply(ViewCommand::Look(Look::Girder(0)), &document, &Replay::default());
+        let turned = camera(&view);
+        assert_ne!(turned, Some(own), "to the girder");
+        view.apply(ViewCommand::Back, &document, &Replay::default());
+        assert_eq!(camera(&view), Some(own), "as the hand had left it");
+        view.apply(ViewCommand::Back, &document, &Replay::default());
+        assert_eq!(camera(&view), turned, "and to the girder again");
+        view.look_as(document.scene());
+        assert!(!view.has_been_turned(), "another scene has no camera before");
     }
 
     #[test]

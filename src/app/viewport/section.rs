@@ -2,6 +2,7 @@
 
 use egui::{Id, Rect, Stroke, Ui, Window, pos2, vec2};
 
+use crate::app::command::{Command, Sight, ViewCommand};
 use crate::app::style::theme::{Palette, SLIP, STICK};
 use crate::app::text;
 use crate::app::viewport::seen::Seen;
@@ -24,19 +25,24 @@ fn pair_shown(seen: &Seen<'_>, history: &History) -> Option<usize> {
 }
 
 /// The section of a gap seen from above, the distance of the faces drawn larger by a factor that is shown.
-pub(in crate::app) fn show(ui: &Ui, rect: Rect, seen: &Seen<'_>) {
+pub(in crate::app) fn show(ui: &Ui, rect: Rect, seen: &Seen<'_>, out: &mut Vec<Command>) {
     if !seen.display.sight.section {
         return;
     }
     let Some(answer) = seen.answer() else { return };
     let Some(pair) = pair_shown(seen, &answer.history) else { return };
     let t = seen.t();
+    let mut open = true;
     Window::new(text::GAP_SECTION)
+        .open(&mut open)
         .id(Id::unique("gap section"))
         .default_pos(rect.left_bottom() + vec2(12.0, -212.0))
         .default_size([230.0, 150.0])
         .resizable(false)
         .show(ui, |ui| draw(ui, &answer.history, pair, t));
+    if !open {
+        out.push(ViewCommand::Sight(Sight { section: false, ..seen.display.sight }).into());
+    }
 }
 
 /// A node before its face: place along the face and gap \[m\], and its state.

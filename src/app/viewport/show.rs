@@ -59,7 +59,7 @@ pub(in crate::app) fn finish(
     let eye = Eye { camera, rect: response.rect };
     gizmo::show(ui, &eye, &mut viewport.hand, seen, out);
     tool::show(ui, &eye, response, seen, out);
-    section::show(ui, response.rect, seen);
+    section::show(ui, response.rect, seen, out);
 }
 
 fn aim(viewport: &mut Viewport, seen: &Seen<'_>) {

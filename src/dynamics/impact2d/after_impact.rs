@@ -2,7 +2,7 @@
 
 use crate::dynamics::Body;
 use crate::dynamics::impact2d::State;
-use crate::dynamics::impact2d::constants::{GAP_ROUND_OFF, KEPT_TOUCH, LIFTED_DEPTH, ROTATION_ROUND_OFF, TOUCH};
+use crate::dynamics::impact2d::constants::{GAP_ROUNDING, KEPT_TOUCH, LIFTED_DEPTH, ROTATION_ROUNDING, TOUCH};
 use crate::dynamics::impact2d::impulse::collision::ContactManifold;
 use crate::dynamics::impact2d::instant::ImpactInstant;
 use crate::dynamics::impact2d::kinematics::{Kinematics, ground_acceleration};
@@ -148,7 +148,7 @@ fn mark_sites(world: &mut World, instant: &ImpactInstant, modes: &[ContactMode])
             if touches && !kept {
                 // Until it is clearly in front it hits again just behind the face, so that round-off is no hit.
                 (track.armed, track.lifted) = (false, true);
-                let behind = (LIFTED_DEPTH * radius).max(GAP_ROUND_OFF * track.spot.size);
+                let behind = (LIFTED_DEPTH * radius).max(GAP_ROUNDING * track.spot.size);
                 track.depth = behind + (-point.gap).max(0.0);
             } else if point.gap < near && !touches && !kept {
                 (track.armed, track.lifted, track.beside) = (false, false, true);
@@ -170,8 +170,8 @@ fn state_of(world: &World, instant: &ImpactInstant, place: usize, modes: &[Conta
     let body = &world.model.bodies[instant.kinematics.bodies[place]];
     let v = instant.kinematics.cluster.velocity[place];
     let turns = turns_without_contact(body)
-        || body.radius * v.z.abs() > instant.speed_noise.max(ROTATION_ROUND_OFF * v.truncate().length())
-        || instant.states[place][2].abs() > ROTATION_ROUND_OFF;
+        || body.radius * v.z.abs() > instant.speed_noise.max(ROTATION_ROUNDING * v.truncate().length())
+        || instant.states[place][2].abs() > ROTATION_ROUNDING;
     if turns { State::FreeTurning } else { State::Free }
 }
 
@@ -203,8 +203,8 @@ fn log_change(
 fn turns_without_contact(body: &Body) -> bool {
     let coupled = |m: &glam::DMat3| {
         let [x, y] = [m.z_axis.x, m.z_axis.y];
-        x.abs() > ROTATION_ROUND_OFF * (m.x_axis.x * m.z_axis.z).sqrt()
-            || y.abs() > ROTATION_ROUND_OFF * (m.y_axis.y * m.z_axis.z).sqrt()
+        x.abs() > ROTATION_ROUNDING * (m.x_axis.x * m.z_axis.z).sqrt()
+            || y.abs() > ROTATION_ROUNDING * (m.y_axis.y * m.z_axis.z).sqrt()
     };
     planar::free(body)[2] && (body.moment.z != 0.0 || coupled(&body.planar.stiffness) || coupled(&body.planar.damping))
 }

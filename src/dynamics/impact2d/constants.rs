@@ -6,29 +6,29 @@
 
 /// Speeds at a contact that differ by less than this part of the fastest in play are equal. A sum over two bodies of a few
 /// products of three terms rounds by some 10 ε = 2e-15; the rest is room for the solves of [`REDUNDANCY_COMPLIANCE`]. Tuned.
-pub(super) const SPEED_ROUND_OFF: f64 = 1e-12;
+pub(super) const IMPACT_SPEED_ROUNDING: f64 = 1e-12;
 /// Likewise, in parts of the largest speed since the start of the run: velocities of a flight come from places that round by
 /// ε of their size; 45 ε. Tuned.
-pub(super) const SPEED_ROUND_OFF_OF_RUN: f64 = 1e-14;
+pub(super) const RUN_SPEED_ROUNDING: f64 = 1e-14;
 /// Accelerations and forces that differ by less than this part of the sum of their terms are equal. Larger than
-/// [`SPEED_ROUND_OFF`] because reactions come from a solve over several contacts, which magnifies round-off. Tuned: every
+/// [`IMPACT_SPEED_ROUNDING`] because reactions come from a solve over several contacts, which magnifies round-off. Tuned: every
 /// row of Tables 4–7 is met by states on the border between two rows (`tests/core/impact/tables.rs`).
-pub(super) const FORCE_ROUND_OFF: f64 = 1e-10;
+pub(super) const IMPACT_FORCE_ROUNDING: f64 = 1e-10;
 /// Normal speed that a kept point may gather from the error of the integrator, in parts of the largest speed of the run.
 /// The integrator keeps to the scene's tolerance per step, 1e-8 by default.
 pub(super) const NORMAL_DRIFT: f64 = 1e-8;
 /// Normal speed of a point that is not kept and still counts as at rest, in units of the speed round-off. An impulse sums two
 /// terms for each of two sides: 4 roundings.
-pub(super) const REST_ROUND_OFFS: f64 = 4.0;
+pub(super) const REST_ROUNDINGS: f64 = 4.0;
 /// Speed below which a body that rests on a wall is set to rest exactly, in units of the speed round-off. Tuned: it
 /// is above what the projection of redundant contacts leaves and far below the stop speed.
-pub(super) const REST_SNAP_ROUND_OFFS: f64 = 1e3;
+pub(super) const REST_SNAP_ROUNDINGS: f64 = 1e3;
 /// Penetration that is the round-off of the gap and no penetration, in parts of the girder's size. A gap is a sum of three
 /// rotated vectors, some 20 ε, and 64 ε covers it; to project round-off out would turn a girder that is hit square.
-pub(super) const PLACE_ROUND_OFF: f64 = 64.0 * f64::EPSILON;
+pub(super) const PLACE_ROUNDING: f64 = 64.0 * f64::EPSILON;
 /// Rotation \[rad\] and relative coupling of bearings below which a girder counts as not turning: the state is a or b by it,
 /// no motion depends on it. 4500 ε. Tuned.
-pub(super) const ROTATION_ROUND_OFF: f64 = 1e-12;
+pub(super) const ROTATION_ROUNDING: f64 = 1e-12;
 
 // Touching.
 
@@ -43,7 +43,7 @@ pub(super) const KEPT_TOUCH: f64 = 1e3;
 /// [`TOUCH`]. Falling through it at 10 m/s² a girder of 30 m reaches 1.7e-5 m/s, below the speed at which it comes to rest.
 pub(super) const LIFTED_DEPTH: f64 = 1e-12;
 /// Round-off of a gap, in parts of the lengths whose difference it is; that depth is not less.
-pub(super) const GAP_ROUND_OFF: f64 = 20.0 * f64::EPSILON;
+pub(super) const GAP_ROUNDING: f64 = 20.0 * f64::EPSILON;
 
 // Impulses.
 
@@ -51,9 +51,9 @@ pub(super) const GAP_ROUND_OFF: f64 = 20.0 * f64::EPSILON;
 pub(super) const RESTITUTION_BISECTIONS: u32 = 52;
 /// Work of a flush impulse that is round-off, in parts of impulse times speed round-off. Tuned: 40,000 random hits
 /// with μ up to 3 add no energy beyond 1e-12 of the kinetic energy (`tests/core/impact/rules.rs`).
-pub(super) const WORK_ROUND_OFF: f64 = 1e-2;
-/// Relative excess of a friction impulse over the cone that is round-off: that of the solve, as [`SPEED_ROUND_OFF`].
-pub(super) const CONE_ROUND_OFF: f64 = 1e-12;
+pub(super) const WORK_ROUNDING: f64 = 1e-2;
+/// Relative excess of a friction impulse over the cone that is round-off: that of the solve, as [`IMPACT_SPEED_ROUNDING`].
+pub(super) const CONE_ROUNDING: f64 = 1e-12;
 /// Hits at one instant beyond which there is no restitution. A girder that bounces between two walls keeps `e_n^k` of its speed after k
 /// hits, 3e-26 of it after 64 at `e_n` = 0.4 and 1e-3 at 0.9.
 pub(super) const HITS_WITH_RESTITUTION: usize = 64;

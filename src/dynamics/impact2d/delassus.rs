@@ -10,7 +10,7 @@ use glam::{DVec2, DVec3};
 
 use crate::contact::{Frame, locate};
 use crate::dynamics::impact2d::InlineVec;
-use crate::dynamics::impact2d::constants::SPEED_ROUND_OFF;
+use crate::dynamics::impact2d::constants::IMPACT_SPEED_ROUNDING;
 use crate::dynamics::model::coordinates::planar::{self, PlanarState};
 use crate::dynamics::{Body, Model};
 
@@ -170,7 +170,7 @@ impl Cluster {
     pub fn speed_round_off<'a>(&self, points: impl IntoIterator<Item = &'a ContactPoint>) -> f64 {
         let reach = points.into_iter().flat_map(|p| p.arms).map(DVec2::length).fold(0.0, f64::max);
         let fast = |v: &DVec3| v.truncate().length() + v.z.abs() * reach;
-        SPEED_ROUND_OFF * self.velocity.iter().map(fast).fold(0.0, f64::max)
+        IMPACT_SPEED_ROUNDING * self.velocity.iter().map(fast).fold(0.0, f64::max)
     }
 }
 

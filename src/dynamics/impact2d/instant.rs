@@ -2,7 +2,7 @@
 
 use smallvec::smallvec;
 
-use crate::dynamics::impact2d::constants::{SPEED_ROUND_OFF_OF_RUN, TOUCH};
+use crate::dynamics::impact2d::constants::{RUN_SPEED_ROUNDING, TOUCH};
 use crate::dynamics::impact2d::delassus::ContactPoint;
 use crate::dynamics::impact2d::impulse::collision::ContactManifold;
 use crate::dynamics::impact2d::kinematics::{Kinematics, ground_acceleration};
@@ -39,7 +39,7 @@ impl ImpactInstant {
         let before = slots.iter().map(|&slot| world.bodies[slot].state).collect();
         let manifolds = manifolds(world, &slots, &kinematics);
         let points = manifolds.iter().flat_map(|manifold| &manifold.points);
-        let speed_noise = kinematics.cluster.speed_round_off(points).max(SPEED_ROUND_OFF_OF_RUN * world.peak_speed);
+        let speed_noise = kinematics.cluster.speed_round_off(points).max(RUN_SPEED_ROUNDING * world.peak_speed);
         Self { t, slots, states, kinematics, before, manifolds, speed_noise }
     }
 

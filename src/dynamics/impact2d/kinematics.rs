@@ -6,7 +6,7 @@ use glam::DVec3;
 
 use crate::contact::Frame;
 use crate::dynamics::impact2d::InlineVec;
-use crate::dynamics::impact2d::constants::FORCE_ROUND_OFF;
+use crate::dynamics::impact2d::constants::IMPACT_FORCE_ROUNDING;
 use crate::dynamics::impact2d::delassus::{Cluster, ContactPoint, inverse_mass, rates};
 use crate::dynamics::model::coordinates::planar::{self, PlanarState, WIDTH};
 use crate::dynamics::model::wrench::Wrench;
@@ -75,7 +75,7 @@ impl Kinematics {
     /// Contact force that is round-off at a point \[N\].
     pub fn force_round_off(&self, point: &ContactPoint) -> f64 {
         let w_n = self.cluster.mobilities(point)[0];
-        if w_n > 0.0 { FORCE_ROUND_OFF * self.scale() / w_n } else { 0.0 }
+        if w_n > 0.0 { IMPACT_FORCE_ROUNDING * self.scale() / w_n } else { 0.0 }
     }
 }
 

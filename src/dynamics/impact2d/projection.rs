@@ -5,7 +5,7 @@
 
 use glam::DVec2;
 
-use crate::dynamics::impact2d::constants::{PLACE_ROUND_OFF, REDUNDANCY_COMPLIANCE, REST_SNAP_ROUND_OFFS};
+use crate::dynamics::impact2d::constants::{PLACE_ROUNDING, REDUNDANCY_COMPLIANCE, REST_SNAP_ROUNDINGS};
 use crate::dynamics::impact2d::delassus::{ContactPoint, centre};
 use crate::dynamics::impact2d::instant::ImpactInstant;
 use crate::dynamics::impact2d::lasting::constrained_motion::{ContactMode, FrictionMode};
@@ -67,7 +67,7 @@ fn separating_rows(world: &World, instant: &ImpactInstant, modes: &[ContactMode]
     let mut rows = Vec::new();
     for manifold in &instant.manifolds {
         let separates = |site: &usize| !modes.iter().any(|mode| mode.sites.contains(site));
-        let round_off = PLACE_ROUND_OFF * world.pair(manifold.pair).map_or(0.0, |pair| world.radius(pair));
+        let round_off = PLACE_ROUNDING * world.pair(manifold.pair).map_or(0.0, |pair| world.radius(pair));
         let points = manifold.sites.iter().zip(&manifold.points);
         let behind = points.filter(|(site, p)| separates(site) && p.gap < -round_off);
         rows.extend(behind.map(|(_, p)| (*p, p.n, p.gap)));
@@ -87,7 +87,7 @@ fn stop_resting_bodies(world: &World, instant: &mut ImpactInstant, modes: &[Cont
         let before_wall = |pair: &usize| world.model.pairs[world.pairs[*pair].number].bodies == [Some(own.body), None];
         if rests && own.pairs.iter().any(before_wall) {
             for rate in &mut state[RATES..] {
-                *rate = if rate.abs() <= REST_SNAP_ROUND_OFFS * instant.speed_noise { 0.0 } else { *rate };
+                *rate = if rate.abs() <= REST_SNAP_ROUNDINGS * instant.speed_noise { 0.0 } else { *rate };
             }
         }
     }

@@ -9,7 +9,7 @@ use crate::dynamics::event_loop::mechanics::Mechanics;
 use crate::dynamics::event_loop::schedule::Schedule;
 use crate::dynamics::impact2d::InlineVec;
 use crate::dynamics::impact2d::after_impact::resume;
-use crate::dynamics::impact2d::constants::{EVENTS_AT_ONE_INSTANT, SPEED_ROUND_OFF_OF_RUN, TOUCH, WORK_PER_BODY};
+use crate::dynamics::impact2d::constants::{EVENTS_AT_ONE_INSTANT, RUN_SPEED_ROUNDING, TOUCH, WORK_PER_BODY};
 use crate::dynamics::impact2d::impulse::sequential::impulses;
 use crate::dynamics::impact2d::instant::ImpactInstant;
 use crate::dynamics::impact2d::lasting::lasting_contact::Ending;
@@ -69,7 +69,7 @@ impl ImpactRun {
         for (slot, state) in slots.iter().zip(instant.states.clone()) {
             self.run.world.update_peaks(*slot, &state);
         }
-        instant.speed_noise = instant.speed_noise.max(SPEED_ROUND_OFF_OF_RUN * self.run.world.peak_speed);
+        instant.speed_noise = instant.speed_noise.max(RUN_SPEED_ROUNDING * self.run.world.peak_speed);
         let energy = instant.kinematics.cluster.kinetic_energy();
         let mut to = instant.before.clone();
         let lost = impulses(&self.run.world, &mut self.run.record, &mut instant, &mut to);

@@ -11,7 +11,7 @@
 //! impulses that stop it, outside the friction cone; they add no energy.
 
 use crate::dynamics::impact2d::constants::{
-    CONE_ROUND_OFF, REDUNDANCY_COMPLIANCE, RESTITUTION_BISECTIONS, WORK_ROUND_OFF,
+    CONE_ROUNDING, REDUNDANCY_COMPLIANCE, RESTITUTION_BISECTIONS, WORK_ROUNDING,
 };
 use crate::dynamics::impact2d::delassus::{Cluster, ContactPoint};
 use crate::dynamics::impact2d::impulse::corner::Coefficients;
@@ -65,7 +65,7 @@ pub fn two_corner(cluster: &mut Cluster, ends: &Ends, numbers: &Coefficients) ->
 
 /// Work that is round-off \[J\].
 fn work_round_off(cluster: &Cluster, ends: &Ends, impulse: &FaceImpulse) -> f64 {
-    WORK_ROUND_OFF * (impulse.normal[0] + impulse.normal[1] + impulse.tangential.abs()) * cluster.speed_round_off(ends)
+    WORK_ROUNDING * (impulse.normal[0] + impulse.normal[1] + impulse.tangential.abs()) * cluster.speed_round_off(ends)
 }
 
 /// Motion of the face along the other.
@@ -132,7 +132,7 @@ fn solve_modes(
     let total = normal[0] + normal[1];
     let tangential = if held { solution[pushed.len()] } else { friction * total };
     if normal.iter().any(|p| *p < 0.0)
-        || (mode == EdgeMode::Stick && tangential.abs() > numbers.mu_s * total * (1.0 + CONE_ROUND_OFF))
+        || (mode == EdgeMode::Stick && tangential.abs() > numbers.mu_s * total * (1.0 + CONE_ROUNDING))
     {
         return None;
     }

@@ -6,7 +6,9 @@
 use glam::DVec2;
 
 use crate::dynamics::impact2d::State;
-use crate::dynamics::impact2d::constants::{HITS_WITH_RESTITUTION, NORMAL_DRIFT, SEQUENTIAL_HITS, SPEED_ROUND_OFF};
+use crate::dynamics::impact2d::constants::{
+    HITS_WITH_RESTITUTION, IMPACT_SPEED_ROUNDING, NORMAL_DRIFT, SEQUENTIAL_HITS,
+};
 use crate::dynamics::impact2d::impulse::collision::{Collision, ContactManifold, ImpactLaw, collide};
 use crate::dynamics::impact2d::impulse::simultaneous;
 use crate::dynamics::impact2d::instant::ImpactInstant;
@@ -35,7 +37,7 @@ pub(in crate::dynamics::impact2d) fn impulses(
             break;
         }
         let manifold = instant.manifolds[number].clone();
-        let drift = NORMAL_DRIFT * instant.speed_noise / SPEED_ROUND_OFF;
+        let drift = NORMAL_DRIFT * instant.speed_noise / IMPACT_SPEED_ROUNDING;
         if count == 0 && speed >= -drift && world.are_kept(&manifold.sites) && !new_contact_approaches(world, instant) {
             // The error of the integrator, no hit.
             break;

@@ -1,6 +1,6 @@
 //! Pairs that may stay in contact after the impulses of an instant: touching points without normal speed.
 
-use crate::dynamics::impact2d::constants::{NORMAL_DRIFT, REST_ROUND_OFFS, SPEED_ROUND_OFF};
+use crate::dynamics::impact2d::constants::{IMPACT_SPEED_ROUNDING, NORMAL_DRIFT, REST_ROUNDINGS};
 use crate::dynamics::impact2d::delassus::{Cluster, ContactPoint, centre};
 use crate::dynamics::impact2d::impulse::collision::ContactManifold;
 use crate::dynamics::impact2d::instant::{ImpactInstant, manifolds};
@@ -18,7 +18,7 @@ pub(in crate::dynamics::impact2d) fn all_separate(world: &World, instant: &Impac
 
 /// Normal speed that counts as none \[m/s\].
 fn rest_speed(world: &World, manifold: &ContactManifold, speed_noise: f64) -> f64 {
-    let factor = if world.are_kept(&manifold.sites) { NORMAL_DRIFT / SPEED_ROUND_OFF } else { REST_ROUND_OFFS };
+    let factor = if world.are_kept(&manifold.sites) { NORMAL_DRIFT / IMPACT_SPEED_ROUNDING } else { REST_ROUNDINGS };
     factor * speed_noise
 }
 

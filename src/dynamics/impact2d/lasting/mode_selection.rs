@@ -7,7 +7,7 @@
 //! many pairs by relaxation, pair after pair.
 
 use crate::dynamics::Model;
-use crate::dynamics::impact2d::constants::{FORCE_ROUND_OFF, MODE_COMBINATIONS, MODE_SWEEPS};
+use crate::dynamics::impact2d::constants::{IMPACT_FORCE_ROUNDING, MODE_COMBINATIONS, MODE_SWEEPS};
 use crate::dynamics::impact2d::delassus::{ContactPoint, centre};
 use crate::dynamics::impact2d::kinematics::Kinematics;
 use crate::dynamics::impact2d::lasting::constrained_motion::{
@@ -138,7 +138,7 @@ impl Consistency<'_> {
             }
             let kept = option.as_ref().map_or(&[][..], |mode| &mode.sites[..]);
             let opens = |(site, point): (&usize, &ContactPoint)| {
-                kept.contains(site) || motion.along(point, point.n, point.bias[0]) >= -FORCE_ROUND_OFF * scale
+                kept.contains(site) || motion.along(point, point.n, point.bias[0]) >= -IMPACT_FORCE_ROUNDING * scale
             };
             if !candidate.sites.iter().zip(&candidate.points).all(opens) {
                 return false;
@@ -177,7 +177,7 @@ impl Consistency<'_> {
             FrictionMode::Frictionless => true,
             FrictionMode::Slip(sign) => {
                 candidate.slip != 0.0
-                    || sign * motion.along(&centre, centre.s, centre.bias[1]) >= -FORCE_ROUND_OFF * self.scale()
+                    || sign * motion.along(&centre, centre.s, centre.bias[1]) >= -IMPACT_FORCE_ROUNDING * self.scale()
             }
         }
     }

@@ -4,6 +4,7 @@
 use std::fmt::Write as _;
 
 use crate::plot::draw::{line, text};
+use crate::plot::paper::{DECK, INK, PLACED};
 use crate::study::experiment::cases::girder;
 use crate::study::experiment::observe::{DRAWN_HZ, Observed};
 
@@ -55,10 +56,10 @@ fn frame(svg: &mut String, left: f64, [x, y, degrees]: [f64; 3], time: &str) {
         corners.join(" ")
     };
     let _ = write!(svg, r##"<rect x="{wall}" y="8" width="12" height="{}" fill="#b9bec4"/>"##, FRAME[1] - 16.0);
-    line(svg, (wall, 8.0), (wall, FRAME[1] - 8.0), r##"stroke="#222222" stroke-width="1.2""##);
+    line(svg, (wall, 8.0), (wall, FRAME[1] - 8.0), &format!(r#"stroke="{INK}" stroke-width="1.2""#));
     let placed = outline([0.0; 2], 0.0);
-    let _ = write!(svg, r##"<polygon points="{placed}" fill="none" stroke="#9aa0a6" stroke-dasharray="3 3"/>"##);
+    let _ = write!(svg, r#"<polygon points="{placed}" fill="none" stroke="{PLACED}" stroke-dasharray="3 3"/>"#);
     let now = outline([x, y], degrees.to_radians());
-    let _ = write!(svg, r##"<polygon points="{now}" fill="#e9e3d6" fill-opacity="0.85" stroke="#222222"/>"##);
-    text(svg, (left + 0.5 * FRAME[0] - 8.0, FRAME[1] + 14.0), 11.0, "middle", "#222222", time);
+    let _ = write!(svg, r#"<polygon points="{now}" fill="{DECK}" fill-opacity="0.85" stroke="{INK}"/>"#);
+    text(svg, (left + 0.5 * FRAME[0] - 8.0, FRAME[1] + 14.0), 11.0, "middle", INK, time);
 }

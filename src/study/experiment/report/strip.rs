@@ -2,7 +2,9 @@
 
 use std::fmt::Write as _;
 
+use crate::plot::COLORS;
 use crate::plot::draw::{escape, line, text};
+use crate::plot::paper::INK;
 use crate::sim::State;
 use crate::study::experiment::observe::HitSeen;
 use crate::study::experiment::states::Stretch;
@@ -14,7 +16,6 @@ const FIELD: [f64; 2] = [84.0, 690.0];
 const BAND: f64 = 26.0;
 /// A hit of a millisecond is seen.
 const LEAST: f64 = 0.7;
-const INK: &str = "#222222";
 
 /// A band.
 pub(super) struct Band<'a> {
@@ -29,10 +30,10 @@ fn color(letter: char) -> &'static str {
     match letter {
         'a' => "#d6e3ee",
         'b' => "#efefef",
-        'c' => "#D55E00",
-        'd' => "#E69F00",
-        'e' => "#0072B2",
-        _ => "#009E73",
+        'c' => COLORS[1],
+        'd' => COLORS[3],
+        'e' => COLORS[0],
+        _ => COLORS[2],
     }
 }
 
@@ -56,7 +57,7 @@ pub(super) fn strip(bands: &[Band<'_>], end: f64) -> String {
         }
         for hit in band.hits {
             let x = at(hit.from);
-            line(&mut svg, (x, top - 4.0), (x, top), r##"stroke="#222222" stroke-width="0.7""##);
+            line(&mut svg, (x, top - 4.0), (x, top), &format!(r#"stroke="{INK}" stroke-width="0.7""#));
         }
     }
     legend(&mut svg, height - 8.0);
