@@ -5,6 +5,8 @@
 mod imports;
 #[path = "architecture/source.rs"]
 mod source;
+#[path = "architecture/summary_page.rs"]
+mod summary_page;
 
 use std::collections::{BTreeMap, BTreeSet};
 use std::fs;

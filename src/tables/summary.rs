@@ -99,8 +99,8 @@ pub struct Report {
     /// Until when that is known, where the finer run gave up before the end of this one \[s\].
     #[serde(skip_serializing_if = "Option::is_none")]
     pub estimated_until: Option<f64>,
-    /// Whether a corner errs by more than `LARGE_ERROR` of the largest motion of one, as far as that is known by both, or the largest fibre
-    /// stress by more than `LARGE_STRESS_ERROR` of itself.
+    /// Whether a corner errs by more than a thousandth of the largest motion of one, as far as that is known by both, or the largest fibre
+    /// stress by more than a hundredth of itself.
     pub error_is_large: bool,
     /// What it errs by in parts of that.
     #[serde(skip)]
