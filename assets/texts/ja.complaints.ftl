@@ -309,6 +309,7 @@ stop-support-left = 鉛直支持を失う：{ $name } が ({ $x }, { $y }) m で
 stop-support-dropped = 桁が支承から落下する：{ $name } が ({ $x }, { $y }, { $z }) m まで落ちた
 stop-memory = ここまでのステップに { $bytes } MiB 要り、1回の計算の上限 { $most } MiB を超える
 stop-pace = t = { $from } s からのステップと評価が { $done } 回：この調子では計算全体に { $expected } 回要り、上限を超える
+stop-stands = t = { $at } s でのステップと評価が { $done } 回：時刻が進まない
 stop-work = ステップと評価 { $work } 回が1回の計算の上限を超える
 stop-bound = 1回の計算の上限を超える
 stop-too-fast = { $spent }：接触、支承または地動が継続時間に対して速すぎる。その剛性、減衰または振動数を下げるか、計算時間を短くする

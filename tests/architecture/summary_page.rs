@@ -72,7 +72,7 @@ fn structs() -> BTreeMap<String, Written> {
         let mut derives = String::new();
         while let Some(line) = lines.next() {
             if line.starts_with("#[derive(") {
-                derives = line.to_owned();
+                line.clone_into(&mut derives);
             }
             let Some(name) = line.strip_prefix("pub struct ").and_then(|rest| rest.strip_suffix(" {")) else {
                 continue;

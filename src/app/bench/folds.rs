@@ -8,6 +8,9 @@ const WIDTHS: [f32; 3] = [262.0, 282.0, 286.0];
 /// Width that is left to the view before panels fold by themselves \[points\].
 const VIEW: f32 = 440.0;
 
+/// Width that the view keeps whatever panels the user opens; the one opened last stays \[points\]. Chosen: a girder's name has room.
+const LEAST_VIEW: f32 = 220.0;
+
 /// Height of a window below which the plots fold by themselves \[points\].
 const LOW: f32 = 480.0;
 
@@ -15,6 +18,8 @@ const LOW: f32 = 480.0;
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
 pub(in crate::app) struct Folds {
     said: [Option<bool>; 4],
+    /// The panel that the user opened last.
+    opened: Option<Pane>,
 }
 
 /// Which panels are folded.
@@ -25,25 +30,33 @@ impl Folds {
     /// Folds a panel, or opens it.
     pub(super) fn set(&mut self, pane: Pane, folded: bool) {
         self.said[pane as usize] = Some(folded);
+        self.opened = (!folded).then_some(pane);
     }
 
     /// Folds every panel, or opens all.
     pub(super) fn set_all(&mut self, folded: bool) {
-        self.said = [Some(folded); 4];
+        *self = Self { said: [Some(folded); 4], opened: None };
     }
 
     /// Which panels are folded in a window of this size \[points\]; `lesson` tells whether one is open. Where the view has too
-    /// little room, what is placed goes first, then the sliders, and the lesson stays.
+    /// little room, what is placed goes first, then the sliders, and the lesson stays. What was opened before
+    /// yields to what was opened last.
     pub(in crate::app) fn in_window(self, [width, height]: [f32; 2], lesson: bool) -> Folded {
         let there = |pane: Pane| pane != Pane::Lesson || lesson;
         let mut folded = [false, false, false, height < LOW];
         for (own, said) in folded.iter_mut().zip(self.said) {
             *own = said.unwrap_or(*own);
         }
-        for pane in [Pane::Placed, Pane::WhatIf] {
+        for pane in [Pane::Placed, Pane::WhatIf, Pane::Lesson] {
             let open = Pane::ALL.into_iter().zip(WIDTHS).filter(|(pane, _)| there(*pane) && !folded[*pane as usize]);
             let taken: f32 = open.map(|(_, width)| width).sum();
-            if self.said[pane as usize].is_none() && width - taken < VIEW {
+            let least = match (self.said[pane as usize], pane) {
+                (None, Pane::Placed | Pane::WhatIf) => VIEW,
+                // A lesson yields to what is opened beside it alone.
+                (None, _) if self.opened.is_none() => 0.0,
+                _ => LEAST_VIEW,
+            };
+            if self.opened != Some(pane) && width - taken < least {
                 folded[pane as usize] = true;
             }
         }
@@ -83,12 +96,26 @@ mod tests {
     }
 
     #[test]
+    fn a_panel_that_is_opened_leaves_room_for_the_view() {
+        let mut folds = Folds::default();
+        let open = |folds: Folds, lesson| Pane::ALL.map(|pane| !folds.in_window([800.0, 600.0], lesson).has(pane));
+        folds.set(Pane::WhatIf, false);
+        folds.set(Pane::Placed, false);
+        assert_eq!(open(folds, false), [true, true, true, true], "both leave 256 points");
+        assert_eq!(open(folds, true), [true, false, true, true], "beside a lesson the one opened last");
+        folds.set(Pane::WhatIf, false);
+        assert_eq!(open(folds, true), [false, true, true, true], "of the two");
+    }
+
+    #[test]
     fn what_the_user_said_stays() {
         let mut folds = Folds::default();
         folds.set(Pane::Placed, false);
         assert!(!folds.in_window([600.0, 640.0], true).has(Pane::Placed), "open, however narrow");
         folds.set(Pane::Plots, true);
         assert!(folds.in_window([2560.0, 1440.0], false).has(Pane::Plots), "folded, however large");
+        folds.set_all(false);
+        assert!(!folds.in_window([1280.0, 720.0], true).is_all(), "open again");
         folds.set_all(true);
         assert!(folds.in_window([2560.0, 1440.0], false).is_all(), "all of them");
     }

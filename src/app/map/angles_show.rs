@@ -42,7 +42,8 @@ fn plots(ui: &mut Ui, angles: &Angles, turned: &Turned, scene: &Scene, out: &mut
         let polar = Polar::of(turned, number, angles.background.own(0));
         ui.vertical(|ui| {
             ui.set_width(PLOT[0]);
-            ui.label(RichText::new(turned.measure(number).title()).strong());
+            // Values stand in the plot with their units.
+            ui.label(RichText::new(turned.measure(number).label).strong());
             if let Some(chosen) = polar::show(ui, PLOT.into(), &polar, scene) {
                 out.push(AngleCommand::Go(chosen).into());
             }

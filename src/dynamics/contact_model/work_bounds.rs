@@ -90,6 +90,9 @@ impl WorkBounds {
                 let [bytes, most] = [bytes, most].map(|bytes| format!("{:.0}", bytes as f64 / f64::from(1 << 20)));
                 message!("stop-memory", "bytes" => bytes, "most" => most)
             }
+            Some(Excess::Pace(at, done, expected)) if expected.is_infinite() => {
+                message!("stop-stands", "done" => done, "at" => format!("{at:e}"))
+            }
             Some(Excess::Pace(from, done, expected)) => {
                 let [from, expected] = [format!("{from:e}"), format!("{expected:.0e}")];
                 message!("stop-pace", "done" => done, "from" => from, "expected" => expected)
@@ -138,6 +141,10 @@ mod tests {
         assert!(!bounds.exceeds(&Spent { work: window - 1, t: 1e-12, ..BODY }), "too short to tell");
         assert!(bounds.exceeds(&Spent { work: window, t: 1e-12, ..BODY }), "now");
         assert!(bounds.reason().to_string().contains("at this pace"), "{}", bounds.reason());
+        let mut stands = WorkBounds::default();
+        let excess = stands.exceeds(&Spent { work: window, ..BODY });
+        let words = stands.reason().to_string();
+        assert!(excess && words.contains("without getting on"), "{words}");
         assert!(!pace(BODY.duration), "at the end nothing is left");
     }
 
