@@ -3,7 +3,7 @@
 use std::path::PathBuf;
 use std::time::Duration;
 
-use egui::{Align2, Area, Color32, Frame, Id, Order, ProgressBar, Rect, RichText, Ui, vec2};
+use egui::{Align2, Area, Color32, Frame, Id, Order, ProgressBar, Rect, RichText, Ui, pos2, vec2};
 
 use crate::app::bench::{Next, WindowState};
 use crate::app::command::{Command, FileCommand, Tool, WindowCommand};
@@ -30,16 +30,18 @@ pub(in crate::app) fn over_view(ui: &mut Ui, rect: Rect, (runner, tool): (&Runne
         let lines: Vec<String> =
             problems.0.iter().map(|e| format!("{}: {} — {}", e.place, e.value, e.remedy)).collect();
         let headline = if runner.answer().is_some() { text::PROBLEM } else { text::PROBLEM_AT_ONCE };
-        plate(ui, rect, "problem", |ui| {
+        // Not over a handle that is pulled too far.
+        let low = is_held_above(ui, rect);
+        plate(ui, rect, ("problem", low), |ui| {
             ui.label(RichText::new(headline).color(Palette::of(ui).problem).strong());
             for line in &lines {
                 ui.add(egui::Label::new(line).wrap());
             }
         });
     } else if let Some(progress) = runner.progress() {
-        plate(ui, rect, "progress", |ui| computing(ui, progress, out));
+        plate(ui, rect, ("progress", false), |ui| computing(ui, progress, out));
     } else if runner.is_stale() {
-        plate(ui, rect, "cancelled", |ui| {
+        plate(ui, rect, ("cancelled", false), |ui| {
             let words = if runner.answer().is_some() { text::CANCELLED } else { text::CANCELLED_AT_ONCE };
             ui.add(egui::Label::new(words).wrap());
             if ui.button(text::RUN_AGAIN).clicked() {
@@ -48,7 +50,7 @@ pub(in crate::app) fn over_view(ui: &mut Ui, rect: Rect, (runner, tool): (&Runne
         });
     } else if let Some(stop) = runner.answer().and_then(|a| a.history.stop()) {
         let words = format!("{} ({} s): {} — {}", text::STOPPED_EARLY, text::short(stop.t), stop.place, stop.reason);
-        plate(ui, rect, "stopped", |ui| {
+        plate(ui, rect, ("stopped", false), |ui| {
             ui.add(egui::Label::new(RichText::new(words).color(Palette::of(ui).problem)).wrap());
         });
     }
@@ -81,10 +83,20 @@ fn computing(ui: &mut Ui, progress: f64, out: &mut Vec<Command>) {
     });
 }
 
-/// A plate at the top of the view, no wider than it.
-fn plate(ui: &mut Ui, rect: Rect, id: &str, body: impl FnOnce(&mut Ui)) {
+/// Room at the bottom of the view for a plate of a few lines \[points\].
+const LOW_PLATE: f32 = 90.0;
+
+/// Whether the mouse holds something in the upper half of the view.
+fn is_held_above(ui: &Ui, rect: Rect) -> bool {
+    let held = ui.input(|i| i.pointer.interact_pos().filter(|_| i.pointer.any_down()));
+    held.is_some_and(|at| rect.contains(at) && at.y < rect.center().y)
+}
+
+/// A plate at the top of the view, or low in it, no wider than it.
+fn plate(ui: &mut Ui, rect: Rect, (id, low): (&str, bool), body: impl FnOnce(&mut Ui)) {
     let width = (rect.width() - 32.0).clamp(80.0, 560.0);
-    let place = Rect::from_min_size(rect.center_top() + vec2(-width / 2.0, 10.0), vec2(width, 40.0));
+    let top = if low { (rect.bottom() - LOW_PLATE).max(rect.top()) } else { rect.top() + 10.0 };
+    let place = Rect::from_min_size(pos2(rect.center().x - width / 2.0, top), vec2(width, 40.0));
     let mut inner = ui.new_child(egui::UiBuilder::new().max_rect(place).id_salt(id));
     Frame::popup(ui.style()).show(&mut inner, body);
 }
