@@ -134,6 +134,9 @@ impl StepController {
             // A remainder before the cap would cost a step: the step is stretched to the cap.
             let end = if t + CAP_STRETCH * reach >= limits.cap { limits.cap } else { t + reach };
             let taken = end - t;
+            if taken <= 0.0 {
+                return Err(h);
+            }
             let (error, factor) = self.attempt(system, t, y, taken);
             if error <= 1.0 {
                 let cut = end == limits.cap || reach < h;

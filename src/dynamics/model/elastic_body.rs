@@ -4,13 +4,12 @@ use std::sync::Arc;
 
 use glam::DVec3;
 
-use crate::dynamics::connection::Kinematics;
 use crate::dynamics::elastic::Fields;
 use crate::dynamics::model::body::BodyCoordinates;
 use crate::dynamics::model::coordinates::elastic::ElasticGirder;
 use crate::dynamics::model::coordinates::elastic_space::SpatialElasticGirder;
 use crate::dynamics::model::coordinates::modal_springs::ModalDamping;
-use crate::dynamics::model::coordinates::section_forces::{Equilibrium, Strained};
+use crate::dynamics::model::coordinates::section_forces::{Equilibrium, LinkOf, Strained};
 use crate::dynamics::model::rate_bounds::ModalRates;
 use crate::dynamics::model::wrench::Wrench;
 
@@ -73,10 +72,10 @@ impl ElasticBody {
     }
 
     /// Number of the section of a link's point at this arm from G as placed, world axes \[m\], which is added where there is none.
-    pub(in crate::dynamics) fn section_of_link(&mut self, arm: DVec3, kinematics: Kinematics) -> usize {
+    pub(in crate::dynamics) fn section_of_link(&mut self, arm: DVec3, of: LinkOf) -> usize {
         match self {
-            Self::Plan(girder) => Arc::make_mut(girder).section_of_link(arm, kinematics),
-            Self::Space(girder) => Arc::make_mut(girder).section_of_link(arm),
+            Self::Plan(girder) => Arc::make_mut(girder).section_of_link(arm, of),
+            Self::Space(girder) => Arc::make_mut(girder).section_of_link(arm, of),
         }
     }
 

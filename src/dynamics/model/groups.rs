@@ -7,6 +7,7 @@ use glam::{DMat3, DVec3};
 use crate::dynamics::connection::{Anchor, Device, Kinematics, Link};
 use crate::dynamics::devices::{Law, laws};
 use crate::dynamics::model::compiled_model::{Model, ModelDevice};
+use crate::dynamics::model::coordinates::section_forces::LinkOf;
 use crate::scene::device::Joint;
 use crate::scene::{Kind, Scene, StandsOn};
 
@@ -63,28 +64,28 @@ impl Model {
         if self.kind == Kind::Planar && (homes[0] + arms[0] - homes[1] - arms[1]).z != 0.0 {
             return Err(LinkError::OutOfPlane);
         }
-        self.add_link(link);
+        self.add_link(link, LinkOf::Device);
         self.regroup();
         Ok(())
     }
 
     /// Adds a link, its points on their sections; its groups are formed later.
-    pub(super) fn add_link(&mut self, mut link: Link) {
+    pub(super) fn add_link(&mut self, mut link: Link, of: LinkOf) {
         for (end, body) in link.bodies.into_iter().enumerate() {
             let Some(body) = body else { continue };
             // A device can lead its bodies off an axis.
             self.bodies[body].straight = [false; 2];
-            link.sections[end] = self.section_of_link(body, link.arms[end], link.kinematics);
+            link.sections[end] = self.section_of_link(body, link.arms[end], of);
         }
         self.links.push(link);
     }
 
-    /// The section of a body that a point of a link is on, at this arm from G as placed in the world's axes; an elastic girder gets one
+    /// The section of a body that the point of a link is on, at this arm from G as placed in the world's axes; an elastic girder gets one
     /// there.
-    fn section_of_link(&mut self, body: usize, arm: DVec3, kinematics: Kinematics) -> usize {
+    fn section_of_link(&mut self, body: usize, arm: DVec3, of: LinkOf) -> usize {
         let flexible = self.flexible.get_mut(body).and_then(Option::as_mut);
         let Some(girder) = flexible.and_then(|flexible| flexible.girder.as_mut()) else { return 0 };
-        let section = girder.section_of_link(arm, kinematics);
+        let section = girder.section_of_link(arm, of);
         self.bodies[body].coordinates = girder.coordinates();
         section
     }
@@ -107,7 +108,7 @@ impl Model {
         let first = self.bodies[joint.girder].home;
         let other = joint.other.or_else(|| self.ground_of(name, joint));
         let second = other.map_or(joint.points[1], |other| self.bodies[other].home);
-        self.add_link(Link {
+        let link = Link {
             name: format!("{name}{suffix}"),
             bodies: [Some(joint.girder), other],
             arms: [joint.points[0] - first, joint.points[1] - second],
@@ -116,7 +117,8 @@ impl Model {
             axes,
             kinematics,
             device,
-        });
+        };
+        self.add_link(link, LinkOf::Device);
     }
 
     /// The body of the ground or abutment that the second point of a device is on, where that moves otherwise than the ground of

@@ -10,6 +10,7 @@ use crate::dynamics::devices::{ElastoPlastic, Hysteresis, LinearBearing};
 use crate::dynamics::model::bearing::{Bearing, PlanarBearings, Standing};
 use crate::dynamics::model::body::{Body, BodyCoordinates};
 use crate::dynamics::model::compiled_model::{Model, Pier};
+use crate::dynamics::model::coordinates::section_forces::LinkOf;
 use crate::dynamics::model::rate_bounds::RateBounds;
 use crate::geometry::Prism;
 use crate::scene::{self, Kind, MovingSupports, ResolvedPier, Scene};
@@ -96,7 +97,7 @@ impl Model {
         let elements = pier.yielding?.part(pier.stiffness).map(|[stiffness, force]| ElastoPlastic { stiffness, force });
         let device =
             if elements[0] == elements[1] { Hysteresis::Circle(elements[0]) } else { Hysteresis::PerAxis(elements) };
-        self.add_link(self.between(bodies, (pier, DVec3::ZERO), "base", Arc::new(device)));
+        self.add_link(self.between(bodies, (pier, DVec3::ZERO), "base", Arc::new(device)), LinkOf::Device);
         Some(self.links.len() - 1)
     }
 
@@ -105,7 +106,10 @@ impl Model {
         let from = self.links.len();
         for (n, Bearing { place, stiffness, damping, .. }) in (1..).zip(column(pier)) {
             let spring = Arc::new(LinearBearing { stiffness, damping });
-            self.add_link(self.between([Some(body), Some(foot)], (pier, place), &format!("column{n}"), spring));
+            self.add_link(
+                self.between([Some(body), Some(foot)], (pier, place), &format!("column{n}"), spring),
+                LinkOf::Device,
+            );
         }
         from..self.links.len()
     }

@@ -9,6 +9,7 @@ use crate::dynamics::devices::{Drop, ElastoPlastic, Hysteresis, LinearBearing, S
 use crate::dynamics::model::bearing::Bearing;
 use crate::dynamics::model::body::Body;
 use crate::dynamics::model::compiled_model::Model;
+use crate::dynamics::model::coordinates::section_forces::LinkOf;
 use crate::language::{Text, message};
 use crate::scene::{
     AfterUnseating, Girder, Kind, ModelKind, ResolvedBearing, Scene, SceneError, SceneErrors, Setting, StandsOn,
@@ -56,9 +57,9 @@ impl Model {
                 match pier {
                     Some(pier) => {
                         let link = self.bearing_link(name, [body, pier], bearing.place, device);
-                        self.add_link(link);
+                        self.add_link(link, LinkOf::Bearing);
                     }
-                    None => self.add_to_ground(body, name, bearing.place, device),
+                    None => self.add_to_ground(body, name, bearing.place, (device, LinkOf::Bearing)),
                 }
             }
         }
@@ -83,11 +84,11 @@ impl Model {
     }
 
     /// A link of a place of a body \[m\] and the ground there, in the body's axes as placed.
-    fn add_to_ground(&mut self, body: usize, name: String, place: DVec3, device: Arc<dyn Device>) {
+    fn add_to_ground(&mut self, body: usize, name: String, place: DVec3, (device, of): (Arc<dyn Device>, LinkOf)) {
         let kinematics = if self.kind == Kind::Planar { Kinematics::Linear } else { Kinematics::Points };
         let Body { home, axes, .. } = &self.bodies[body];
         let (arm, axes): (DVec3, DMat3) = (*axes * place, *axes);
-        self.add_link(Link {
+        let link = Link {
             name,
             bodies: [Some(body), None],
             arms: [arm, DVec3::ZERO],
@@ -96,7 +97,8 @@ impl Model {
             axes,
             kinematics,
             device,
-        });
+        };
+        self.add_link(link, of);
     }
 
     fn watch_corners(&mut self, body: usize, depth: f64) {
@@ -104,7 +106,7 @@ impl Model {
         let lowest = corners.iter().map(|corner| corner.z).fold(f64::INFINITY, f64::min);
         for (number, corner) in corners.into_iter().filter(|corner| corner.z <= lowest).enumerate() {
             let name = format!("{}.corner{}", self.bodies[body].name, number + 1);
-            self.add_to_ground(body, name, corner, Arc::new(Drop(depth)));
+            self.add_to_ground(body, name, corner, (Arc::new(Drop(depth)), LinkOf::Device));
         }
     }
 }

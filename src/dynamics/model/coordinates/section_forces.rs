@@ -35,11 +35,27 @@ pub(in crate::dynamics) struct Load {
     pub moment: DVec3,
 }
 
+/// What a link is, which decides how its point goes with the section of an elastic girder.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub(in crate::dynamics) enum LinkOf {
+    /// A part of a bearing: at the point at which the bearing's own spring acts, (F2).
+    Bearing,
+    /// A device: on a rigid section.
+    Device,
+}
+
 /// What of a girder carries the forces on a section of its own.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub(in crate::dynamics) enum Bearer {
     /// The section at this station \[m\].
     Station(f64),
+    /// A point of a bearing.
+    Point {
+        /// Its station \[m\].
+        station: f64,
+        /// From the centre of the section there, girder axes \[m\].
+        offset: DVec3,
+    },
     /// Both end sections: a face along the girder, plane between the corners of both.
     Flank {
         /// Half of the girder's length \[m\].
@@ -66,15 +82,25 @@ impl Bearer {
         first.map_or(0, |first| first + 1 + flank as usize)
     }
 
-    /// Whether it is the section at a station, up to `within` \[m\].
-    pub(in crate::dynamics) fn is_at(&self, station: f64, within: f64) -> bool {
-        matches!(self, Self::Station(own) if (own - station).abs() <= within)
+    /// Whether it is the same section or point of a bearing as another, up to `within` \[m\].
+    pub(in crate::dynamics) fn is_like(&self, other: &Self, within: f64) -> bool {
+        match (*self, *other) {
+            (Self::Station(own), Self::Station(other)) => (own - other).abs() <= within,
+            (Self::Point { station, offset }, Self::Point { station: other, offset: beside }) => {
+                (station - other).abs() <= within && (offset - beside).abs().max_element() <= within
+            }
+            _ => false,
+        }
     }
 
-    /// The loads of a force on the section and a moment about its centre, girder axes: those that do the same work.
+    /// The loads of a force on the section and a moment about its centre, that of a point about the point, girder axes: those that do the
+    /// same work.
     pub(in crate::dynamics) fn loads(&self, force: DVec3, moment: DVec3) -> SmallVec<[Load; 2]> {
         match *self {
             Self::Station(station) => smallvec![Load { station, force, moment }],
+            Self::Point { station, offset } => {
+                smallvec![Load { station, force, moment: moment + offset.cross(force) }]
+            }
             Self::Flank { half, offset } => {
                 let couple = DVec3::new(0.0, moment.z, -moment.y) / (2.0 * half);
                 let at = |sign: f64| {

@@ -6,11 +6,11 @@ use glam::{DVec2, DVec3};
 
 use super::bearings::{BearingAxis, BearingRows, axes_of};
 use super::section::{Section, SectionFrame, station_and_offset};
-use crate::dynamics::connection::Kinematics;
 use crate::dynamics::elastic::Modes;
 use crate::dynamics::model::axial_motion::{AxialModes, AxialParts};
 use crate::dynamics::model::body::Body;
 use crate::dynamics::model::coordinates::modal_springs::{ModalDamping, ModalSprings, widen};
+use crate::dynamics::model::coordinates::section_forces::{Bearer, LinkOf};
 use crate::dynamics::model::linear_block::part::RIGID;
 use crate::scene::facing::Flank;
 
@@ -104,12 +104,13 @@ impl ElasticGirder {
     }
 
     /// Number of the section of a link's point at this arm from G as placed, world axes \[m\], which is added where there is none.
-    pub(in crate::dynamics) fn section_of_link(&mut self, arm: DVec3, kinematics: Kinematics) -> usize {
+    pub(in crate::dynamics) fn section_of_link(&mut self, arm: DVec3, of: LinkOf) -> usize {
         let place = self.rigid.axes.mul_transpose_vec3(arm);
         let half = self.lever();
         let (station, _) = station_and_offset(place.truncate(), self.rigid.prism.shear(), half);
-        let frame = if kinematics == Kinematics::Linear { SectionFrame::Linear } else { SectionFrame::Rigid };
-        let same = |own: &Section| own.frame == frame && own.bearer.is_at(station, SAME_STATION * half);
+        let frame = if of == LinkOf::Bearing { SectionFrame::Linear } else { SectionFrame::Rigid };
+        let there = Bearer::Station(station);
+        let same = |own: &Section| own.frame == frame && own.bearer.is_like(&there, SAME_STATION * half);
         if let Some(known) = self.deforming.iter().position(same) {
             return known + 1;
         }

@@ -9,6 +9,7 @@ use crate::dynamics::model::body::Body;
 use crate::dynamics::model::coordinates::elastic::girder::SAME_STATION;
 use crate::dynamics::model::coordinates::elastic::section::station_and_offset;
 use crate::dynamics::model::coordinates::modal_springs::{ModalDamping, ModalSprings, widen};
+use crate::dynamics::model::coordinates::section_forces::LinkOf;
 use crate::dynamics::model::wrench::Wrench;
 use crate::scene::facing::Flank;
 
@@ -96,15 +97,17 @@ impl SpatialElasticGirder {
     }
 
     /// Number of the section of a link's point at this arm from G as placed, world axes \[m\], which is added where there is none.
-    pub(in crate::dynamics) fn section_of_link(&mut self, arm: DVec3) -> usize {
-        let place = self.rigid.axes.mul_transpose_vec3(arm);
-        let half = self.lever();
-        let (station, _) = station_and_offset(place.truncate(), self.rigid.prism.shear(), half);
-        let same = |own: &Section| own.bearer.is_at(station, SAME_STATION * half);
+    pub(in crate::dynamics) fn section_of_link(&mut self, arm: DVec3, of: LinkOf) -> usize {
+        let (axes, cot, half) = (&self.rigid.axes, self.rigid.prism.shear(), self.lever());
+        let place = axes.mul_transpose_vec3(arm);
+        let added = match of {
+            LinkOf::Bearing => Section::point(&self.modes, axes, place, cot),
+            LinkOf::Device => Section::at(&self.modes, axes, station_and_offset(place.truncate(), cot, half).0),
+        };
+        let same = |own: &Section| own.bearer.is_like(&added.bearer, SAME_STATION * half);
         if let Some(known) = self.deforming.iter().position(same) {
             return known + 1;
         }
-        let added = Section::at(&self.modes, &self.rigid.axes, station);
         widen(&mut self.most, added.amplitudes());
         self.deforming.push(added);
         self.deforming.len()

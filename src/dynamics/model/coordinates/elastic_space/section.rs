@@ -7,6 +7,7 @@ use glam::{DMat3, DVec3};
 
 use super::turn::SectionTurn;
 use crate::dynamics::elastic::{Fields, SpaceModes};
+use crate::dynamics::model::coordinates::elastic::section::station_and_offset;
 use crate::dynamics::model::coordinates::section_forces::Bearer;
 
 /// A rigid section of the girder, or a face along it: where it is, and its motion in every mode.
@@ -64,6 +65,17 @@ impl Section {
         let xi = 2.0 * station / modes.beam.plan.length;
         let fields = modes.section(xi).into_iter().map(|fields| fields.in_axes(axes)).collect();
         Self { bearer: Bearer::Station(station), lever: axes.x_axis * station, fields }
+    }
+
+    /// The point of a bearing at this place from G, girder axes \[m\], of a girder with this cot β: displaced as the modes displace it,
+    /// without a rotation of its own, (F2).
+    pub(super) fn point(modes: &SpaceModes, axes: &DMat3, place: DVec3, cot: f64) -> Self {
+        let length = modes.beam.plan.length;
+        let (station, in_plan) = station_and_offset(place.truncate(), cot, 0.5 * length);
+        let offset = in_plan.extend(place.z);
+        let moved = modes.point(2.0 * station / length, offset).into_iter().map(|d| *axes * d);
+        let fields = moved.map(|moved| Fields { moved, turned: DVec3::ZERO }).collect();
+        Self { bearer: Bearer::Point { station, offset }, lever: *axes * place, fields }
     }
 
     /// A face along a girder, at `offset` from its axis as placed, girder axes \[m\].

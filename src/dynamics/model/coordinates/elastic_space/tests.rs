@@ -3,13 +3,14 @@
 use super::*;
 use crate::dynamics::Model;
 use crate::dynamics::model::coordinates::section_forces::SectionForces;
+use crate::dynamics::model::elastic_body::ElasticBody;
 use crate::scene::format;
 
 /// A skewed deck with a heading, on bearings that leave a moment, pushed off its axis.
 fn model() -> Model {
     let text = "name = \"deck\"\nkind = \"spatial\"\nduration_s = 1.0\n[[girder]]\nname = \"deck\"\nlength_m = 30.0\nwidth_m = 10.0\nthickness_m = 1.5\n\
                 mass_kg = 6e5\nskew_deg = 60.0\nheading_deg = 25.0\n\
-                bearings = [{ at_m = [12, 4], stiffness_n_per_m = [2e5, 3e5, 4e6], damping_n_s_per_m = [1e6, 2e6, 3e6] }, \
+                bearings = [{ at_m = [12, 4], stiffness_n_per_m = [2e5, 3e5, 4e6], damping_n_s_per_m = [1e6, 2e6, 3e6], travel_m = 5.0 }, \
                 { at_m = [-14, -3], stiffness_n_per_m = [3e5, 2e5, 6e6], damping_n_s_per_m = [3e6, 2e6, 1e6] }]\n\
                 push = { force_n = [1e6, -2e6, 3e6], moment_n_m = 4e6, moment_x_n_m = -2e6 }\n\
                 elastic = { area_m2 = 8.0, modes = 5 }\n";
@@ -65,6 +66,28 @@ fn frames_move_by_their_velocities() {
         let wanted = spun.cross(here.turn(v));
         assert!((turning - wanted).length() < 1e-6, "section {section}: {turning} against {wanted}");
         assert!((here.turn(v).length() - v.length()).abs() < 1e-14, "it is a rotation");
+    }
+}
+
+/// What takes away the force of a bearing that is lost acts where that does: on a rigid section there it would leave a couple of φ²/2.
+#[test]
+fn a_bearing_and_its_link_are_at_one_point() {
+    let model = model();
+    let (body, link) = (&model.bodies[0], &model.links[model.supports[0][0][0]]);
+    let Some(ElasticBody::Space(girder)) = model.flexible[0].as_ref().and_then(|flexible| flexible.girder.as_ref()) else {
+        panic!("it bends");
+    };
+    for turned in [0.0, 0.3, 1.5] {
+        let state = state(body, turned);
+        let (here, [q, rates]) = (girder.mean_axes(&state), girder.modal(&state));
+        let own = girder.bearings[0].now(&body.axes, &here, q, rates);
+        let (motion, arms) = link.motion([&body.frame(link.sections[0], &state), &Frame::fixed(link.homes[1])]);
+        let near = |a: DVec3, b: DVec3| (a - b).length() < 1e-13 * (1.0 + a.length());
+        assert!(near(own.motion.moved, motion.moved), "moved {} and {}", own.motion.moved, motion.moved);
+        assert!(near(own.motion.rate, motion.rate), "at {} and {}", own.motion.rate, motion.rate);
+        assert!(near(own.arm, arms[0]), "from G {} and {}", own.arm, arms[0]);
+        let end = body.frame(body.section(End::Plus), &state);
+        assert!((end.turn(link.arms[0]) - here.turn(link.arms[0])).length() > 0.1, "where sections turn");
     }
 }
 
