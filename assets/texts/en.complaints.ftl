@@ -112,6 +112,8 @@ found-leaning-backwall = a leaning backwall
 wrong-leaning-backwall = a backwall that moves is upright: make its face vertical, or leave out backfill
 wrong-soil-never-fails = the ultimate force { $force } N is not reached at { $push } m: raise either
 wrong-soil-unloads = soil does not unload softer than it loads: give { $stiffness } or more
+wrong-plan-height = a planar scene is cut at one height, which every body has, the others from { $low } to { $high } m: give it a z there, or set kind = "spatial"
+found-heights = from { $low } to { $high } m
 wrong-overlap = { $one } reaches { $depth } m into { $other }: move them apart
 found-girder = girder { $name }
 found-abutment = abutment { $name }
@@ -171,6 +173,7 @@ wrong-padding = give less: at most 1e7 samples in all
 wrong-unwritable = this scene cannot be written
 found-no-equals = no `=`
 wrong-setting = write PATH=VALUE, as in motion.angle_deg=45
+found-steps = a path of { $steps } steps
 found-empty-step = an empty step
 wrong-not-there = nothing here has this name{ $meant }; there is: { $there }
 found-one-value = `{ $step }`, which is one value ({ $found })
@@ -284,7 +287,7 @@ domain-mend-stiffness = set stiffness_n_per_m so that K/M, with M = m₁m₂/(m�
 domain-contact-phase = phase of a contact over the run, √(K/M) T
 domain-above-contact-phase = a contact that stays closed may take more steps than the run is allowed, and end it early
 domain-mend-contact-phase = shorten duration_s or lower stiffness_n_per_m
-domain-motion-phase = phase of bearings, ground or spin over the run, ω T
+domain-motion-phase = phase of bearings, piers, dampers, ground or spin over the run, ω T
 domain-above-motion-phase = the run is longer than any that is checked, and the errors of its steps add up
 domain-mend-motion-phase = shorten duration_s, or lower the frequency, the damping or the spin
 domain-acceleration = acceleration by push, gravity or ground
@@ -304,7 +307,7 @@ domain-is-above = { $place }{ $of }: { $quantity } = { $value } is above { $boun
 stop-devices-in-impact = the impact model knows no devices, no piers, no bearings that yield and no backwalls that move
 stop-space-in-impact = the impact model knows rigid girders in plan only
 stop-alternates = { $touch } changes of state in one touch, { $same } of them at this instant: stick and slip alternate without end; another law, a lower stiffness or a larger tolerance may end it
-stop-device = the device { $name } changes its phase without end at one instant; give it some slack
+stop-device = the device { $name } changes its phase without end at one instant; a smaller tolerance may get past it, or, of one with a gap, another slack
 stop-support-left = vertical support is lost: { $name } left its support at ({ $x }, { $y }) m; give after_unseating = "continue" to go on without it
 stop-support-dropped = the girder comes off its supports: { $name } has dropped to ({ $x }, { $y }, { $z }) m
 stop-memory = the steps so far take { $bytes } MiB, more than the { $most } MiB that a run may take
@@ -344,7 +347,7 @@ record-unit-assumed = no unit is stated: { $unit } assumed
 record-give-channel = give channel, one of: { $list }
 record-end = the end of the file
 record-cut-off = the file is cut off: { $what } is missing
-record-not-finite = every sample must be a finite number
+record-not-finite = every sample must be a number no larger than 1e15
 record-interval-of = an interval of { $dt } s
 record-interval = the interval between samples must be greater than 0
 record-count = the count of samples must be a whole number of at least 2
@@ -382,7 +385,7 @@ record-lasts = count times interval is { $seconds } s: count, interval or length
 record-sample-of = sample { $number } of { $count }
 record-columns = { $found } columns
 record-per-line = the header states { $count } numbers, { $each } a line: { $wanted } here
-record-column = every column must be a finite number
+record-column = every column must be a number no larger than 1e15
 record-columns-format = the line must state the format of its numbers, such as (8f10.6)
 record-csmip-end = the line `/&` that ends a channel
 record-csmip-unit = the line must state the unit of the accelerations, such as cm/sec2
@@ -401,8 +404,8 @@ record-unit-once = state the unit once
 record-times-in = times in { $unit }
 record-seconds = give times in s
 record-two-columns = give two columns: time in s, acceleration in m/s²; columns of numbers with decimal commas are separated by semicolons
-record-time-finite = the time must be a finite number, in s
-record-acceleration-finite = the acceleration must be a finite number
+record-time-finite = the time must be a number no larger than 1e15, in s
+record-acceleration-finite = the acceleration must be a number no larger than 1e15
 record-marks = numbers above have another decimal mark: use one, and nothing between thousands
 record-time = time { $t }
 record-growing = a record needs at least 2 samples, and times that grow

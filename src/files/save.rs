@@ -114,6 +114,10 @@ impl FileSet {
         write: impl FnOnce(&mut dyn Write) -> std::io::Result<()>,
     ) -> Result<(), WriteError> {
         let fail = |cause| WriteError::new(path, cause);
+        if path.is_dir() {
+            // Found when names are given, files before it would have theirs.
+            return Err(fail(std::io::ErrorKind::IsADirectory.into()));
+        }
         let stage = self.stage(folder_of(path))?;
         stage.write(path.file_name().unwrap_or_default(), write).map_err(fail)
     }

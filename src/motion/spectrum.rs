@@ -12,6 +12,9 @@ use super::oscillator::Step;
 pub const DESIGN_DAMPING: f64 = 0.05;
 /// Steps per period at least.
 const STEPS: f64 = 40.0;
+/// Periods, times the damping, after which free motion has decayed below the last bit: `e^(−2π·5.9) = 1e-16`. From there to the next sample
+/// the answer follows the straight line of the acceleration, and its largest |q| is at an end.
+const SETTLED: f64 = 5.9;
 
 /// One oscillator's answer.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -39,20 +42,26 @@ impl Response {
 pub fn response(samples: &[f64], dt: f64, period: f64, damping: f64) -> Response {
     let omega = TAU / period;
     let parts = (STEPS * dt / period).ceil().max(1.0);
+    let walked = parts.min((STEPS * SETTLED / damping).ceil());
     let step = Step::new(omega, damping, dt / parts);
+    let leap = (walked < parts).then(|| Step::new(omega, damping, (parts - walked) * step.tau()));
     let (mut state, mut most) = ([0.0; 2], 0.0_f64);
-    let mut walk = |force: f64, rate: f64, steps: f64, step: &Step| {
+    let mut walk = |force: f64, rate: f64, steps: f64, (step, leap): (&Step, Option<&Step>)| {
         let mut done = 0.0;
         while done < steps {
             let next = step.advance(state, force + rate * done * step.tau(), rate);
             most = most.max(step.largest(state, next));
             (state, done) = (next, done + 1.0);
         }
+        if let Some(leap) = leap {
+            state = leap.advance(state, force + rate * done * step.tau(), rate);
+            most = most.max(state[0].abs());
+        }
     };
     for pair in samples.windows(2) {
-        walk(-pair[0], -(pair[1] - pair[0]) / dt, parts, &step);
+        walk(-pair[0], -(pair[1] - pair[0]) / dt, walked, (&step, leap.as_ref()));
     }
-    walk(0.0, 0.0, STEPS, &Step::new(omega, damping, period / STEPS));
+    walk(0.0, 0.0, STEPS, (&Step::new(omega, damping, period / STEPS), None));
     Response { period, displacement: most }
 }
 
@@ -104,6 +113,16 @@ mod tests {
             };
             let exact = (0..count).map(|n| at(f64::from(n) * dt).abs()).fold(0.0, f64::max);
             assert!((found / exact - 1.0).abs() < 3e-6, "T = {period}, ζ = {zeta}: {found}, not {exact}");
+        }
+    }
+
+    /// A ramp is followed by `−a/ω²`, once its start has decayed, and takes no longer for being longer.
+    #[test]
+    fn what_is_far_slower_than_the_oscillator_is_followed_at_rest() {
+        for dt in [200.0, 1e6, 1e300] {
+            let found = response(&[0.0, 3.0, 0.0], dt, 1.0, 0.05).displacement;
+            let exact = 3.0 / (TAU * TAU);
+            assert!((found / exact - 1.0).abs() < 1e-3, "{found}, not {exact} m at {dt} s");
         }
     }
 

@@ -47,8 +47,10 @@ impl Axis {
     }
 }
 
+/// A text in SVG and HTML; control characters, of which XML allows but line breaks and tabs, stand as U+FFFD.
 pub(crate) fn escape(text: &str) -> String {
-    text.replace('&', "&amp;").replace('<', "&lt;").replace('>', "&gt;")
+    let is_barred = |c: char| c.is_control() && !matches!(c, '\n' | '\t');
+    text.replace('&', "&amp;").replace('<', "&lt;").replace('>', "&gt;").replace(is_barred, "\u{fffd}")
 }
 
 pub(crate) fn text(svg: &mut String, (x, y): (f64, f64), size: f64, anchor: &str, color: &str, content: &str) {

@@ -8,6 +8,7 @@ use crate::language::{Message, Text, message};
 use toml::{Table, Value};
 
 use super::path::{item_of, items, value_at};
+use super::shown::shown;
 use super::{Motion, Scene, SceneError, SceneErrors, assumed, format};
 
 /// Keys that say the same thing in different ways: setting the first removes the others from its table.
@@ -130,6 +131,9 @@ fn keep_loaded(scene: &Scene, changed: &mut Scene) {
     }
 }
 
+/// Most steps of a path: no value of a scene is deeper, and a tree of any depth is no table that can be read.
+const LONGEST_PATH: usize = 16;
+
 struct Setting<'a> {
     /// As given.
     text: &'a str,
@@ -148,6 +152,13 @@ impl<'a> Setting<'a> {
             return Err(complaint(text, Text::new("found-no-equals"), Text::new("wrong-setting")));
         };
         let path: Vec<&str> = path.split('.').map(str::trim).collect();
+        if path.len() > LONGEST_PATH {
+            return Err(complaint(
+                &shown(text, 80),
+                message!("found-steps", "steps" => path.len()),
+                Text::new("wrong-setting"),
+            ));
+        }
         if path.iter().any(|step| step.is_empty()) {
             return Err(complaint(text, Text::new("found-empty-step"), Text::new("wrong-setting")));
         }

@@ -21,8 +21,8 @@ fn escape(c: char) -> String {
     if is_obeyed(c) { c.escape_default().to_string() } else { c.to_string() }
 }
 
-/// C0 and C1 control characters, and Unicode's embeddings, overrides and isolates of direction (UAX 9).
-fn is_obeyed(c: char) -> bool {
+/// Whether a terminal or a page obeys it: C0 and C1 control characters, Unicode's embeddings, overrides and isolates of direction (UAX 9).
+pub fn is_obeyed(c: char) -> bool {
     c.is_control() || matches!(c, '\u{202a}'..='\u{202e}' | '\u{2066}'..='\u{2069}')
 }
 

@@ -65,6 +65,16 @@ fn a_set_of_files_makes_its_folder() {
 }
 
 #[test]
+fn where_a_folder_has_the_name_of_one_file_none_is_written() {
+    let folder = folder();
+    let place = folder.path().join("out");
+    std::fs::create_dir_all(place.join("b.csv")).expect("a folder");
+    let error = write_set(&place, &[("a.csv", "1"), ("b.csv", "2"), ("c.csv", "3")]).expect_err("b.csv is a folder");
+    assert!(error.to_string().contains("a folder stands there"), "{error}");
+    assert_eq!(std::fs::read_dir(&place).expect("there").count(), 1, "the folder alone");
+}
+
+#[test]
 fn trying_a_folder_makes_nothing() {
     let folder = folder();
     let inner = folder.path().join("deep").join("er");

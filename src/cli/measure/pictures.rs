@@ -9,6 +9,9 @@ use crate::language::{Text, said};
 use crate::measure::Grey;
 use crate::render::Image;
 
+/// What a PNG picture begins with.
+const PNG: &[u8] = b"\x89PNG\r\n\x1a\n";
+
 /// Most pixels of a picture: an eight-kilopixel square.
 const MOST_READ_PIXELS: u64 = 1 << 26;
 
@@ -108,7 +111,7 @@ pub(super) fn read(path: &Path) -> Result<Grey, Failure> {
     // Width and height stand in the first chunk: before memory is taken for them.
     let side = |at: usize| bytes.get(at..at + 4).and_then(|b| b.try_into().ok()).map_or(0, u32::from_be_bytes);
     let [width, height] = [side(16), side(20)];
-    if u64::from(width) * u64::from(height) > MOST_READ_PIXELS {
+    if bytes.starts_with(PNG) && u64::from(width) * u64::from(height) > MOST_READ_PIXELS {
         return Err(wrong(said!("measure-pixels", "width" => width, "height" => height, "most" => MOST_READ_PIXELS)));
     }
     let image =

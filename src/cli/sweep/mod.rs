@@ -55,6 +55,9 @@ pub(super) fn run(args: &SweepArgs, console: &mut Console) -> Result<(), Failure
     args.threads.start()?;
     let records = Records::beside(&args.scene.scene);
     let plan = Plan::new(scene, &args.vary, &args.measure, Box::new(move |scene| records.complete(scene)))?;
+    if args.scene.changes.until.is_some() && plan.axes.iter().any(|axis| axis.key == "duration_s") {
+        return Err(Failure::Input(Text::new("wrong-until-varied").into()));
+    }
     check_folder(&args.out)?;
     domain::warn(&plan.scene, console);
     domain::warn_of_runs(&plan, console);

@@ -11,7 +11,7 @@ use crate::dynamics::closing::flight_view::remember;
 use crate::dynamics::closing::found::NextClosing;
 use crate::dynamics::closing::link_motion::motion;
 use crate::dynamics::connection::{Separation, Switch, SwitchUnit};
-use crate::dynamics::locate::first_rise::{EarliestEvent, first_rise};
+use crate::dynamics::locate::first_rise::{EarliestEvent, Resolution, first_rise};
 use crate::dynamics::penalty3d::link_events::zero_and_band;
 use crate::dynamics::world::World;
 use crate::motion::Ground;
@@ -136,7 +136,13 @@ fn within(world: &World, number: usize, switches: &[usize], [from, to]: [f64; 2]
         let value = |motion: &Separation| link.device.switch(switch, &track.phase, motion) - band;
         let values: [f64; STEP_SAMPLES] = std::array::from_fn(|i| value(&motions[i]));
         let value_at = |t: f64| value(&motion(world, number, t));
-        let rise = first_rise([&times[..], &values[..]], zero, false, EarliestEvent::UNKNOWN, value_at);
+        let rise = first_rise(
+            [&times[..], &values[..]],
+            Resolution { zero, rise: 0.0 },
+            false,
+            EarliestEvent::UNKNOWN,
+            value_at,
+        );
         if let Some(t) = rise.filter(|t| found.is_none_or(|(first, _)| *t < first)) {
             found = Some((t, switch));
         }

@@ -7,11 +7,28 @@
 use crate::dynamics::locate::constants::{DIP_HALVINGS, EXCURSION_MARGIN, EXCURSION_REDUCTIONS, RISE_LOOKS};
 use crate::dynamics::locate::root::{root, root_between};
 
-/// First time at which a sampled function rises through 0. A start above `zero` is a rise at the first sample; a function
+/// What counts as 0 at the start of a function, and as a rise from there, in its unit.
+#[derive(Clone, Copy, Debug)]
+pub(in crate::dynamics) struct Resolution {
+    /// Value up to which the start is at 0.
+    pub zero: f64,
+    /// Value above which a function that starts at 0 and is below 0 at the next sample rises in between: what the step errs by. A smaller
+    /// rise is one of the dense output alone, and the phase that begins with it would end at once.
+    pub rise: f64,
+}
+
+impl Resolution {
+    /// Of a function whose rise from 0 within a sample is no event of its own.
+    pub(in crate::dynamics) fn at_start(zero: f64) -> Self {
+        Self { zero, rise: f64::INFINITY }
+    }
+}
+
+/// First time at which a sampled function rises through 0. A start above 0 is a rise at the first sample; a function
 /// that is `passing` must fall below 0 first, and its start is none.
 pub(in crate::dynamics) fn first_rise(
     [times, values]: [&[f64]; 2],
-    zero: f64,
+    Resolution { zero, rise }: Resolution,
     passing: bool,
     first: EarliestEvent,
     mut function: impl FnMut(f64) -> f64,
@@ -20,7 +37,7 @@ pub(in crate::dynamics) fn first_rise(
         return Some(times[0]);
     }
     let mut below = values[0] < 0.0;
-    if !passing && values[0].abs() <= zero && rises_at_once(times, values, zero, &mut function) {
+    if !passing && values[0].abs() <= zero && rises_at_once(times, values, zero.max(rise), &mut function) {
         return Some(times[0]);
     }
     for i in 1..values.len() {
@@ -79,14 +96,14 @@ impl EarliestEvent {
     }
 }
 
-/// Whether a function that starts at 0 and is below 0 at the next sample is above `zero` in between: the event that the step begins with
+/// Whether a function that starts at 0 and is below 0 at the next sample is above `rise` in between: the event that the step begins with
 /// is one of this function, too, and its rate changes its sign within the interval.
-fn rises_at_once(times: &[f64], values: &[f64], zero: f64, function: &mut impl FnMut(f64) -> f64) -> bool {
+fn rises_at_once(times: &[f64], values: &[f64], rise: f64, function: &mut impl FnMut(f64) -> f64) -> bool {
     if values.len() < 2 || values[1] >= 0.0 {
         return false;
     }
     let interval = times[1] - times[0];
-    RISE_LOOKS.iter().any(|part| function(times[0] + part * interval) > zero)
+    RISE_LOOKS.iter().any(|part| function(times[0] + part * interval) > rise)
 }
 
 /// A time after `from` at which the function is below 0, where it starts at 0; none within [`DIP_HALVINGS`].
@@ -140,8 +157,10 @@ mod tests {
     /// The first rise of `f` by its values at these times, none at once.
     fn rise(times: &[f64], passing: bool, f: impl Fn(f64) -> f64) -> Option<f64> {
         let values: Vec<f64> = times.iter().map(|t| f(*t)).collect();
-        first_rise([times, &values], 1e-12, passing, EarliestEvent::UNKNOWN, f)
+        first_rise([times, &values], RESOLUTION, passing, EarliestEvent::UNKNOWN, f)
     }
+
+    const RESOLUTION: Resolution = Resolution { zero: 1e-12, rise: 1e-9 };
 
     const TIMES: [f64; 3] = [0.0, 1.0, 2.0];
 
@@ -151,6 +170,7 @@ mod tests {
         assert_eq!(rise(&TIMES, false, |t| -t), None, "it falls");
         assert_eq!(rise(&TIMES, false, |t| -t * t), None, "with its rate 0 as well");
         assert_eq!(rise(&TIMES, false, |t| t * (1e-13 - t)), None, "rounding");
+        assert_eq!(rise(&TIMES, false, |t| t * (0.03 - t) * 1e-6), None, "2e-10, which the step does not resolve");
     }
 
     #[test]
@@ -188,7 +208,7 @@ mod tests {
         let values: Vec<f64> = TIMES.iter().map(|t| f(*t)).collect();
         let beside = |at: f64, together: f64| {
             let mut count = 0;
-            let found = first_rise([&TIMES, &values], 1e-12, false, EarliestEvent { at, together }, |t| {
+            let found = first_rise([&TIMES, &values], RESOLUTION, false, EarliestEvent { at, together }, |t| {
                 count += 1;
                 f(t)
             });

@@ -15,7 +15,7 @@ use crate::dynamics::penalty3d::contact_state::ClosedContact;
 use crate::dynamics::penalty3d::coupled_system::CoupledSystem;
 use crate::dynamics::penalty3d::equations_of_motion::{EquationsOfMotion, ErrorScale};
 use crate::dynamics::penalty3d::island_kind::IslandKind;
-use crate::dynamics::penalty3d::planned_step::PlannedStep;
+use crate::dynamics::penalty3d::planned_step::{Allowed, PlannedStep};
 use crate::dynamics::penalty3d::workspace::Workspace;
 use crate::dynamics::trajectory::step_polynomial::StepPolynomial;
 use crate::motion::LinearPiece;
@@ -148,6 +148,7 @@ impl Island {
         self.step.from = t;
         self.taken += 1;
         let scale = self.scale(model);
+        self.step.allowed = Allowed { place: scale.speed / scale.omega, speed: scale.speed };
         let number = model.ground.piece_number(t);
         let piece = model.ground.piece(number);
         let known = self.workspace.sliding.sliders.is_empty() && self.sloped == (t, number);

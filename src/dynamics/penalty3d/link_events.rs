@@ -4,7 +4,7 @@ use smallvec::SmallVec;
 
 use crate::dynamics::Model;
 use crate::dynamics::connection::{Excursion, Kinematics, Link, Phase, Separation, SwitchUnit};
-use crate::dynamics::locate::first_rise::{EarliestEvent, first_rise};
+use crate::dynamics::locate::first_rise::{EarliestEvent, Resolution, first_rise};
 use crate::dynamics::penalty3d::active_link::ActiveLink;
 use crate::dynamics::penalty3d::constants::{POSITION_ROUNDING, ZERO_BAND};
 use crate::dynamics::penalty3d::due::LinkDue;
@@ -50,7 +50,12 @@ pub(in crate::dynamics) fn first_due(model: &Model, island: &Island) -> Option<(
             };
             // Of an event after the first one found only that is asked.
             let earliest = found.map_or(EarliestEvent::UNKNOWN, |(at, _)| EarliestEvent { at, together: 0.0 });
-            let Some(t) = first_rise([&times, &values], zero, false, earliest, value_at) else { continue };
+            let rise = match link.device.switch_unit(number, &active.phase) {
+                SwitchUnit::Length => island.step.allowed.place,
+                SwitchUnit::Speed => island.step.allowed.speed,
+            };
+            let resolution = Resolution { zero, rise };
+            let Some(t) = first_rise([&times, &values], resolution, false, earliest, value_at) else { continue };
             if found.is_none_or(|(first, _)| t < first) {
                 found = Some((t, LinkDue { index, switch: number }));
             }

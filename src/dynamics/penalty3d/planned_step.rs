@@ -3,6 +3,15 @@
 use crate::dynamics::integrator::dense_output::DenseOutput;
 use crate::dynamics::penalty3d::due::{Due, LinkDue};
 
+/// What a step may err by.
+#[derive(Clone, Copy, Debug, Default)]
+pub(in crate::dynamics) struct Allowed {
+    /// In place \[m\].
+    pub place: f64,
+    /// In velocity \[m/s\].
+    pub speed: f64,
+}
+
 /// A planned step.
 #[derive(Debug)]
 pub(in crate::dynamics) struct PlannedStep {
@@ -14,6 +23,8 @@ pub(in crate::dynamics) struct PlannedStep {
     pub dense: Option<DenseOutput>,
     /// Whether the method is explicit.
     pub explicit: bool,
+    /// What the tolerance allows it to err by.
+    pub allowed: Allowed,
     /// Whether the step, recomputed from its initial state, is equal to the last bit.
     pub repeats: bool,
     /// Events of contacts that end it.
@@ -26,6 +37,7 @@ impl PlannedStep {
     /// Before the first step, at `t` \[s\].
     pub(in crate::dynamics) fn none_yet(t: f64) -> Self {
         let (due, link_due) = (Vec::new(), None);
-        Self { from: t, until: t, dense: None, explicit: false, repeats: false, due, link_due }
+        let allowed = Allowed::default();
+        Self { from: t, until: t, dense: None, explicit: false, allowed, repeats: false, due, link_due }
     }
 }

@@ -9,7 +9,7 @@ use csv::{Reader, ReaderBuilder, StringRecord, Trim};
 
 use super::heading::{in_seconds, unit_of_heading};
 use super::record::{Channel, Format, Orientation, RecordError, Supplement};
-use super::text::quoted;
+use super::text::{LARGEST, quoted};
 use super::unit::Unit;
 use crate::language::{Text, message};
 
@@ -110,14 +110,14 @@ fn is_blank(record: &StringRecord) -> bool {
     record.iter().all(str::is_empty)
 }
 
-/// A finite number with a decimal point or a decimal comma.
+/// A number up to [`LARGEST`] with a decimal point or a decimal comma.
 pub(crate) fn number(field: &str) -> Option<f64> {
     let value = match field.split_once(',') {
         Some((_, fraction)) if field.contains('.') || fraction.contains(',') => return None,
         Some(_) => field.replace(',', ".").parse(),
         None => field.parse(),
     };
-    value.ok().filter(|value: &f64| value.is_finite())
+    value.ok().filter(|value: &f64| value.abs() <= LARGEST)
 }
 
 fn sample(record: &StringRecord, line: u64) -> Result<(f64, f64), RecordError> {
@@ -303,8 +303,16 @@ mod tests {
 
     #[test]
     fn a_complaint_names_line_value_and_remedy() {
-        assert_eq!(error("0,1\n0.01,abc\n"), "line 2: found `abc`; the acceleration must be a finite number", "word");
+        assert_eq!(
+            error("0,1\n0.01,abc\n"),
+            "line 2: found `abc`; the acceleration must be a number no larger than 1e15",
+            "word"
+        );
         assert!(error("0,1\n0.01,inf\n").starts_with("line 2: found `inf`"), "infinite");
+        assert!(
+            error("0,1\n0.01,-1e16\n").starts_with("line 2: found `-1e16`"),
+            "of which the square is beyond what is drawn"
+        );
         assert!(error("0,1\n0.01,2,3\n").contains("line 2: found `0.01,2,3`; give two columns"), "three columns");
         assert!(error("t,a\n0,1\nt,a\n").contains("line 3"), "a heading stands first only");
     }

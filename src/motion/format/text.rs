@@ -65,13 +65,16 @@ pub(super) fn quoted(text: &str) -> Message {
     if text.is_empty() { Text::new("found-nothing").into() } else { format!("`{shown}`").into() }
 }
 
-/// A finite number as Fortran and C write it: `.12E-03`, `-1.5D+00`.
+/// Largest magnitude of a number of a record, as of one of a scene: squares and integrals of it stay finite.
+pub(super) const LARGEST: f64 = 1e15;
+
+/// A number up to [`LARGEST`] as Fortran and C write it: `.12E-03`, `-1.5D+00`.
 pub(super) fn number(word: &str) -> Option<f64> {
     let value = match word.parse() {
         Err(_) if word.contains(['d', 'D']) => word.replace(['d', 'D'], "E").parse(),
         other => other,
     };
-    value.ok().filter(|value: &f64| value.is_finite())
+    value.ok().filter(|value: &f64| value.abs() <= LARGEST)
 }
 
 /// A word of a data line as a finite number.
@@ -81,7 +84,7 @@ pub(super) fn sample(word: &str, line: u64) -> Result<f64, RecordError> {
 
 /// An interval between samples, from what a header states \[s\].
 pub(super) fn interval(dt: f64, line: u64) -> Result<f64, RecordError> {
-    let sound = dt.is_finite() && dt > 0.0;
+    let sound = dt > 0.0 && dt <= LARGEST;
     sound
         .then_some(dt)
         .ok_or_else(|| RecordError::new(line, message!("record-interval-of", "dt" => dt), Text::new("record-interval")))

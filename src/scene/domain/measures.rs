@@ -4,7 +4,7 @@ use glam::DVec3;
 
 use crate::scene::device::{DeviceId, Ends, Part};
 use crate::scene::facing::{Facing, Side};
-use crate::scene::{Direction, Girder, Kind, ResolvedBearing, Scene, Setting, placed};
+use crate::scene::{Damper, Direction, Girder, Kind, Motion, ResolvedBearing, ResolvedPier, Scene, Setting, placed};
 
 /// The fastest rate that bearings give a girder, `max(√(k/m), c/m)` over its translations and rotations each by itself; 0
 /// without bearings \[rad/s\].
@@ -54,6 +54,48 @@ pub(super) fn pier_places(scene: &Scene) -> Vec<(String, f64)> {
         Some((format!("girder.{}.bearings", girder.name), apart.reduce(f64::max)?))
     };
     if piers.is_empty() { Vec::new() } else { scene.girders.iter().filter_map(of_girder).collect() }
+}
+
+/// The fastest rate of a pier alone, `max(√(k/m), c/m)` along both axes and `√(k_θ/I)` \[rad/s\].
+pub(super) fn pier_rate(pier: &ResolvedPier) -> f64 {
+    let along = pier.stiffness.iter().zip(&pier.damping).map(|(k, c)| (k / pier.mass).sqrt().max(c / pier.mass));
+    let turning = pier.turn_stiffness.map_or(0.0, |stiffness| (stiffness / pier.inertia).sqrt());
+    along.fold(turning, f64::max)
+}
+
+/// `c/m` of every damper that is linear, by the mass of its girder, with its key \[1/s\].
+pub(super) fn damper_rates(scene: &Scene) -> Vec<(String, f64)> {
+    let linear = scene.dampers.iter().filter(|damper| damper.exponent == 1.0);
+    let rate = |damper: &Damper| {
+        let girder = scene.girders.iter().find(|girder| girder.name == damper.girder)?;
+        Some((format!("damper.{}.coefficient", damper.name), damper.coefficient / girder.mass))
+    };
+    linear.filter_map(rate).collect()
+}
+
+/// Factors of the motion of single supports, each with its key and that motion.
+pub(super) fn factors(scene: &Scene) -> Vec<(String, f64, &Motion)> {
+    let motion = |ground: &Option<String>| {
+        let named = ground.as_ref().and_then(|name| scene.ground_named(name));
+        named.map_or(&scene.motion, |number| &scene.grounds[number].motion)
+    };
+    let walls = scene.abutments.iter().map(|wall| ("abutment", &wall.name, wall.motion_factor, &wall.ground));
+    let piers = scene.piers.iter().map(|pier| ("pier", &pier.name, pier.motion_factor, &pier.ground));
+    let given = |(kind, name, factor, ground): (&str, &String, Option<f64>, &Option<String>)| {
+        Some((format!("{kind}.{name}.motion_factor"), factor?, motion(ground)))
+    };
+    walls.chain(piers).filter_map(given).collect()
+}
+
+/// Peak acceleration of a motion \[m/s²\].
+pub(super) fn peak(motion: &Motion) -> f64 {
+    match motion {
+        Motion::None => 0.0,
+        Motion::Sine(sine) => sine.amplitude_si().abs().max(sine.vertical_si().abs()),
+        Motion::Record(record) => record.extent().map_or(0.0, |(peak, ..)| peak),
+        Motion::Sweep(sweep) => sweep.sweep().amplitude.abs(),
+        Motion::Synthetic(synthetic) => synthetic.peak(),
+    }
 }
 
 /// Distance of each point of a device that is on a girder from its G, in parts of that of the farthest corner, with its key.

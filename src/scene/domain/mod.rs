@@ -226,7 +226,7 @@ impl fmt::Display for Departure {
     }
 }
 
-/// Every quantity of a scene that lies outside the domain: solver, girders, facing pairs, ground; none where the scene is
+/// Every quantity of a scene that lies outside the domain: solver, girders, piers, devices, facing pairs, ground; none where the scene is
 /// inside. The scene is one that validation accepts; of another, what can be told.
 pub fn outside(scene: &Scene) -> Vec<Departure> {
     let mut found = Departures(Vec::new());
@@ -245,6 +245,21 @@ pub fn outside(scene: &Scene) -> Vec<Departure> {
         for (key, place) in measures::device_places(scene, &ends) {
             found.look(format!("{}.{}.{key}", id.kind.label(), ends.name), place, DEVICE_PLACE);
         }
+    }
+    for (key, rate) in measures::damper_rates(scene) {
+        found.look(key, rate * scene.duration, MOTION_PHASE);
+    }
+    for (number, pier) in scene.piers.iter().enumerate() {
+        let resolved = scene.pier(number);
+        found.look(format!("pier.{}.mass_kg", pier.name), resolved.mass, MASS);
+        found.look(
+            format!("pier.{}.mass_kg", pier.name),
+            measures::pier_rate(&resolved) * scene.duration,
+            MOTION_PHASE,
+        );
+    }
+    for (key, factor, motion) in measures::factors(scene) {
+        found.look(key, factor.abs() * measures::peak(motion), ACCELERATION);
     }
     for facing in facing::find(scene).unwrap_or_default() {
         look_at_pair(scene, &facing, &mut found);
@@ -324,18 +339,18 @@ fn look_at_ground(scene: &Scene, (place, motion): (&str, &Motion), found: &mut D
         Motion::None => {}
         Motion::Sine(sine) => {
             let key = if sine.amplitude_g.is_some() { "amplitude_g" } else { "amplitude_m_s2" };
-            found.look(at(key), sine.amplitude_si().abs().max(sine.vertical_si().abs()), ACCELERATION);
+            found.look(at(key), measures::peak(motion), ACCELERATION);
             let phase = std::f64::consts::TAU * sine.frequency_hz * scene.duration;
             found.look(at("frequency_hz"), phase, MOTION_PHASE);
         }
         Motion::Record(record) => look_at_record(scene, (place, record), found),
         Motion::Sweep(sweep) => {
-            found.look(at("amplitude_g"), sweep.sweep().amplitude.abs(), ACCELERATION);
+            found.look(at("amplitude_g"), measures::peak(motion), ACCELERATION);
             let shaken = scene.duration.min(sweep.length);
             found.look(at("length_s"), shaken / sweep.sweep().interval(), MOTION_PHASE);
         }
         Motion::Synthetic(synthetic) => {
-            found.look(at("peak_g"), synthetic.peak(), ACCELERATION);
+            found.look(at("peak_g"), measures::peak(motion), ACCELERATION);
             found.look(at("dt_s"), scene.duration.min(synthetic.duration) / synthetic.dt, MOTION_PHASE);
         }
     }

@@ -106,6 +106,26 @@ fn a_device_acts_on_its_girder() {
 }
 
 #[test]
+fn piers_dampers_and_factors_of_supports_are_looked_at() {
+    let viaduct = |change: fn(&mut Scene)| {
+        let mut scene = presets::load("viaduct-5").unwrap_or_else(|errors| panic!("{errors}"));
+        change(&mut scene);
+        outside(&scene)
+    };
+    let factor = viaduct(|s| s.abutments[0].motion_factor = Some(-1e3));
+    let (place, value, limit) = only(&factor);
+    assert!(place.ends_with(".motion_factor") && place.starts_with("abutment."), "{place}");
+    assert!((value / (1e3 * 0.45 * STANDARD_GRAVITY) - 1.0).abs() < 0.2 && limit == ACCELERATION, "{value} m/s²");
+    let light = viaduct(|s| s.piers[1].mass = 1e-9);
+    assert!(light.iter().any(|d| d.limit == MASS && d.value == 1e-9), "its mass: {light:?}");
+    assert!(light.iter().any(|d| d.limit == MOTION_PHASE && d.place.starts_with("pier.")), "its rate: {light:?}");
+    let text = "name = \"two\"\nduration_s = 1.0\n[[girder]]\nname = \"deck\"\nlength_m = 1.0\nwidth_m = 0.3\nthickness_m = 0.1\n\
+                mass_kg = 1.0\n[[damper]]\nname = \"d\"\ngirder = \"deck\"\nat_m = [0.3, 0.0]\nto_m = [0.9, 0.0]\ncoefficient = 2e5\n";
+    let damped = crate::scene::format::parse(text, "two").unwrap_or_else(|errors| panic!("{errors}"));
+    assert_eq!(only(&outside(&damped)), ("damper.d.coefficient", 2e5, MOTION_PHASE));
+}
+
+#[test]
 fn a_pair_is_measured_by_its_reduced_mass() {
     let found = with(|s| s.contact.stiffness = Some(2.1e9));
     assert_eq!(only(&found), ("contact.stiffness_n_per_m", 1.05e9, STIFFNESS));

@@ -73,6 +73,9 @@ pub fn facings(scene: &Scene) -> Result<Vec<Facing>, SceneErrors> {
         facings = placing::faces(scene, &mut complaints);
     }
     if complaints.is_empty() {
+        placing::heights(scene, &mut complaints);
+    }
+    if complaints.is_empty() {
         placing::overlaps(scene, &mut complaints);
     }
     complaints.into_result().map(|()| facings)

@@ -9,6 +9,7 @@ use crate::geometry::Face;
 use crate::geometry::broad;
 use crate::geometry::shape::{self, AlignedBox, Convex, Stand};
 use crate::language::{Text, message, six};
+use crate::scene::shown::is_obeyed;
 use crate::scene::{Abutment, BackfillLaw, Kind, ResolvedBackfill, Scene, facing, keys, placed};
 
 /// Bodies may reach this part of their size into each other: placing by hand touches to rounding.
@@ -34,7 +35,7 @@ pub(super) fn names(scene: &Scene, complaints: &mut Complaints) {
         let seen = if kind == "ground" { &mut grounds } else { &mut seen };
         let fault = if name.trim().is_empty() {
             Text::new("wrong-nameless")
-        } else if name.trim() != name || name.contains(|c: char| RESERVED.contains(&c) || c.is_control()) {
+        } else if name.trim() != name || name.contains(|c: char| RESERVED.contains(&c) || is_obeyed(c)) {
             Text::new("wrong-name")
         } else if kind != "ground" && TAKEN.contains(&name) {
             Text::new("wrong-name-taken")
@@ -110,6 +111,43 @@ fn backfill(soil: &ResolvedBackfill, leaning: f64, at: &mut At<'_>) {
     } else if soil.unloading < soil.first_slope() {
         let remedy = message!("wrong-soil-unloads", "stiffness" => format!("{:?}", soil.first_slope()));
         at.add("unloading_stiffness_n_per_m", format!("{:?}", soil.unloading), remedy);
+    }
+}
+
+/// A planar scene is a cut at one height, which every body has: bodies above one another do not touch, and would in plan.
+pub(super) fn heights(scene: &Scene, complaints: &mut Complaints) {
+    if scene.kind != Kind::Planar {
+        return;
+    }
+    let bodies: Vec<Placed> = girders(scene).chain(abutments(scene)).collect();
+    let Some(first) = bodies.first() else { return };
+    let range = |body: &Placed| {
+        let heights = || body.corners.iter().map(|corner| corner.z);
+        [heights().fold(f64::INFINITY, f64::min), heights().fold(f64::NEG_INFINITY, f64::max)]
+    };
+    let mut common = range(first);
+    for body in &bodies[1..] {
+        let [low, high] = range(body);
+        common = if low < common[1] && high > common[0] {
+            [low.max(common[0]), high.min(common[1])]
+        } else {
+            let remedy = message!("wrong-plan-height", "low" => six(common[0]), "high" => six(common[1]));
+            match body.side {
+                Body::Girder(n) => {
+                    let girder = &scene.girders[n];
+                    complaints.of("girder", &girder.name, keys::GIRDER).add(
+                        "position_m",
+                        numbers(&girder.position),
+                        remedy,
+                    );
+                }
+                Body::Abutment(n) => {
+                    let found = message!("found-heights", "low" => six(low), "high" => six(high));
+                    complaints.of("abutment", &scene.abutments[n].name, keys::ABUTMENT).add("polygon_m", found, remedy);
+                }
+            }
+            common
+        };
     }
 }
 

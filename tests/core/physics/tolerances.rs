@@ -92,3 +92,50 @@ fn steps_do_not_go_over_the_opening_of_a_hertz_contact() {
         assert!(parts < 20.0, "{parts} tolerances of the energy at {tolerance:e}");
     }
 }
+
+/// A deck that bends with these words of its own, on bearings that yield or not, with what stands after it.
+fn bending([words, after]: [&str; 2], yields: bool, tolerance: f64) -> History {
+    let bearing = |[x, y]: [f64; 2], [k, l]: [f64; 2], kz: f64, force: f64| {
+        let law =
+            if yields { format!(", yield_force_n = {force}, yield_displacement_m = 0.008") } else { String::new() };
+        format!(
+            "{{ at_m = [{x}, {y}], stiffness_n_per_m = [{k}, {l}, {kz}], damping_n_s_per_m = [1e5, 2e5, 1e6]{law} }}"
+        )
+    };
+    let bearings = [
+        bearing([-12.0, -3.0], [2e7, 1e7], 6e8, 2e5),
+        bearing([-12.5, 3.0], [1e7, 2e7], 5e8, 1.5e5),
+        bearing([13.0, -2.5], [1.5e7, 1e7], 7e8, 2e5),
+        bearing([13.0, 3.5], [1e7, 1e7], 4e8, 1e5),
+    ];
+    run(&scene(&format!(
+        "name = \"deck\"\nkind = \"spatial\"\nduration_s = 0.11\n[solver]\ntolerance = {tolerance:e}\n[[girder]]\nname = \"deck\"\n\
+         length_m = 30.0\nwidth_m = 8.0\nthickness_m = 1.2\nskew_deg = 60.0\nmass_kg = 4e5\nbearings = [{}]\n\
+         elastic = {{ young_modulus_pa = 3e10, poisson_ratio = 0.2, area_m2 = 5.0, damping_ratio = 0.02, modes = 6 }}\n{words}\n\
+         [motion]\nkind = \"sine\"\namplitude_m_s2 = 2.0\nfrequency_hz = 1.7\nangle_deg = 30.0\nphase_deg = 20.0\n\
+         vertical_amplitude_m_s2 = 1.5\nvertical_phase_deg = 50.0\n{after}",
+        bearings.join(", ")
+    )))
+}
+
+/// A rise of a switching function that is less than the step errs by is none: yield and its end were found at one instant without end.
+#[test]
+fn coarse_steps_end_yield_once() {
+    for tolerance in [1e-4, 3e-4, 1e-3, 1e-2] {
+        let history = bending(["initial = { velocity_m_s = [0.6, 0.3, 0.0] }", ""], true, tolerance);
+        assert!(history.stop().is_none(), "{:?} at {tolerance:e}", history.stop());
+    }
+}
+
+/// Stick that begins at its limit: events were 452 at a tolerance of 1e-6.
+#[test]
+fn stick_that_begins_at_its_limit_makes_few_events_at_every_tolerance() {
+    let words = "heading_deg = 35.0\ninitial = { velocity_m_s = [0.6, 0.7, 0.1], rotation_deg = 0.05, pitch_deg = 0.03, roll_deg = 0.05, \
+                 spin_deg_s = 1.0, pitch_deg_s = -0.5, roll_deg_s = 0.6 }";
+    let wall = "[[abutment]]\nname = \"east\"\nfaces = \"deck\"\ngap_m = 0.02\n[contact]\nstiffness_n_per_m = 2e9\nmu_static = 0.5\n\
+                mu_kinetic = 0.5\nrestitution_normal = 1.0\nrestitution_tangential = 1.0\n";
+    for tolerance in [1e-9, 1e-7, 1e-6, 1e-5] {
+        let events = bending([words, wall], false, tolerance).events().len();
+        assert!((10..40).contains(&events), "{events} at {tolerance:e}");
+    }
+}

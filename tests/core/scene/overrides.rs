@@ -181,6 +181,10 @@ fn a_wrong_value_is_answered_with_the_right_kind() {
     );
     assert!(complaint(&scene, "motion.angle_deg=").value.plain() == "``", "no value");
     assert!(complaint(&scene, "motion.angle_deg").remedy.to_string().contains("PATH=VALUE"), "no equals sign");
+    let deep = overrides::apply(&scene, &format!("{}=1", vec!["a"; 10_000].join(".")))
+        .expect_err("too many steps")
+        .to_string();
+    assert!(deep.contains("PATH=VALUE") && deep.contains("10000 steps") && deep.len() < 400, "{deep}");
     assert!(complaint(&scene, "motion..angle_deg=1").remedy.to_string().contains("PATH=VALUE"), "an empty step");
     let missing = complaint(&preset("flush-free-hit"), "girder.deck.bearings.frequency_hz=2");
     assert!(

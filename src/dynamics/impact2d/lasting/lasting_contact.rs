@@ -21,7 +21,7 @@ use crate::dynamics::impact2d::lasting::slide_on_wall::slide_on_wall;
 use crate::dynamics::integrator::dense_output::{DENSE_TERMS, DenseOutput};
 use crate::dynamics::integrator::dop853::{Dop853, next_factor};
 use crate::dynamics::integrator::system::System;
-use crate::dynamics::locate::first_rise::{EarliestEvent, first_rise};
+use crate::dynamics::locate::first_rise::{EarliestEvent, Resolution, first_rise};
 use crate::dynamics::model::coordinates::planar::{self, PlanarState, RATES, WIDTH};
 use crate::dynamics::model::motion_bounds::MotionBounds;
 use crate::dynamics::trajectory::segment::SegmentMotion;
@@ -323,7 +323,7 @@ impl LastingContact {
         for (i, &switch) in switches.iter().enumerate() {
             let negated: Vec<f64> = samples.iter().map(|at| -at[i]).collect();
             let function = |t: f64| -self.switching_function(model, piece, switch, t);
-            if let Some(t) = first_rise([&times, &negated], f64::INFINITY, false, first, function)
+            if let Some(t) = first_rise([&times, &negated], Resolution::at_start(f64::INFINITY), false, first, function)
                 && t < first.at
             {
                 (first.at, self.until, self.ending) = (t, t, Some(switch.ending));

@@ -74,7 +74,8 @@ fn frames_move_by_their_velocities() {
 fn a_bearing_and_its_link_are_at_one_point() {
     let model = model();
     let (body, link) = (&model.bodies[0], &model.links[model.supports[0][0][0]]);
-    let Some(ElasticBody::Space(girder)) = model.flexible[0].as_ref().and_then(|flexible| flexible.girder.as_ref()) else {
+    let Some(ElasticBody::Space(girder)) = model.flexible[0].as_ref().and_then(|flexible| flexible.girder.as_ref())
+    else {
         panic!("it bends");
     };
     for turned in [0.0, 0.3, 1.5] {
