@@ -173,7 +173,7 @@ wrong-padding = 小さくする。データは全部で 1e7 個まで
 wrong-unwritable = このシーンは書き出せない
 found-no-equals = `=` がない
 wrong-setting = PATH=VALUE と書く。例：motion.angle_deg=45
-found-steps = { $steps } 段の経路
+found-steps = { $steps } 段のパス
 found-empty-step = 空の段
 wrong-not-there = その名前のものはここにない{ $meant }。あるもの：{ $there }
 found-one-value = `{ $step }` は1つの値（{ $found }）

@@ -70,11 +70,15 @@ pub(super) const LARGEST: f64 = 1e15;
 
 /// A number up to [`LARGEST`] as Fortran and C write it: `.12E-03`, `-1.5D+00`.
 pub(super) fn number(word: &str) -> Option<f64> {
+    finite(word).filter(|value| value.abs() <= LARGEST)
+}
+
+fn finite(word: &str) -> Option<f64> {
     let value = match word.parse() {
         Err(_) if word.contains(['d', 'D']) => word.replace(['d', 'D'], "E").parse(),
         other => other,
     };
-    value.ok().filter(|value: &f64| value.abs() <= LARGEST)
+    value.ok().filter(|value: &f64| value.is_finite())
 }
 
 /// A word of a data line as a finite number.
@@ -113,9 +117,9 @@ pub(super) fn first_number(text: &str) -> Option<(f64, &str)> {
         let end = rest.find(|c: char| !(c.is_ascii_digit() || matches!(c, '.' | '-' | '+' | 'e' | 'E')));
         let longest = end.unwrap_or(rest.len());
         // `10e` or `5.` at the end of a sentence: as much of it as is a number.
-        let found = (1..=longest).rev().find_map(|end| Some((number(rest.get(..end)?)?, &rest[end..])));
+        let found = (1..=longest).rev().find_map(|end| Some((finite(rest.get(..end)?)?, &rest[end..])));
         if found.is_some() {
-            return found;
+            return found.filter(|(value, _)| value.abs() <= LARGEST);
         }
     }
     None

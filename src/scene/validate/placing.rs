@@ -119,7 +119,12 @@ pub(super) fn heights(scene: &Scene, complaints: &mut Complaints) {
     if scene.kind != Kind::Planar {
         return;
     }
-    let bodies: Vec<Placed> = girders(scene).chain(abutments(scene)).collect();
+    // A wall without a polygon is as high as its girder.
+    let is_placed = |body: &Placed| match body.side {
+        Body::Girder(_) => true,
+        Body::Abutment(n) => scene.abutments[n].polygon.is_some(),
+    };
+    let bodies: Vec<Placed> = girders(scene).chain(abutments(scene)).filter(is_placed).collect();
     let Some(first) = bodies.first() else { return };
     let range = |body: &Placed| {
         let heights = || body.corners.iter().map(|corner| corner.z);

@@ -458,6 +458,15 @@ fn bodies_placed_overlapping_are_refused_and_touching_ones_are_not() {
 }
 
 #[test]
+fn a_planar_scene_is_one_cut() {
+    let from = "position_m = [-25.1, 0.0, 0.0]";
+    let above = "position_m = [-25.1, 0.0, 100.0]";
+    assert_complaint(from, above, "girder.approach.position_m", "[-25.1, 0.0, 100.0]", "every body has");
+    let level = format::read(&GOOD.replacen(from, "position_m = [-25.1, 0.0, 0.2]", 1), "good.toml");
+    assert!(level.is_ok(), "cut where both are: {level:?}");
+}
+
+#[test]
 fn an_overlap_that_comes_from_the_start_is_a_pressed_start() {
     let pressed = "mass_kg = 6e5\ninitial = { displacement_m = [0.06, 0.0] }";
     let read = format::read(&GOOD.replacen("mass_kg = 6e5", pressed, 1), "good.toml");

@@ -82,11 +82,13 @@ fn a_bearing_and_its_link_are_at_one_point() {
         let state = state(body, turned);
         let (here, [q, rates]) = (girder.mean_axes(&state), girder.modal(&state));
         let own = girder.bearings[0].now(&body.axes, &here, q, rates);
-        let (motion, arms) = link.motion([&body.frame(link.sections[0], &state), &Frame::fixed(link.homes[1])]);
+        let frame = body.frame(link.sections[0], &state);
+        let (motion, arms) = link.motion([&frame, &Frame::fixed(link.homes[1])]);
         let near = |a: DVec3, b: DVec3| (a - b).length() < 1e-13 * (1.0 + a.length());
         assert!(near(own.motion.moved, motion.moved), "moved {} and {}", own.motion.moved, motion.moved);
         assert!(near(own.motion.rate, motion.rate), "at {} and {}", own.motion.rate, motion.rate);
-        assert!(near(own.arm, arms[0]), "from G {} and {}", own.arm, arms[0]);
+        let arm = frame.shift - here.shift + arms[0];
+        assert!(near(own.arm, arm), "from G {} and {arm}", own.arm);
         let end = body.frame(body.section(End::Plus), &state);
         assert!((end.turn(link.arms[0]) - here.turn(link.arms[0])).length() > 0.1, "where sections turn");
     }
