@@ -220,6 +220,7 @@ wrong-gif-frames = --out { $out }: a GIF is a film: say how many --frames
 wrong-gif-background = --background transparent: a GIF film has none: choose another, or a folder of PNG pictures
 wrong-after-end = { $flag } { $t }: the run ends at { $end } s: give a time from 0 to { $end }
 wrong-until-varied = --until: --vary duration_s says how long each run is; leave one of the two out
+wrong-mark-mm = --mark-mm { $mm }: smaller marks are not seen, and larger ones run into one another: give { $least } to { $most }
 wrong-exposure = --exposure-ms { $ms }: pictures are { $most } ms apart: give no more
 wrong-rate = --rate { $rate }: { $count } pictures: give fewer than { $most }
 render-marks = { $file }: { $count } marks, { $scale } mm a pixel

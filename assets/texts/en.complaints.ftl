@@ -311,7 +311,7 @@ stop-device = the device { $name } changes its phase without end at one instant;
 stop-support-left = vertical support is lost: { $name } left its support at ({ $x }, { $y }) m; give after_unseating = "continue" to go on without it
 stop-support-dropped = the girder comes off its supports: { $name } has dropped to ({ $x }, { $y }, { $z }) m
 stop-memory = the steps so far take { $bytes } MiB, more than the { $most } MiB that a run may take
-stop-pace = { $done } steps and evaluations since t = { $from } s: at this pace the run would take { $expected }, beyond what a run may take
+stop-pace = { $done } steps and evaluations since t = { $from } s: at this pace the run would take { $expected } of them, beyond what a run may take
 stop-stands = { $done } steps and evaluations at t = { $at } s, without getting on in time
 stop-work = { $work } steps and evaluations exceed the bound on the work of a run
 stop-bound = the bound on the work of a run is exceeded

@@ -214,6 +214,7 @@ wrong-gif-frames = --out { $out }：GIF は動画：--frames で図の数を与�
 wrong-gif-background = --background transparent：GIF の動画では使えない：ほかの背景にするか、PNG の図のフォルダーを与える
 wrong-after-end = { $flag } { $t }：計算は { $end } s に終わる：0 から { $end } までの時刻を与える
 wrong-until-varied = --until：各計算の長さは --vary duration_s が決める。どちらか一方を除く
+wrong-mark-mm = --mark-mm { $mm }：小さすぎる標点は写らず、大きすぎると重なる：{ $least } から { $most } とする
 wrong-exposure = --exposure-ms { $ms }：図の間隔は { $most } ms：それ以下とする
 wrong-rate = --rate { $rate }：図が { $count } 枚になる：{ $most } 枚より少なくする
 render-marks = { $file }：標点 { $count } 個、1画素 { $scale } mm

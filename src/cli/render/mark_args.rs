@@ -10,6 +10,10 @@ use crate::view::marks::diameter;
 /// Pixels of the paper's camera (Table 1).
 pub(super) const PAPERS_CAMERA: [u32; 2] = [720, 465];
 
+/// Least and largest diameter of marks in parts of the usual one \[–\]. Chosen: a mark of two pixels where the usual one has eight, and a
+/// quarter of the narrowest girder's width.
+const DIAMETERS: [f64; 2] = [0.25, 3.0];
+
 /// A film of marks
 #[derive(Clone, Copy, Debug, clap::Args)]
 pub(super) struct MarkArgs {
@@ -45,6 +49,21 @@ impl MarkArgs {
             return Err(Failure::Input(said!("wrong-exposure", "ms" => ms, "most" => most)));
         }
         Ok(1e-3 * ms)
+    }
+
+    /// Refuses marks that no picture shows, or that run into one another.
+    ///
+    /// # Errors
+    /// A diameter outside of [`DIAMETERS`].
+    pub(super) fn check(self, scene: &Scene) -> Result<(), Failure> {
+        let [least, most] = DIAMETERS.map(|times| 1e3 * times * diameter(scene));
+        match self.mark_mm {
+            Some(mm) if !(least..=most).contains(&mm) => {
+                let [mm, least, most] = [mm, least, most].map(six);
+                Err(Failure::Input(said!("wrong-mark-mm", "mm" => mm, "least" => least, "most" => most)))
+            }
+            _ => Ok(()),
+        }
     }
 
     /// Diameter of the marks, where they are drawn \[m\].

@@ -31,6 +31,7 @@ pub(super) fn frames(args: &RenderArgs, history: &History) -> Result<Vec<Wanted>
     let instants: Vec<f64> = (0..count as u32).map(|n| (from + f64::from(n) / rate).min(to)).collect();
     let size = args.size();
     let camera = Some(camera(history, &instants, f64::from(size[0]) / f64::from(size[1])));
+    args.marks.check(history.scene())?;
     let still = args.shot(Instant::Peak, history.scene());
     let exposure = args.marks.exposure()?;
     let during = |t: f64| if exposure > 0.0 { exposed(t, exposure, history.end()).collect() } else { Vec::new() };
