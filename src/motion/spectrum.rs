@@ -119,10 +119,11 @@ mod tests {
     /// A ramp is followed by `−a/ω²`, once its start has decayed, and takes no longer for being longer.
     #[test]
     fn what_is_far_slower_than_the_oscillator_is_followed_at_rest() {
-        for dt in [200.0, 1e6, 1e300] {
+        // The kink at the peak swings it beyond: an integration by other means (an explicit Runge–Kutta method at 1e-11) has 4.728e-4 of the peak at 200 s.
+        for (dt, beyond) in [(200.0, 4.728e-4), (1e6, 0.0), (1e300, 0.0)] {
             let found = response(&[0.0, 3.0, 0.0], dt, 1.0, 0.05).displacement;
-            let exact = 3.0 / (TAU * TAU);
-            assert!((found / exact - 1.0).abs() < 1e-3, "{found}, not {exact} m at {dt} s");
+            let exact = 3.0 / (TAU * TAU) * (1.0 + beyond);
+            assert!((found / exact - 1.0).abs() < 2e-6, "{found}, not {exact} m at {dt} s");
         }
     }
 

@@ -62,7 +62,7 @@ impl Field {
 /// A comment as a page has it: no links into the code, a bar that does not end a cell.
 fn on_a_page(comment: &str) -> String {
     let plain = comment.replace("[`", "`").replace("`]", "`").replace("\\[", "[").replace("\\]", "]");
-    plain.replace('|', "\\|").replace("`None`", "`null`").replace("(`docs/", "([docs](").replace("`) [J]", ")) [J]")
+    plain.replace('|', "\\|").replace("`None`", "`null`")
 }
 
 fn structs() -> BTreeMap<String, Written> {
@@ -97,7 +97,7 @@ fn structs() -> BTreeMap<String, Written> {
                     comment.clear();
                 }
             }
-            all.insert(name.to_owned(), written);
+            assert!(all.insert(name.to_owned(), written).is_none(), "two structs are written that are called {name}");
         }
     }
     all

@@ -10,7 +10,9 @@ const MOST_FRAMES: u32 = 20_000;
 /// Longest film that is offered before a number is typed \[s\]. Chosen: a longer one is not watched to its end, nor sent as a file.
 const OFFERED_LENGTH: f64 = 20.0;
 /// Speeds that are offered \[s of the run per s\]. Chosen: at the slowest a hit of 10 ms lasts 0.1 s.
-const OFFERED_SPEEDS: [f64; 7] = [0.1, 0.2, 0.5, 1.0, 2.0, 5.0, 10.0];
+const OFFERED_SPEEDS: [f64; 6] = [0.1, 0.2, 0.5, 1.0, 2.0, 5.0];
+/// That of longer films \[s of the run per s\]: the fastest at which a run plays.
+const FASTEST_OFFERED: f64 = 10.0;
 
 /// What a film becomes.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -39,10 +41,11 @@ pub struct FilmPlan {
 }
 
 impl FilmPlan {
-    /// A film of a stretch of the run: as slow as leaves it no longer than [`OFFERED_LENGTH`].
+    /// A film of a stretch of the run: as slow as leaves it no longer than [`OFFERED_LENGTH`], but
+    /// no faster than a run plays.
     pub(in crate::app) fn of(from: f64, to: f64) -> Self {
         let short_enough = |speed: &f64| (to - from) / speed <= OFFERED_LENGTH;
-        let speed = OFFERED_SPEEDS.into_iter().find(short_enough).unwrap_or(1.0);
+        let speed = OFFERED_SPEEDS.into_iter().find(short_enough).unwrap_or(FASTEST_OFFERED);
         Self { format: FilmFormat::Gif, from, to, speed, fps: 25.0, size: None }
     }
 
@@ -83,6 +86,7 @@ mod tests {
         // 1 s of the run at 0.1 s/s and 25 Hz: 250 intervals, 251 frames.
         assert_eq!(FilmPlan::of(0.0, 1.0).frames(), Some(251), "both ends");
         assert_eq!(FilmPlan::of(0.0, 40.0).frames(), Some(501), "20 s of 40 s");
+        assert_eq!(FilmPlan::of(0.0, 400.0).frames(), Some(1001), "at the fastest");
         assert_eq!(FilmPlan::of(1.0, 0.0).frames(), None, "ends before it begins");
         assert_eq!(FilmPlan { speed: 1e-6, ..FilmPlan::of(0.0, 1.0) }.frames(), None, "far too long");
     }

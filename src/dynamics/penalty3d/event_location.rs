@@ -121,13 +121,7 @@ fn first_among<const N: usize>(model: &Model, island: &Island, simultaneity: f64
                 _ => ZERO_BAND * scale(island, number, reason, &samples),
             };
             let first = if entering { EarliestEvent::UNKNOWN } else { first };
-            if let Some(t) = first_rise(
-                [&times, &values],
-                Resolution { zero, rise: rise(island, number, reason) },
-                passing,
-                first,
-                value_at,
-            ) {
+            if let Some(t) = first_rise([&times, &values], Resolution::at_start(zero), passing, first, value_at) {
                 let t = if entering && reason == Reason::Opening { reversal(model, island, number, t) } else { t };
                 found.push((t, Due { index: number, reason }));
                 earliest = earliest.min(t);
@@ -202,16 +196,6 @@ fn retry_band(island: &Island, number: usize, reason: Reason, samples: &[Local])
 fn reversal(model: &Model, island: &Island, number: usize, t: f64) -> f64 {
     let rate = |t: f64| local_at(model, island, number, t).gap_rate;
     if rate(t) < 0.0 && rate(island.step.until) > 0.0 { root(rate, t, island.step.until) } else { t }
-}
-
-/// Rise of a switching function from 0 that the planned step resolves, in its unit; none of a kink, whose function is a length of one law
-/// and a speed of another.
-fn rise(island: &Island, number: usize, reason: Reason) -> f64 {
-    match reason {
-        Reason::Switching if !is_sticking(island, number) => island.step.allowed.speed,
-        Reason::Opening | Reason::Switching | Reason::Edge | Reason::Overlap => island.step.allowed.place,
-        Reason::Kink => f64::INFINITY,
-    }
 }
 
 fn is_sticking(island: &Island, number: usize) -> bool {

@@ -11,6 +11,30 @@ use crate::dynamics::elastic::SpaceModes;
 use crate::dynamics::model::bearing::Bearing;
 use crate::dynamics::model::coordinates::elastic::section::station_and_offset;
 
+/// A point of the girder that the modes displace linearly, (F2).
+#[derive(Clone, Debug)]
+pub(super) struct PlacedPoint {
+    /// Station along the girder's axis \[m\].
+    pub(super) station: f64,
+    /// Offset from the section's centre, girder axes \[m\].
+    pub(super) offset: DVec3,
+    /// From G as placed, world axes \[m\].
+    pub(super) lever: DVec3,
+    /// Displacement in every mode, world axes as placed.
+    pub(super) shapes: Vec<DVec3>,
+}
+
+impl PlacedPoint {
+    /// At this place from G, girder axes \[m\], of a girder with this cot β whose axes as placed are the columns.
+    pub(super) fn of(modes: &SpaceModes, axes: &DMat3, place: DVec3, cot: f64) -> Self {
+        let length = modes.beam.plan.length;
+        let (station, in_plan) = station_and_offset(place.truncate(), cot, 0.5 * length);
+        let offset = in_plan.extend(place.z);
+        let shapes = modes.point(2.0 * station / length, offset).into_iter().map(|d| *axes * d).collect();
+        Self { station, offset, lever: *axes * place, shapes }
+    }
+}
+
 /// A bearing with its point's motion in the modes.
 #[derive(Clone, Debug)]
 pub(super) struct BearingPoint {
@@ -41,12 +65,9 @@ pub(super) struct BearingNow {
 impl BearingPoint {
     /// Of each bearing of a girder with this cot β whose axes as placed are the columns.
     pub(super) fn all(bearings: &[Bearing], modes: &SpaceModes, cot: f64, axes: &DMat3) -> Vec<Self> {
-        let length = modes.beam.plan.length;
         let of = |bearing: &Bearing| {
-            let (station, in_plan) = station_and_offset(bearing.place.truncate(), cot, 0.5 * length);
-            let offset = in_plan.extend(bearing.place.z);
-            let shapes = modes.point(2.0 * station / length, offset).into_iter().map(|d| *axes * d).collect();
-            Self { bearing: *bearing, station, offset, lever: *axes * bearing.place, shapes }
+            let PlacedPoint { station, offset, lever, shapes } = PlacedPoint::of(modes, axes, bearing.place, cot);
+            Self { bearing: *bearing, station, offset, lever, shapes }
         };
         bearings.iter().map(of).collect()
     }

@@ -5,9 +5,9 @@
 
 use glam::{DMat3, DVec3};
 
+use super::bearings::PlacedPoint;
 use super::turn::SectionTurn;
 use crate::dynamics::elastic::{Fields, SpaceModes};
-use crate::dynamics::model::coordinates::elastic::section::station_and_offset;
 use crate::dynamics::model::coordinates::section_forces::Bearer;
 
 /// A rigid section of the girder, or a face along it: where it is, and its motion in every mode.
@@ -70,12 +70,9 @@ impl Section {
     /// The point of a bearing at this place from G, girder axes \[m\], of a girder with this cot β: displaced as the modes displace it,
     /// without a rotation of its own, (F2).
     pub(super) fn point(modes: &SpaceModes, axes: &DMat3, place: DVec3, cot: f64) -> Self {
-        let length = modes.beam.plan.length;
-        let (station, in_plan) = station_and_offset(place.truncate(), cot, 0.5 * length);
-        let offset = in_plan.extend(place.z);
-        let moved = modes.point(2.0 * station / length, offset).into_iter().map(|d| *axes * d);
-        let fields = moved.map(|moved| Fields { moved, turned: DVec3::ZERO }).collect();
-        Self { bearer: Bearer::Point { station, offset }, lever: *axes * place, fields }
+        let PlacedPoint { station, offset, lever, shapes } = PlacedPoint::of(modes, axes, place, cot);
+        let fields = shapes.into_iter().map(|moved| Fields { moved, turned: DVec3::ZERO }).collect();
+        Self { bearer: Bearer::Point { station, offset }, lever, fields }
     }
 
     /// A face along a girder, at `offset` from its axis as placed, girder axes \[m\].
