@@ -119,7 +119,8 @@ mod tests {
     /// A ramp is followed by `−a/ω²`, once its start has decayed, and takes no longer for being longer.
     #[test]
     fn what_is_far_slower_than_the_oscillator_is_followed_at_rest() {
-        // The kink at the peak swings it beyond: an integration by other means (an explicit Runge–Kutta method at 1e-11) has 4.728e-4 of the peak at 200 s.
+        // The kink at the peak swings it beyond: an integration by other means (an explicit Runge–Kutta method at 1e-11) has 4.728e-4 of the
+        // peak at 200 s.
         for (dt, beyond) in [(200.0, 4.728e-4), (1e6, 0.0), (1e300, 0.0)] {
             let found = response(&[0.0, 3.0, 0.0], dt, 1.0, 0.05).displacement;
             let exact = 3.0 / (TAU * TAU) * (1.0 + beyond);
