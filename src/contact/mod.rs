@@ -16,6 +16,6 @@ pub mod parameters;
 pub use calibration::{Calibration, NormalName, damping_ratio};
 pub use crossed_edges::Crossed;
 pub use law::{Breakaway, Forces, FrictionLaw, Law, Mode};
-pub use node_face::{Frame, Home, Local, Measured, gap, locate, measure, turned_by};
+pub use node_face::{ContactGeometry, Frame, Local, Measured, gap, locate, measure, turned_by};
 pub use normal::{Normal, NormalLaw};
 pub use parameters::{Dashpots, PairNumbers, is_damped_by_65, law_of_pair, returned_restitution};

@@ -96,7 +96,7 @@ pub fn turned_by(q: DQuat) -> DMat3 {
 
 /// Geometry of a node and a face as placed, world axes: reference of their motion.
 #[derive(Clone, Copy, Debug, PartialEq)]
-pub struct Home {
+pub struct ContactGeometry {
     /// The face's axes `(t1, t2, n)` in the columns.
     pub axes: DMat3,
     /// Node from corner a, in the face's axes \[m\].
@@ -118,7 +118,7 @@ pub struct Home {
     follow: f64,
 }
 
-impl Home {
+impl ContactGeometry {
     /// Gap as placed \[m\].
     pub fn gap(&self) -> f64 {
         self.at.z
@@ -265,14 +265,14 @@ pub struct Measured {
 
 /// Position and velocity of a node, a fixed point of one body, relative to a face of another.
 #[inline]
-pub fn locate(home: &Home, node_body: &Frame, face_body: &Frame) -> Local {
-    measure(home, node_body, face_body).here
+pub fn locate(geometry: &ContactGeometry, node_body: &Frame, face_body: &Frame) -> Local {
+    measure(geometry, node_body, face_body).here
 }
 
 /// Gap \[m\] and its rate \[m/s\] alone.
 #[inline]
-pub fn gap(home: &Home, node_body: &Frame, face_body: &Frame) -> [f64; 2] {
-    let here = measure(home, node_body, face_body).here;
+pub fn gap(geometry: &ContactGeometry, node_body: &Frame, face_body: &Frame) -> [f64; 2] {
+    let here = measure(geometry, node_body, face_body).here;
     [here.gap, here.gap_rate]
 }
 
@@ -282,37 +282,42 @@ pub fn gap(home: &Home, node_body: &Frame, face_body: &Frame) -> [f64; 2] {
 /// `e·r₀ + e·(d + D_pᵀ (r₀ + d))` from corner a, where `r₀` is its position as placed; all terms but the first are as
 /// small as the motion.
 #[inline]
-pub fn measure(home: &Home, node_body: &Frame, face_body: &Frame) -> Measured {
-    if node_body.level && face_body.level && home.upright {
-        measure_in_plan(home, node_body, face_body)
+pub fn measure(geometry: &ContactGeometry, node_body: &Frame, face_body: &Frame) -> Measured {
+    if node_body.level && face_body.level && geometry.upright {
+        measure_in_plan(geometry, node_body, face_body)
     } else {
-        measure_in_space(home, node_body, face_body)
+        measure_in_space(geometry, node_body, face_body)
     }
 }
 
 #[inline]
-fn measure_in_space(home: &Home, node_body: &Frame, face_body: &Frame) -> Measured {
-    let swung = node_body.turned * home.arm;
+fn measure_in_space(geometry: &ContactGeometry, node_body: &Frame, face_body: &Frame) -> Measured {
+    let swung = node_body.turned * geometry.arm;
     let shifted = (node_body.shift - face_body.shift) + swung;
-    let (arm, lever) = (home.arm + swung, home.lever + shifted);
+    let (arm, lever) = (geometry.arm + swung, geometry.lever + shifted);
     let velocity = node_body.velocity_at(arm) - face_body.velocity_at(lever);
     // The products with the zero rotation of an abutment are left out; the result is equal to the last bit.
     let (moved, velocity, spin) = if face_body.turned == DMat3::ZERO {
         (shifted, velocity, face_body.spin)
     } else {
         let back = face_body.turned.transpose();
-        let moved = shifted - face_body.turned * home.corner;
-        (moved + back * (home.from_corner + moved), velocity + back * velocity, face_body.spin + back * face_body.spin)
+        let moved = shifted - face_body.turned * geometry.corner;
+        (
+            moved + back * (geometry.from_corner + moved),
+            velocity + back * velocity,
+            face_body.spin + back * face_body.spin,
+        )
     };
-    let in_face = |v: DVec3| DVec3::new(v.dot(home.axes.x_axis), v.dot(home.axes.y_axis), v.dot(home.axes.z_axis));
+    let in_face =
+        |v: DVec3| DVec3::new(v.dot(geometry.axes.x_axis), v.dot(geometry.axes.y_axis), v.dot(geometry.axes.z_axis));
     let (way, rate) = (in_face(moved), in_face(velocity));
-    if home.edge != DVec3::ZERO {
-        return measure_across(home, [node_body, face_body], [arm, lever], [way, rate]);
+    if geometry.edge != DVec3::ZERO {
+        return measure_across(geometry, [node_body, face_body], [arm, lever], [way, rate]);
     }
     let here = Local {
-        gap: home.at.z + way.z,
+        gap: geometry.at.z + way.z,
         gap_rate: rate.z,
-        at: home.at.truncate() + way.truncate(),
+        at: geometry.at.truncate() + way.truncate(),
         way: way.truncate(),
         rate: rate.truncate(),
         spin: in_face(spin),
@@ -325,15 +330,15 @@ fn measure_in_space(home: &Home, node_body: &Frame, face_body: &Frame) -> Measur
 /// of the node from that axis. Where the normal follows wholly both reactions act at the node, so that its velocity is that relative to
 /// its own place in the face's body; else the reaction on that body acts nearer to the anchor, by the part by which it does not.
 fn measure_across(
-    home: &Home,
+    geometry: &ContactGeometry,
     [node_body, face_body]: [&Frame; 2],
     [arm, lever]: [DVec3; 2],
     [way, rates]: [DVec3; 2],
 ) -> Measured {
-    let in_face = |v: DVec3| home.axes.transpose() * (v + face_body.turned.transpose() * v);
-    let crossed = home.crossed(node_body, face_body);
-    let from = Crossed::of(home.axes.transpose() * home.edge).partly(home.follow).seen(home.at);
-    let at = crossed.seen(home.at + way);
+    let in_face = |v: DVec3| geometry.axes.transpose() * (v + face_body.turned.transpose() * v);
+    let crossed = geometry.crossed(node_body, face_body);
+    let from = Crossed::of(geometry.axes.transpose() * geometry.edge).partly(geometry.follow).seen(geometry.at);
+    let at = crossed.seen(geometry.at + way);
     let rates = crossed.rates(at, rates, in_face(node_body.spin - face_body.spin));
     let here = Local {
         gap: at.z,
@@ -341,7 +346,7 @@ fn measure_across(
         at: DVec2::new(crossed.along(at), at.y),
         way: (at - from).truncate(),
         rate: rates.truncate(),
-        spin: match home.anchor_part() {
+        spin: match geometry.anchor_part() {
             0.0 => DVec3::ZERO,
             part => crossed.seen(in_face(face_body.spin)) * part,
         },
@@ -352,21 +357,21 @@ fn measure_across(
 /// The sums of [`measure`] without the terms that are 0 in plane motion: equal to the last bit, at a third of the
 /// operations.
 #[inline]
-fn measure_in_plan(home: &Home, node_body: &Frame, face_body: &Frame) -> Measured {
+fn measure_in_plan(geometry: &ContactGeometry, node_body: &Frame, face_body: &Frame) -> Measured {
     let times = |m: &DMat3, v: DVec3| (m.x_axis.x * v.x + m.y_axis.x * v.y, m.x_axis.y * v.x + m.y_axis.y * v.y);
     let facing = &face_body.turned;
     let back = |x: f64, y: f64| {
         (x + (facing.x_axis.x * x + facing.x_axis.y * y), y + (facing.y_axis.x * x + facing.y_axis.y * y))
     };
     let along = |(x, y): (f64, f64), axis: DVec3| x * axis.x + y * axis.y;
-    let swung = times(&node_body.turned, home.arm);
+    let swung = times(&node_body.turned, geometry.arm);
     let between = node_body.shift - face_body.shift;
     let shifted = DVec3::new(between.x + swung.0, between.y + swung.1, between.z);
-    let arm = DVec3::new(home.arm.x + swung.0, home.arm.y + swung.1, home.arm.z);
-    let lever = home.lever + shifted;
-    let corner = times(facing, home.corner);
+    let arm = DVec3::new(geometry.arm.x + swung.0, geometry.arm.y + swung.1, geometry.arm.z);
+    let lever = geometry.lever + shifted;
+    let corner = times(facing, geometry.corner);
     let (x, y) = (shifted.x - corner.0, shifted.y - corner.1);
-    let (from_x, from_y) = (home.from_corner.x + x, home.from_corner.y + y);
+    let (from_x, from_y) = (geometry.from_corner.x + x, geometry.from_corner.y + y);
     let moved = (
         x + (facing.x_axis.x * from_x + facing.x_axis.y * from_y),
         y + (facing.y_axis.x * from_x + facing.y_axis.y * from_y),
@@ -376,12 +381,12 @@ fn measure_in_plan(home: &Home, node_body: &Frame, face_body: &Frame) -> Measure
         (node_body.velocity.x - spin * arm.y) - (face_body.velocity.x - turning * lever.y),
         (node_body.velocity.y + spin * arm.x) - (face_body.velocity.y + turning * lever.x),
     );
-    let [first, second, normal] = [home.axes.x_axis, home.axes.y_axis, home.axes.z_axis];
+    let [first, second, normal] = [geometry.axes.x_axis, geometry.axes.y_axis, geometry.axes.z_axis];
     let way = DVec2::new(along(moved, first), shifted.z * second.z);
     let here = Local {
-        gap: home.at.z + along(moved, normal),
+        gap: geometry.at.z + along(moved, normal),
         gap_rate: along(velocity, normal),
-        at: home.at.truncate() + way,
+        at: geometry.at.truncate() + way,
         way,
         rate: DVec2::new(along(velocity, first), 0.0),
         spin: DVec3::new(0.0, turning * second.z, 0.0),

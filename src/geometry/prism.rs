@@ -69,6 +69,11 @@ impl Prism {
         [(-a, -b), (a, -b), (a, b), (-a, b)].map(|(x, y)| DVec2::new(x + y * c, y))
     }
 
+    /// Largest distance of a corner from the centre \[m\].
+    pub fn radius(&self) -> f64 {
+        self.corners().iter().map(|corner| corner.length()).fold(0.0, f64::max)
+    }
+
     /// All eight corners in the body frame: the plan corners at the underside, then at the top \[m\].
     pub fn corners(&self) -> [DVec3; 8] {
         let plan = self.plan_corners();

@@ -4,7 +4,7 @@
 //! the run: from the reference poses of the bodies.
 
 use super::{ContactNow, ContactState, History, impact};
-use crate::contact::{Frame, Home, Mode};
+use crate::contact::{ContactGeometry, Frame, Mode};
 use crate::dynamics::model::reference_pose::seen_from;
 use crate::dynamics::penalty3d::contact_force::{Action, act_in, to_world};
 use crate::dynamics::penalty3d::contact_state::ClosedContact;
@@ -14,7 +14,7 @@ struct Seen {
     /// State, with its anchor relative to the reference poses.
     closed: ClosedContact,
     /// Contact geometry at the reference poses.
-    home: Home,
+    geometry: ContactGeometry,
     /// Poses of node's and face's body relative to the reference poses.
     since: [Frame; 2],
     /// Poses relative to the placed poses.
@@ -36,18 +36,18 @@ impl History {
             None => Some((None, site.stand)),
         };
         if let (Some((node, at_node)), Some((face, at_face))) = (side(site.node_body, 0), side(site.face_body, 1)) {
-            let home = seen_from(site, &closed.place, [node.as_ref(), face.as_ref()]);
+            let geometry = seen_from(site, &closed.place, [node.as_ref(), face.as_ref()]);
             let whole = [(node, at_node), (face, at_face)].map(|(base, at)| base.map_or(at, |base| base.whole(&at)));
-            return Some(Seen { closed, home, since: [at_node, at_face], sides: whole });
+            return Some(Seen { closed, geometry, since: [at_node, at_face], sides: whole });
         }
         let (closed, sides) = (*log.at(t).closed()?, self.trajectories.sides(contact, t));
-        Some(Seen { closed, home: site.home_at(&closed.place), since: sides, sides })
+        Some(Seen { closed, geometry: site.geometry_at(&closed.place), since: sides, sides })
     }
 
     /// Forces of a contact that is closed at `t`, and its state; nothing when it is open.
     pub(super) fn acting(&self, contact: usize, t: f64) -> Option<(ClosedContact, Action)> {
-        let Seen { closed, home, since: [node, face], .. } = self.closed(contact, t)?;
-        Some((closed, act_in(&home, &closed, &closed.mode, &node, &face)))
+        let Seen { closed, geometry, since: [node, face], .. } = self.closed(contact, t)?;
+        Some((closed, act_in(&geometry, &closed, &closed.mode, &node, &face)))
     }
 
     /// Contacts closed at `t`, in the order of their numbers.
@@ -70,11 +70,11 @@ impl History {
 
     pub(super) fn contact(&self, contact: usize, t: f64) -> Option<ContactNow> {
         let site = &self.model().contacts[contact];
-        let Seen { closed, home, since, sides: [node, face] } = self.closed(contact, t)?;
-        let action = act_in(&home, &closed, &closed.mode, &since[0], &since[1]);
+        let Seen { closed, geometry, since, sides: [node, face] } = self.closed(contact, t)?;
+        let action = act_in(&geometry, &closed, &closed.mode, &since[0], &since[1]);
         let forces = &action.forces;
         let point = node.origin() + action.node_arm;
-        let placed = site.home_at(&closed.place);
+        let placed = site.geometry_at(&closed.place);
         let world = |v: glam::DVec2| {
             let along = action.crossed.in_axes(v.extend(0.0));
             to_world(&placed, &face, along.truncate(), along.z)

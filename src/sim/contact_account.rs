@@ -20,7 +20,7 @@ pub(super) fn contact_account(history: &History, contact: usize) -> Account<4> {
         }
         let stored = |t: f64| {
             let [node, face] = history.trajectories.sides(contact, t);
-            closed.law.normal.stored_energy(locate(&site.home_at(&closed.place), &node, &face).penetration())
+            closed.law.normal.stored_energy(locate(&site.geometry_at(&closed.place), &node, &face).penetration())
         };
         let bodies = [site.node_body, site.face_body].into_iter().flatten();
         for w in step_borders(history, bodies, *from, until).windows(2).filter(|w| w[1] > w[0]) {

@@ -33,7 +33,7 @@ fn digest(history: &History) -> u64 {
         for (number, span) in path.spans().enumerate() {
             add(span.from);
             add(span.until);
-            let (from, kept) = path.kept(number);
+            let (from, kept) = path.motion_of(number);
             if matches!(kept, StoredMotion::Start(_) | StoredMotion::Flight(_)) && span.from < history.end() {
                 let middle = 0.5 * (span.from + span.until.min(history.end()));
                 history.state(body, middle).into_iter().for_each(&mut add);

@@ -108,7 +108,7 @@ pub fn before_face(history: &History, contact: usize, t: f64) -> [f64; 2] {
     let site = &history.model().contacts[contact];
     let [node, face] = history.trajectories.sides(contact, t.clamp(0.0, history.end()));
     let place = history.trajectories.log(contact).at(t).closed().map_or_else(NodePlace::default, |closed| closed.place);
-    let here = locate(&site.home_at(&place), &node, &face);
+    let here = locate(&site.geometry_at(&place), &node, &face);
     let at = site.on_face(&place, &here);
     let level = DVec3::Z.cross(site.face.normal);
     let [u, v] = [site.face.tangent.dot(level), site.face.bitangent.dot(level)];
@@ -121,7 +121,7 @@ pub fn gap(history: &History, pair: usize, t: f64) -> f64 {
     let of = |contact: usize| {
         let site = &model.contacts[contact];
         let [node, face] = history.trajectories.sides(contact, t);
-        let here = locate(&site.home, &node, &face);
+        let here = locate(&site.geometry, &node, &face);
         (here.gap, site.face.inset_at(here.at) >= 0.0)
     };
     let all: Vec<(f64, bool)> = model.pairs[pair].contacts.clone().map(of).collect();

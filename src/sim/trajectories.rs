@@ -206,7 +206,7 @@ impl Trajectories {
         let angle = |from, piece: &StepPolynomial| {
             StepHeading::of(own, piece, span(from)).map(|heading| heading.angle(path.half_turns(number), t))
         };
-        match path.kept(number) {
+        match path.motion_of(number) {
             (from, StoredMotion::Step(piece)) => angle(from, piece),
             (from, StoredMotion::Recomputed(step)) => self.stepped(body, (step, from), |piece| angle(from, piece)),
             _ => None,

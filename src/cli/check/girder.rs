@@ -200,7 +200,7 @@ fn vertical(body: &Body, bearings: &[Bearing], kind: Kind) -> String {
     let (stiffness, damping) = (sum(|b| b.stiffness.z), sum(|b| b.damping.z));
     let omega = (stiffness / body.mass).sqrt();
     let ratio = if omega > 0.0 { damping / (2.0 * body.mass * omega) } else { 0.0 };
-    let tips = body.standing.first_moment.truncate().length() > 0.0 || is_unstable(bearings);
+    let tips = body.unbalanced.first_moment.truncate().length() > 0.0 || is_unstable(bearings);
     let tips =
         if tips && (body.free[3] || body.free[4]) { format!("  {}\n", Text::new("check-tips")) } else { String::new() };
     let pulled = bearings.iter().enumerate().filter(|(_, bearing)| bearing.preload.z < 0.0).map(|(number, bearing)| {

@@ -27,7 +27,7 @@ fn in_plan_every_number_is_that_of_space() {
     for turn in [0.0, 0.1, -0.37, 1.9] {
         let owner = body(DVec3::new(1.1, 0.2, 0.05), turn, 0.9);
         let other = body(DVec3::ZERO, 0.7 * turn, -2.3);
-        let home = Home::of(NODE, (owner.home, DMat3::IDENTITY), &face, (other.home, DMat3::IDENTITY));
+        let home = ContactGeometry::of(NODE, (owner.home, DMat3::IDENTITY), &face, (other.home, DMat3::IDENTITY));
         let (plan, space) = (measure_in_plan(&home, &owner, &other), measure_in_space(&home, &owner, &other));
         assert_eq!(plan, space, "turned by {turn}");
     }
@@ -40,7 +40,7 @@ fn counted_from_home_a_node_is_where_it_is() {
         let owner = body(DVec3::new(1.1, 0.2, 0.05), turn, 0.9);
         let other = body(DVec3::new(0.1, -0.3, 0.0), 0.7 * turn, -2.3);
         let [node_axes, face_axes] = [heading, 1.7 * heading].map(DMat3::from_rotation_z);
-        let home = Home::of(NODE, (owner.home, node_axes), &face, (other.home, face_axes));
+        let home = ContactGeometry::of(NODE, (owner.home, node_axes), &face, (other.home, face_axes));
         let there = measure(&home, &owner, &other);
         let [turned, facing] = [owner.rotation(&node_axes), other.rotation(&face_axes)];
         let place = owner.origin() + turned * NODE;
@@ -62,7 +62,7 @@ fn what_is_placed_on_a_face_is_on_it() {
     let quad = [(0.0, -1.0, -1.0), (0.0, 1.0, -1.0), (0.0, 1.0, 1.0), (0.0, -1.0, 1.0)];
     let face = Face::new(quad.map(|(x, y, z)| DVec3::new(0.3 + x, y, z)), 1.0).expect("a square");
     let axes = DMat3::IDENTITY;
-    let gap = |x: f64| Home::of(DVec3::X * 0.2, (DVec3::X * x, axes), &face, (DVec3::ZERO, axes)).gap();
+    let gap = |x: f64| ContactGeometry::of(DVec3::X * 0.2, (DVec3::X * x, axes), &face, (DVec3::ZERO, axes)).gap();
     assert_ne!(0.1 + 0.2, 0.3, "rounding is there");
     assert_eq!(gap(0.1), 0.0, "and is no gap");
     assert!((gap(0.1 + 1e-14) - 1e-14).abs() < 1e-16, "a small gap is one: {:e}", gap(0.1 + 1e-14));
@@ -74,9 +74,9 @@ fn a_small_motion_moves_the_gap_by_its_own_last_digit() {
     let face = face();
     let still = Frame::fixed(DVec3::ZERO);
     let placed = Frame::fixed(DVec3::new(9.0, 0.4, 0.0));
-    let home = Home::of(NODE, (placed.home, DMat3::IDENTITY), &face, (still.home, DMat3::IDENTITY));
+    let home = ContactGeometry::of(NODE, (placed.home, DMat3::IDENTITY), &face, (still.home, DMat3::IDENTITY));
     let shift = 1e-12;
-    let before = Home { at: DVec3::ZERO, ..home };
+    let before = ContactGeometry { at: DVec3::ZERO, ..home };
     let moved = Frame { shift: face.normal * shift, ..placed };
     let step = locate(&before, &moved, &still).gap;
     assert!((step - shift).abs() < 4e-16 * shift, "{step:e}");

@@ -111,7 +111,7 @@ mod tests {
     fn curvatures(world: &World, contact: usize) -> [f64; 2] {
         let track = &world.contacts[contact];
         let (site, until) = (&world.model.contacts[track.site], until(world));
-        let rate = |t: f64| gap(&site.home, &world.side(contact, 0, t), &world.side(contact, 1, t))[1];
+        let rate = |t: f64| gap(&site.geometry, &world.side(contact, 0, t), &world.side(contact, 1, t))[1];
         let rates: Vec<f64> = times(until).into_iter().map(rate).collect();
         let step = until / f64::from(RATE_SAMPLES);
         let largest = rates.windows(2).map(|two| (two[1] - two[0]).abs() / step).fold(0.0, f64::max);

@@ -36,7 +36,7 @@ struct OpenContact<'a> {
 impl OpenContact<'_> {
     fn local(&self, sample: &FlightSample) -> Local {
         let frame = |which: usize| self.sides[which].map_or(&self.site.stand, |side| &sample.frames[side]);
-        locate(&self.site.home, frame(0), frame(1))
+        locate(&self.site.geometry, frame(0), frame(1))
     }
 
     fn bounded_gap(&self, sample: &FlightSample) -> BoundedGap {

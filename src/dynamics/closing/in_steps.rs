@@ -191,7 +191,7 @@ fn in_step(world: &World, contact: usize, samples: &mut StepSamples, armed: bool
     };
     let site = &world.model.contacts[track.site];
     let gap_at = |at: f64| {
-        let [gap, rate] = gap(&site.home, &world.side(contact, 0, at), &world.side(contact, 1, at));
+        let [gap, rate] = gap(&site.geometry, &world.side(contact, 0, at), &world.side(contact, 1, at));
         GapSample { t: at, gap, rate }
     };
     let rate_error = |at: f64| rate_error(world, contact, [&world.side(contact, 0, at), &world.side(contact, 1, at)]);

@@ -13,6 +13,7 @@ use crate::dynamics::closing::phase_end;
 use crate::dynamics::connection::{Kinematics, Link, SeparationBounds, Switch};
 use crate::dynamics::locate::advancement::{BoundedGap, FirstZero, first_crossing_from};
 use crate::dynamics::locate::constants::RESOLUTION;
+use crate::dynamics::locate::sample_times::sample_times;
 use crate::dynamics::locate::subdivision::{GapSample, Subdivision};
 use crate::dynamics::model::motion_bounds::MotionBounds;
 use crate::dynamics::world::World;
@@ -149,9 +150,7 @@ fn in_steps(world: &World, number: usize, t: f64, until: f64) -> Option<f64> {
     if first.gap <= resolution && first.rate < -rate_error(t) {
         return Some(t);
     }
-    let part =
-        |i: usize| if i == STEP_SAMPLES - 1 { until } else { t + (until - t) * i as f64 / (STEP_SAMPLES - 1) as f64 };
-    let samples: [GapSample; STEP_SAMPLES] = std::array::from_fn(|i| gap(part(i)));
+    let samples: [GapSample; STEP_SAMPLES] = sample_times([t, until]).map(gap);
     Subdivision::new((gap, curvature_bound, rate_error), true, resolution, CLOSING_INTERVAL * simultaneity)
         .first_closing(&samples)
 }

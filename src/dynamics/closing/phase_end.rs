@@ -12,6 +12,7 @@ use crate::dynamics::closing::found::NextClosing;
 use crate::dynamics::closing::link_motion::motion;
 use crate::dynamics::connection::{Separation, Switch, SwitchUnit};
 use crate::dynamics::locate::first_rise::{EarliestEvent, Resolution, first_rise};
+use crate::dynamics::locate::sample_times::sample_times;
 use crate::dynamics::penalty3d::link_events::zero_and_band;
 use crate::dynamics::world::World;
 use crate::motion::Ground;
@@ -127,8 +128,7 @@ fn within(world: &World, number: usize, switches: &[usize], [from, to]: [f64; 2]
     }
     let track = &world.links[number];
     let link = &world.model.links[track.link];
-    let part = |i: usize| (to - from) * i as f64 / (STEP_SAMPLES - 1) as f64;
-    let times: [f64; STEP_SAMPLES] = std::array::from_fn(|i| if i == STEP_SAMPLES - 1 { to } else { from + part(i) });
+    let times = sample_times::<STEP_SAMPLES>([from, to]);
     let motions = times.map(|t| motion(world, number, t));
     let mut found: Option<(f64, usize)> = None;
     for &switch in switches {

@@ -8,6 +8,7 @@ use crate::contact::{Frame, Local, gap, locate};
 use crate::dynamics::closing::constants::{SPEED_ROUNDING, STEP_SAMPLES};
 use crate::dynamics::closing::gap_curvature::GapCurvature;
 use crate::dynamics::locate::constants::RESOLUTION;
+use crate::dynamics::locate::sample_times::sample_times;
 use crate::dynamics::locate::subdivision::GapSample;
 use crate::dynamics::model::edge_node::{Edge, EdgeEnds};
 use crate::dynamics::model::meeting::{Meeting, Poses};
@@ -53,8 +54,7 @@ impl StepSamples {
     /// With the poses of the first sample time.
     pub(super) fn begin(world: &World, pair: usize, t: f64, until: f64) -> Self {
         let PairTrack { slots, sections, ref corner_sections, .. } = world.pairs[pair];
-        let part = |i: usize| (until - t) * i as f64 / (STEP_SAMPLES - 1) as f64;
-        let times = std::array::from_fn(|i| if i == STEP_SAMPLES - 1 { until } else { t + part(i) });
+        let times = sample_times([t, until]);
         let first = Self::frames(world, (slots, sections), corner_sections, t);
         let (turned, bounds, others) = (OnceCell::new(), OnceCell::new(), Vec::new());
         let (of_corners, corners) = (corner_sections.clone(), (usize::MAX, Vec::new()));
@@ -149,7 +149,7 @@ impl StepSamples {
 
     pub(super) fn local(&self, world: &World, contact: usize, i: usize) -> Local {
         let (site, [node, face]) = (&world.model.contacts[world.contacts[contact].site], self.sides(world, contact, i));
-        locate(&site.home, node, face)
+        locate(&site.geometry, node, face)
     }
 
     /// Ends of the edge of an edge node relative to its face at sample `i`.
@@ -184,7 +184,7 @@ impl StepSamples {
     /// Gap and rate of a contact at sample `i`.
     pub(super) fn gap(&self, world: &World, contact: usize, i: usize) -> GapSample {
         let (site, [node, face]) = (&world.model.contacts[world.contacts[contact].site], self.sides(world, contact, i));
-        let [gap, rate] = gap(&site.home, node, face);
+        let [gap, rate] = gap(&site.geometry, node, face);
         GapSample { t: self.times[i], gap, rate }
     }
 }

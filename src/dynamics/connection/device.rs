@@ -179,6 +179,16 @@ pub enum SwitchUnit {
     Speed,
 }
 
+impl SwitchUnit {
+    /// Bound of the change of a function in this unit that is a component of the displacement or of the rate.
+    pub fn largest_change(self, within: Excursion) -> f64 {
+        match self {
+            Self::Length => within.way,
+            Self::Speed => within.rate,
+        }
+    }
+}
+
 /// Equation of motion of the first number `m` that a law remembers: `ṁ = rate`, with `m` in a unit of the device.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
 pub struct Evolution {

@@ -20,7 +20,7 @@ pub(in crate::dynamics) struct ContactClosing<'s, 'a> {
 impl ContactClosing<'_, '_> {
     /// Whether the projection of a node that has crossed the plane of a face is inside its polygon. Otherwise a miss is
     /// recorded and the contact is disarmed until its gap is positive again (`docs/physics.md#closing`).
-    pub(in crate::dynamics) fn is_entry(&mut self, contact: usize) -> bool {
+    pub(in crate::dynamics) fn enters_or_records_miss(&mut self, contact: usize) -> bool {
         if self.states.at().is_over(contact) {
             return true;
         }
@@ -60,7 +60,7 @@ impl ContactClosing<'_, '_> {
 
     /// Closing of a contact whose node is at its face.
     fn close_at_face(&mut self, contact: usize) {
-        self.states.place(contact, 0.0);
+        self.states.set_place(contact, 0.0);
         let here = self.states.here(contact);
         let law = contact_law::of(self.states.world, contact, self.states.now);
         let (mut tangential, mut normal) = here.relative_velocity(DVec2::ZERO);
@@ -87,7 +87,7 @@ impl ContactClosing<'_, '_> {
     /// its spring enters the ledger as a negative release.
     pub(super) fn close_inside(&mut self, contact: usize, kept: f64) {
         let mut closed = self.closed_inside(contact);
-        closed.solver.kept = kept;
+        closed.solver.kept_beyond_edge = kept;
         let here = self.states.here(contact);
         let kind = match closed.mode {
             Mode::Stick { .. } => EventKind::OpenToStick,
@@ -110,7 +110,7 @@ impl ContactClosing<'_, '_> {
         });
         let entering: Vec<usize> = std::iter::once(contact).chain(other).collect();
         for &node in &entering {
-            self.states.place(node, 0.0);
+            self.states.set_place(node, 0.0);
         }
         let energy = |(left, before): &(usize, ClosedContact)| {
             before.law.normal.stored_energy(self.states.here(*left).penetration())
@@ -167,7 +167,7 @@ impl ContactClosing<'_, '_> {
                 if !self.states.at().is_over(contact) {
                     continue;
                 }
-                self.states.place(contact, 0.0);
+                self.states.set_place(contact, 0.0);
             }
             let here = self.states.at().local(contact);
             let site = self.states.site(contact);

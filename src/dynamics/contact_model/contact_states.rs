@@ -5,8 +5,8 @@ use glam::DVec2;
 
 use crate::contact::Local;
 use crate::dynamics::ContactSite;
-use crate::dynamics::contact_model::at_instant::{AtInstant, EventInstant};
 use crate::dynamics::contact_model::constants::{CONTACT_EVENTS_PER_INSTANT, CONTACT_EVENTS_PER_TOUCH};
+use crate::dynamics::contact_model::event_state::{EventBodies, EventContacts};
 use crate::dynamics::event_loop::schedule::Schedule;
 use crate::dynamics::model::edge_node::node_place::NodePlace;
 use crate::dynamics::model::reference_pose;
@@ -25,13 +25,13 @@ pub(in crate::dynamics) struct ContactStates<'a> {
     /// Progress of the run, stopped where a contact exceeds its number of events.
     pub schedule: &'a mut Schedule,
     /// States of the bodies that the event concerns.
-    pub now: &'a EventInstant,
+    pub now: &'a EventBodies,
 }
 
 impl ContactStates<'_> {
     /// The contacts as they are now.
-    pub(super) fn at(&self) -> AtInstant<'_> {
-        AtInstant { world: self.world, now: self.now }
+    pub(super) fn at(&self) -> EventContacts<'_> {
+        EventContacts { world: self.world, now: self.now }
     }
 
     /// Enters a contact's state with its event and the energy that is released with it \[J\].
@@ -61,8 +61,9 @@ impl ContactStates<'_> {
     pub(super) fn enter_state(&mut self, contact: usize, mut state: Contact) {
         if let (Contact::Closed(now), None) = (&mut state, self.world.contacts[contact].state.closed()) {
             let site = self.site(contact);
-            let (beyond, over) = (now.solver.passes_at.unwrap_or(0.0), site.over_edge(&self.at().local(contact)));
-            now.solver.passes_at = (site.around.is_some() && over < beyond).then_some(beyond);
+            let (beyond, over) =
+                (now.solver.handover_distance.unwrap_or(0.0), site.over_edge(&self.at().local(contact)));
+            now.solver.handover_distance = (site.around.is_some() && over < beyond).then_some(beyond);
         }
         let track = &mut self.world.contacts[contact];
         let way = match state {
@@ -95,7 +96,7 @@ impl ContactStates<'_> {
 
     /// Places an edge node at the present crossing, up to `beyond` beyond the ends of the edges, where it may go on as far
     /// again \[m\].
-    pub(super) fn place(&mut self, contact: usize, beyond: f64) {
+    pub(super) fn set_place(&mut self, contact: usize, beyond: f64) {
         let place = self.crossing(contact, beyond).unwrap_or_default();
         self.world.contacts[contact].place = NodePlace { overhang: place.overhang + beyond, ..place };
     }

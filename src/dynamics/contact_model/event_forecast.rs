@@ -9,7 +9,7 @@ use crate::contact::{Frame, Local, locate};
 use crate::dynamics::penalty3d::constants::{CONFIRMED_RISE, FORECAST_PHASE, SLOPE_PHASE};
 use crate::dynamics::penalty3d::contact_state::Contact;
 use crate::dynamics::penalty3d::due::Reason;
-use crate::dynamics::penalty3d::event_location::{function, reasons};
+use crate::dynamics::penalty3d::event_location::{reasons, switching_function};
 use crate::dynamics::penalty3d::island::Island;
 use crate::dynamics::world::World;
 
@@ -34,14 +34,14 @@ pub(in crate::dynamics) fn earliest_change(world: &World, island: &Island, horiz
     let mut likely: Vec<(f64, f64, Change)> = Vec::new();
     for change in changes(world, island) {
         let Some(here) = local(world, island, change, &now) else { continue };
-        let start = switching_value(world, island, change, &here);
+        let start = change_function(world, island, change, &here);
         // Rates of gaps are known at the start; switching functions are differenced.
         let rise = match change {
             Change::Closing(_) => -here.gap_rate,
             Change::State(_, Reason::Opening) => here.gap_rate,
             Change::State(_, Reason::Edge) if start + horizon * (here.rate.length() + here.gap_rate.abs()) < 0.0 => 0.0,
             Change::State(..) => local(world, island, change, &then)
-                .map_or(0.0, |there| (switching_value(world, island, change, &there) - start) / dt),
+                .map_or(0.0, |there| (change_function(world, island, change, &there) - start) / dt),
         };
         if start < 0.0 && rise > 0.0 && -start / rise < horizon {
             likely.push((-start / rise, start, change));
@@ -52,7 +52,7 @@ pub(in crate::dynamics) fn earliest_change(world: &World, island: &Island, horiz
     // negative.
     let confirmed = |&(after, start, change): &(f64, f64, Change)| {
         let there = local(world, island, change, &island.frames_after(&world.model, after))?;
-        let there = switching_value(world, island, change, &there);
+        let there = change_function(world, island, change, &there);
         (there > CONFIRMED_RISE * start).then(|| if there < 0.0 { after * start / (start - there) } else { after })
     };
     likely.iter().find_map(confirmed).unwrap_or(f64::INFINITY)
@@ -84,13 +84,15 @@ fn local(world: &World, island: &Island, change: Change, frames: &[Frame]) -> Op
         }
         None => Some(site.stand),
     };
-    Some(locate(&site.home, &frame(0)?, &frame(1)?))
+    Some(locate(&site.geometry, &frame(0)?, &frame(1)?))
 }
 
 /// Value of the switching function, negative before the event; of an open contact `−g`.
-fn switching_value(world: &World, island: &Island, change: Change, here: &Local) -> f64 {
+fn change_function(world: &World, island: &Island, change: Change, here: &Local) -> f64 {
     match change {
-        Change::State(number, reason) => function(&world.model, island, number, reason, here, island.step.until),
+        Change::State(number, reason) => {
+            switching_function(&world.model, island, number, reason, here, island.step.until)
+        }
         Change::Closing(_) => -here.gap,
     }
 }

@@ -5,10 +5,10 @@ use std::collections::BTreeSet;
 use std::sync::Arc;
 
 use crate::dynamics::connection::Switch;
-use crate::dynamics::contact_model::at_instant::{AtInstant, EventInstant};
 use crate::dynamics::contact_model::constants::ALTERNATING_EVENTS;
 use crate::dynamics::contact_model::contact_closing::ContactClosing;
 use crate::dynamics::contact_model::event_source::EventSource;
+use crate::dynamics::contact_model::event_state::{EventBodies, EventContacts};
 use crate::dynamics::contact_model::run::ContactRun;
 use crate::dynamics::contact_model::step_planning;
 use crate::dynamics::contact_model::transitions::Transitions;
@@ -29,7 +29,7 @@ impl ContactRun {
             return;
         }
         let states = (0..island.slots.len()).map(|index| island.state_at(&self.world.model, index, t)).collect();
-        let now = EventInstant::of(&self.world, island.slots.clone(), island.system.bases.clone(), states, t);
+        let now = EventBodies::of(&self.world, island.slots.clone(), island.system.bases.clone(), states, t);
         for (number, &contact) in island.contacts.iter().enumerate() {
             self.world.contacts[contact].state = Contact::Closed(island.closed_at(number, t));
         }
@@ -73,14 +73,14 @@ impl ContactRun {
         }
         let mut slots: Vec<usize> = self.world.pairs[pair].slots.into_iter().flatten().collect();
         slots.sort_unstable();
-        let seen = EventInstant::poses(&self.world, slots, t);
+        let seen = EventBodies::poses(&self.world, slots, t);
         // A node that closes within the interval after `t` closes at `t`; a miss is recorded at its own time only.
         entered.retain(|&contact| {
             let due = self.world.contacts[contact].closing.is_some_and(|at| at <= t);
             if due {
-                ContactClosing { states: &mut self.contact_states(&seen) }.is_entry(contact)
+                ContactClosing { states: &mut self.contact_states(&seen) }.enters_or_records_miss(contact)
             } else {
-                AtInstant { world: &self.world, now: &seen }.is_over(contact)
+                EventContacts { world: &self.world, now: &seen }.is_over(contact)
             }
         });
         if entered.is_empty() {
@@ -110,7 +110,7 @@ impl ContactRun {
 
     /// Ends at `t` the trajectories of bodies and of all bodies in an island or a block with them: their states, and the method
     /// and length of their integrators' next steps.
-    pub(in crate::dynamics) fn release(&mut self, slots: &[usize], t: f64) -> (EventInstant, ControllerState) {
+    pub(in crate::dynamics) fn release(&mut self, slots: &[usize], t: f64) -> (EventBodies, ControllerState) {
         let mut all = BTreeSet::new();
         let mut pace = ControllerState::default();
         for &slot in slots {
@@ -127,7 +127,7 @@ impl ContactRun {
         let slots: Vec<usize> = all.into_iter().collect();
         let (bases, states) = slots.iter().map(|&slot| self.world.state_from_reference(slot, t)).unzip();
         self.retire_islands(&slots, t);
-        (EventInstant::of(&self.world, slots, bases, states, t), pace)
+        (EventBodies::of(&self.world, slots, bases, states, t), pace)
     }
 
     /// Enters in the tracks of an island's devices what their laws remember at `t`.

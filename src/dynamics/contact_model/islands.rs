@@ -58,7 +58,7 @@ impl IslandStock {
         for (index, &slot) in members.iter().enumerate() {
             end_flight(world, slot, t);
             world.bodies[slot].now = Trajectory::Island { island: number, index };
-            if store.keeps_starts(world) && bases[index].kept.is_none() && bases[index].flown.is_none() {
+            if store.keeps_starts(world) && bases[index].stored_number.is_none() && bases[index].flown.is_none() {
                 let state = &y[layout.range(index)];
                 bases[index].flown = StepStore::landing(world, slot, &bases[index], state, t);
             }

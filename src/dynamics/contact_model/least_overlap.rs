@@ -7,7 +7,7 @@
 use glam::DVec3;
 
 use crate::dynamics::ContactSite;
-use crate::dynamics::contact_model::at_instant::AtInstant;
+use crate::dynamics::contact_model::event_state::EventContacts;
 use crate::dynamics::model::edge_node::Edge;
 use crate::dynamics::model::edge_node::node_place::NodePlace;
 use crate::dynamics::model::meeting::{Meeting, Poses};
@@ -43,7 +43,7 @@ pub(in crate::dynamics) struct ShortestWay {
     pub contact: Option<usize>,
 }
 
-impl AtInstant<'_> {
+impl EventContacts<'_> {
     /// The overlaps of a contact's two bodies, which have met, by the faces of both, the least first.
     fn overlaps(&self, contact: usize) -> Vec<LeastOverlap> {
         let mut faces: Vec<(Side, LeastOverlap)> = Vec::new();

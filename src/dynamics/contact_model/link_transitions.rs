@@ -4,8 +4,8 @@ use std::sync::Arc;
 
 use crate::contact::Frame;
 use crate::dynamics::connection::{Phase, Separation, Switch};
-use crate::dynamics::contact_model::at_instant::EventInstant;
 use crate::dynamics::contact_model::constants::DEVICE_EVENTS_PER_INSTANT;
+use crate::dynamics::contact_model::event_state::EventBodies;
 use crate::dynamics::event_loop::schedule::Schedule;
 use crate::dynamics::record::event::Cause;
 use crate::dynamics::world::World;
@@ -19,7 +19,7 @@ pub(in crate::dynamics) struct LinkTransitions<'a> {
     /// Progress of the run, stopped where a device exceeds its number of events.
     pub schedule: &'a mut Schedule,
     /// States of the bodies that the event concerns.
-    pub now: &'a EventInstant,
+    pub now: &'a EventBodies,
 }
 
 impl LinkTransitions<'_> {
@@ -170,14 +170,14 @@ mod tests {
     }
 
     /// A girder that a ratchet joins to the ground, displaced by 3 mm at t = 0.
-    fn joined() -> (World, EventInstant) {
+    fn joined() -> (World, EventBodies) {
         let mut model = Model::compile(&wall()).unwrap_or_else(|errors| panic!("{errors}"));
         let ends = [Anchor::Body { body: 0, point: DVec3::ZERO }, Anchor::Ground(DVec3::ZERO)];
         model.link("ratchet", ends, DMat3::IDENTITY, Arc::new(Ratchet)).expect("a link in the plane");
         let world = World::of(&Arc::new(model), 0);
         let (body, mut state) = (&world.model.bodies[0], world.model.bodies[0].initial());
         state[0] = 3e-3;
-        let now = EventInstant::of(&world, vec![0], vec![body.placed()], vec![state], 0.0);
+        let now = EventBodies::of(&world, vec![0], vec![body.placed()], vec![state], 0.0);
         (world, now)
     }
 

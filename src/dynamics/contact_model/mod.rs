@@ -1,7 +1,6 @@
 //! The contact model (`docs/physics.md#contact-events`) as an implementer of the event loop: free flight, closing,
 //! stick, slip and opening.
 
-pub(in crate::dynamics) mod at_instant;
 pub(in crate::dynamics) mod closing_search;
 mod constants;
 pub(in crate::dynamics) mod contact_closing;
@@ -9,6 +8,7 @@ pub(in crate::dynamics) mod contact_law;
 pub(in crate::dynamics) mod contact_states;
 pub(in crate::dynamics) mod event_forecast;
 pub(in crate::dynamics) mod event_source;
+pub(in crate::dynamics) mod event_state;
 pub(in crate::dynamics) mod handlers;
 pub(in crate::dynamics) mod islands;
 pub(in crate::dynamics) mod least_overlap;

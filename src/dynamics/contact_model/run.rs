@@ -8,11 +8,11 @@
 use std::sync::Arc;
 
 use crate::dynamics::Model;
-use crate::dynamics::contact_model::at_instant::EventInstant;
 use crate::dynamics::contact_model::closing_search::ClosingSearch;
 use crate::dynamics::contact_model::contact_closing::ContactClosing;
 use crate::dynamics::contact_model::contact_states::ContactStates;
 use crate::dynamics::contact_model::event_source::EventSource;
+use crate::dynamics::contact_model::event_state::EventBodies;
 use crate::dynamics::contact_model::islands::{IslandStock, Start, end_flight};
 use crate::dynamics::contact_model::link_transitions::LinkTransitions;
 use crate::dynamics::contact_model::step_planning;
@@ -79,7 +79,7 @@ impl ContactRun {
             (body.rebase(&mut state), state)
         };
         let (bases, states) = self.world.bodies.iter().map(start).unzip();
-        let now = EventInstant::of(&self.world, slots, bases, states, 0.0);
+        let now = EventBodies::of(&self.world, slots, bases, states, 0.0);
         self.link_transitions(&now).begin();
         ContactClosing { states: &mut self.contact_states(&now) }.close_overlapping();
         self.rebuild(now, ControllerState::default());
@@ -97,12 +97,12 @@ impl ContactRun {
     }
 
     /// Access to the states of the contacts at the time of an event.
-    pub(in crate::dynamics) fn contact_states<'a>(&'a mut self, now: &'a EventInstant) -> ContactStates<'a> {
+    pub(in crate::dynamics) fn contact_states<'a>(&'a mut self, now: &'a EventBodies) -> ContactStates<'a> {
         ContactStates { world: &mut self.world, events: &mut self.events, schedule: &mut self.schedule, now }
     }
 
     /// Access to the devices for changes of phase at the time of an event.
-    pub(in crate::dynamics) fn link_transitions<'a>(&'a mut self, now: &'a EventInstant) -> LinkTransitions<'a> {
+    pub(in crate::dynamics) fn link_transitions<'a>(&'a mut self, now: &'a EventBodies) -> LinkTransitions<'a> {
         LinkTransitions { world: &mut self.world, schedule: &mut self.schedule, now }
     }
 
@@ -115,8 +115,8 @@ impl ContactRun {
     /// devices form islands, but for linear blocks with nothing else on them, which fly in closed form; of the others planar
     /// ones fly and spatial ones are integrated alone.
     /// `pace` is the method and the length of the islands' first steps.
-    pub(in crate::dynamics) fn rebuild(&mut self, now: EventInstant, pace: ControllerState) {
-        let EventInstant { t, slots, bases, mut states, .. } = now;
+    pub(in crate::dynamics) fn rebuild(&mut self, now: EventBodies, pace: ControllerState) {
+        let EventBodies { t, slots, bases, mut states, .. } = now;
         let mut new_islands = Vec::new();
         for members in self.world.joined(&slots) {
             let together: Vec<usize> = members.iter().map(|&i| slots[i]).collect();

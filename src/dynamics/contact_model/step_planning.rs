@@ -47,15 +47,15 @@ pub(in crate::dynamics) fn plan(world: &mut World, schedule: &mut Schedule, numb
 /// Enters in the island the first event within its planned step; its time. Of events of a contact and a device at
 /// equal times the contact's comes first; the device's is located at the start of the next step.
 fn find_due(model: &Model, effort: &mut Effort, island: &mut Island) -> Option<f64> {
-    let mut contacts = first_due(model, effort, island);
-    let mut link = link_events::first_due(model, island);
+    let mut contacts = first_events(model, effort, island);
+    let mut link = link_events::first_phase_end(model, island);
     if let Some((t, _)) = link
         && contacts.as_ref().is_none_or(|(first, _)| t < *first)
         && island.end_beyond(model, t)
     {
         effort.steps += 1;
-        contacts = first_due(model, effort, island);
-        link = link_events::first_due(model, island);
+        contacts = first_events(model, effort, island);
+        link = link_events::first_phase_end(model, island);
     }
     match (contacts, link) {
         (Some((t, _)), Some((earlier, due))) if earlier < t => {
@@ -76,14 +76,14 @@ fn find_due(model: &Model, effort: &mut Effort, island: &mut Island) -> Option<f
 
 /// The first events of an island's contacts within its planned step, and their time. An event well inside the step has
 /// the step retaken to end at it.
-fn first_due(model: &Model, effort: &mut Effort, island: &mut Island) -> Option<(f64, Vec<Due>)> {
+fn first_events(model: &Model, effort: &mut Effort, island: &mut Island) -> Option<(f64, Vec<Due>)> {
     let simultaneity = SIMULTANEOUS_PHASE / island.omega();
-    let (t, due) = event_location::first_due(model, island, simultaneity)?;
+    let (t, due) = event_location::first_contact_events(model, island, simultaneity)?;
     if !island.end_beyond(model, t) {
         return Some((t, due));
     }
     effort.steps += 1;
-    event_location::first_due(model, island, simultaneity)
+    event_location::first_contact_events(model, island, simultaneity)
 }
 
 #[cfg(test)]

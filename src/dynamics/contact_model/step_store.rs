@@ -112,12 +112,12 @@ impl StepStore {
     fn members(&mut self, world: &World, island: &mut Island) -> Option<Vec<Member>> {
         let mut members = Vec::with_capacity(island.slots.len());
         for (&slot, base) in island.slots.iter().zip(&mut island.system.bases) {
-            if base.flown.is_none() && base.kept.is_none() {
-                base.kept = Some(self.replay.keep(base)?);
+            if base.flown.is_none() && base.stored_number.is_none() {
+                base.stored_number = Some(self.replay.keep(base)?);
             }
             let body = u32::try_from(world.bodies[slot].body).ok()?;
             let member = base.flown.map(|number| Member::flown(body, number));
-            members.push(member.or_else(|| base.kept.map(|number| Member::kept(body, number)))?);
+            members.push(member.or_else(|| base.stored_number.map(|number| Member::kept(body, number)))?);
         }
         Some(members)
     }
@@ -148,7 +148,7 @@ fn logged_states(world: &World, island: &Island) -> Option<Vec<LoggedState>> {
         let entry = track.log.latest()?;
         let mut logged = active.closed;
         // What these decide are events, not the forces of a step.
-        (logged.solver.retries, logged.solver.passes_at, logged.solver.beside) = (0, None, 0.0);
+        (logged.solver.retries, logged.solver.handover_distance, logged.solver.beside) = (0, None, 0.0);
         let same = track.log.closed(entry) == Some(logged);
         same.then_some(LoggedState { site: u32::try_from(track.site).ok()?, entry })
     };
@@ -187,7 +187,7 @@ mod tests {
         let path = &world.bodies[0].path;
         let spans: Vec<_> = path.spans().map(|span| (span.from, span.until)).collect();
         assert_eq!(spans, [(island.step.from, until)]);
-        assert!(matches!(path.kept(0).1, StoredMotion::Step(_)), "as a polynomial");
+        assert!(matches!(path.motion_of(0).1, StoredMotion::Step(_)), "as a polynomial");
         assert!(store.polynomials > 0, "its memory is counted");
     }
 
@@ -202,7 +202,7 @@ mod tests {
         let until = island.step.until;
         store.commit(&mut world, &mut island, until);
         let path = &world.bodies[0].path;
-        assert!(matches!(path.kept(0).1, StoredMotion::Recomputed(_)), "as {:?}", path.kept(0).1);
+        assert!(matches!(path.motion_of(0).1, StoredMotion::Recomputed(_)), "as {:?}", path.motion_of(0).1);
         assert_eq!(store.polynomials, 0, "no polynomial");
         let (swept, way) = (path.swept(), SPEED * until);
         assert!(swept.reach > 0.1 * way && swept.reach < 10.0 * way, "{swept:?} over {way} m");

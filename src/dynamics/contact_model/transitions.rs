@@ -36,7 +36,7 @@ impl<'a> Transitions<'_, 'a> {
                 self.open(contact, &closed, EventKind::Opened);
             }
             Reason::Edge if self.vertices().follow(contact, closed) => {}
-            Reason::Edge if closed.solver.passes_at.is_some() => self.pass_edge(contact, closed),
+            Reason::Edge if closed.solver.handover_distance.is_some() => self.pass_edge(contact, closed),
             Reason::Edge => self.leave(contact, closed),
             Reason::Overlap => self.hand_over(contact, &closed),
             Reason::Switching => self.switch(contact, closed),
@@ -50,13 +50,13 @@ impl<'a> Transitions<'_, 'a> {
     /// The projection of a corner of bodies that have met leaves the polygon of its face. What shares its vertex takes over; without such,
     /// the contact lasts until the corner comes out of the body.
     fn pass_edge(&mut self, contact: usize, mut closed: ClosedContact) {
-        if self.vertices().has_heirs(contact, &closed) {
+        if self.vertices().has_successors(contact, &closed) {
             self.open(contact, &closed, EventKind::LeftFace);
             return;
         }
-        closed.solver.passes_at = None;
+        closed.solver.handover_distance = None;
         let site = self.states.site(contact);
-        if site.beyond(&closed.place, &self.states.at().local(contact)) < closed.solver.kept {
+        if site.beyond(&closed.place, &self.states.at().local(contact)) < closed.solver.kept_beyond_edge {
             self.states.enter_without_event(contact, Contact::Closed(closed));
         } else {
             self.leave(contact, closed);
@@ -72,7 +72,8 @@ impl<'a> Transitions<'_, 'a> {
         };
         if least.contact == contact {
             let site = self.states.site(contact);
-            closed.solver.kept = 2.0 * site.beyond(&closed.place, &self.states.at().local(contact)).max(least.depth);
+            closed.solver.kept_beyond_edge =
+                2.0 * site.beyond(&closed.place, &self.states.at().local(contact)).max(least.depth);
             self.states.enter_without_event(contact, Contact::Closed(closed));
             return;
         }
@@ -104,9 +105,9 @@ impl<'a> Transitions<'_, 'a> {
             self.release(*leaving, closed, EventKind::LeftFace);
         }
         self.states.forget_sharers_of_open(contact);
-        for rival in self.states.world.contacts[to].rivals.clone() {
-            if let Some(state) = self.states.world.contacts[rival].state.closed().copied() {
-                self.open(rival, &state, EventKind::LeftFace);
+        for other in self.states.world.contacts[to].other_faces.clone() {
+            if let Some(state) = self.states.world.contacts[other].state.closed().copied() {
+                self.open(other, &state, EventKind::LeftFace);
             }
         }
         if self.states.world.contacts[to].state.closed().is_none() {
@@ -129,7 +130,7 @@ impl<'a> Transitions<'_, 'a> {
         let (site, at) = (self.states.site(contact), self.states.at());
         let [node, face] = at.sides(contact);
         let is_displaced = site.edge.is_none() && self.states.world.contacts[contact].place.shift != DVec3::ZERO;
-        is_displaced && locate(&site.home, &node, &face).gap < 0.0
+        is_displaced && locate(&site.geometry, &node, &face).gap < 0.0
     }
 
     /// Opening of a contact, over an edge with what its vertex hands on; whether there was a node that took it.

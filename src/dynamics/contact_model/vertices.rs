@@ -59,13 +59,13 @@ impl VertexNodes<'_, '_> {
     }
 
     /// Whether there are nodes to which a node in state `closed` that leaves its face over an edge hands its part of a vertex.
-    pub(super) fn has_heirs(&mut self, contact: usize, closed: &ClosedContact) -> bool {
-        self.heirs(contact, closed).is_some()
+    pub(super) fn has_successors(&mut self, contact: usize, closed: &ClosedContact) -> bool {
+        self.successors(contact, closed).is_some()
     }
 
     /// The nodes that are at the vertex which a node has left, closed ones that are there no more, and how far the first may be beside
     /// their faces \[m\]; `None` without such nodes.
-    fn heirs(&mut self, contact: usize, closed: &ClosedContact) -> Option<([Vec<usize>; 2], f64)> {
+    fn successors(&mut self, contact: usize, closed: &ClosedContact) -> Option<([Vec<usize>; 2], f64)> {
         let pair = self.states.world.pairs[self.states.world.contacts[contact].pair].pair;
         if !self.states.world.model.pairs[pair].passes_on {
             return None;
@@ -88,7 +88,7 @@ impl VertexNodes<'_, '_> {
     /// Hands the part of a vertex in K and C that a node has left over an edge, in state `closed`, to the nodes that
     /// are there now; other nodes of the vertex that are there no more leave with it. Whether there is such a node.
     pub(super) fn pass_on(&mut self, contact: usize, closed: &ClosedContact) -> bool {
-        let Some(([nodes, gone], beside)) = self.heirs(contact, closed) else { return false };
+        let Some(([nodes, gone], beside)) = self.successors(contact, closed) else { return false };
         let sharers = self.states.world.contacts[contact].divisor;
         let kept = nodes.iter().filter_map(|&node| Some((node, *self.states.world.contacts[node].state.closed()?)));
         let left = gone.iter().filter_map(|&node| Some((node, *self.states.world.contacts[node].state.closed()?)));
@@ -124,11 +124,11 @@ impl VertexNodes<'_, '_> {
         }
         for node in nodes {
             // A corner is in contact with one face of a body at a time.
-            for rival in self.states.world.contacts[node].rivals.clone() {
-                let Some(state) = self.states.world.contacts[rival].state.closed().copied() else { continue };
-                let released = self.states.strain(rival, &state);
-                self.states.log(rival, Contact::Open { armed: false }, EventKind::LeftFace, released);
-                self.states.forget_sharers_of_open(rival);
+            for other in self.states.world.contacts[node].other_faces.clone() {
+                let Some(state) = self.states.world.contacts[other].state.closed().copied() else { continue };
+                let released = self.states.strain(other, &state);
+                self.states.log(other, Contact::Open { armed: false }, EventKind::LeftFace, released);
+                self.states.forget_sharers_of_open(other);
             }
             (self.states.world.contacts[node].divisor, self.states.world.contacts[node].has_part) = (divisor, true);
             self.carry(node, (contact, closed), &carried);
@@ -151,7 +151,9 @@ impl VertexNodes<'_, '_> {
     fn at_vertex_of(&mut self, contact: usize, [extra, beyond]: [f64; 2]) -> [Vec<usize>; 2] {
         let poses = |c: usize| self.states.at().sides(c);
         let [mut nodes, gone] = contact_points::at_vertex_of(self.states.world, contact, [extra, beyond], &poses);
-        nodes.retain(|&node| self.states.world.contacts[node].state.closed().is_some() || self.can_enter(node, beyond));
+        nodes.retain(|&node| {
+            self.states.world.contacts[node].state.closed().is_some() || self.place_if_behind_face(node, beyond)
+        });
         nodes.retain(|&node| !self.leaves_with(node));
         [nodes, gone]
     }
@@ -219,9 +221,9 @@ impl VertexNodes<'_, '_> {
         };
         let regularisation = self.states.at().regularisation_length(node, &law, &self.states.here(node));
         let mut closed = ClosedContact::new(law, mode, regularisation);
-        closed.solver.kept = if self.states.at().edge(node).is_some() { 0.0 } else { carried.kept };
+        closed.solver.kept_beyond_edge = if self.states.at().edge(node).is_some() { 0.0 } else { carried.kept };
         // It may be beside its face by as much as the faces' angle has it seen there.
-        (closed.solver.passes_at, closed.solver.beside) = (Some(carried.kept), carried.kept);
+        (closed.solver.handover_distance, closed.solver.beside) = (Some(carried.kept), carried.kept);
         self.states.world.contacts[node].closing = None;
         let place = self.states.world.contacts[node].place;
         self.enter(node, (closed, kind), (place, carried.depth, at(along)), 0.0);
@@ -254,8 +256,8 @@ impl VertexNodes<'_, '_> {
 
     /// Whether an open node, an edge node at the crossing up to `beyond` beyond the ends of the edges \[m\], is behind its
     /// face and not behind the body.
-    fn can_enter(&mut self, contact: usize, beyond: f64) -> bool {
-        self.states.place(contact, beyond);
+    fn place_if_behind_face(&mut self, contact: usize, beyond: f64) -> bool {
+        self.states.set_place(contact, beyond);
         let depth = self.states.site(contact).face.depth;
         (0.0..depth).contains(&self.states.here(contact).penetration())
     }
@@ -264,8 +266,8 @@ impl VertexNodes<'_, '_> {
     /// the same pair in the axes of that one's face.
     fn on_face_of(&self, to: usize, vector: DVec2, of: usize) -> DVec2 {
         let world = |contact: usize, along: DVec2| {
-            let (home, [_, face], _) = self.states.at().since(contact, &self.states.now.since);
-            to_world(&home, &face, along, 0.0)
+            let (geometry, [_, face], _) = self.states.at().since(contact, &self.states.now.since);
+            to_world(&geometry, &face, along, 0.0)
         };
         // Of a node on the other body it is the opposite.
         let is_same = self.states.world.contacts[of].slots[0] == self.states.world.contacts[to].slots[0];

@@ -1,7 +1,7 @@
 //! Bounds that end a run: of its work, of its memory, and of a pace at which neither would be enough.
 
 use crate::dynamics::contact_model::constants::{
-    HOPELESS, MEMORY_SHARE_OF_GROUP, PACE_SHARE, STEADY, WORK_BETWEEN_LOOKS, WORK_BOUND_PER_BODY,
+    HOPELESS_FACTOR, MEMORY_SHARE_OF_GROUP, PACE_SHARE, STEADY, WORK_BETWEEN_LOOKS, WORK_BOUND_PER_BODY,
 };
 use crate::language::{Message, Text, message};
 
@@ -78,7 +78,7 @@ impl WorkBounds {
             return None;
         }
         self.mark = (spent.work, spent.t, spent.events);
-        let bound = if spent.touches || spent.events > events { HOPELESS } else { STEADY };
+        let bound = if spent.touches || spent.events > events { HOPELESS_FACTOR } else { STEADY };
         let expected = done as f64 / (spent.t - from) * (spent.duration - spent.t);
         (expected > bound * most as f64).then_some(Excess::Pace(from, done, expected))
     }
@@ -135,7 +135,7 @@ mod tests {
     fn a_pace_that_leads_nowhere_is_told_from_a_dense_stretch() {
         let window = WORK_BOUND_PER_BODY / PACE_SHARE;
         let pace = |t| WorkBounds::default().exceeds(&Spent { work: window, t, ..BODY });
-        let dense = window as f64 * BODY.duration / (HOPELESS * WORK_BOUND_PER_BODY as f64);
+        let dense = window as f64 * BODY.duration / (HOPELESS_FACTOR * WORK_BOUND_PER_BODY as f64);
         assert!(!pace(1.01 * dense) && pace(0.99 * dense), "a thousand bounds until the end");
         let mut bounds = WorkBounds::default();
         assert!(!bounds.exceeds(&Spent { work: window - 1, t: 1e-12, ..BODY }), "too short to tell");

@@ -207,16 +207,12 @@ impl Device for Backfill {
 
     /// Every switching function changes by no more than the displacement or the rate that it is a part of.
     fn stays_below(&self, number: usize, phase: &Phase, motion: &Separation, within: Excursion) -> bool {
-        let change = match self.switch_unit(number, phase) {
-            SwitchUnit::Length => within.way,
-            SwitchUnit::Speed => within.rate,
-        };
-        self.switch(number, phase, motion) + change < 0.0
+        self.switch(number, phase, motion) + self.switch_unit(number, phase).largest_change(within) < 0.0
     }
 
     fn next(&self, event: Switch, phase: &Phase, motion: &Separation) -> (Phase, f64) {
         let (push, greatest) = (self.push(motion), Self::greatest(phase));
-        let next = |law, greatest| Phase { branch: law, memory: [greatest, 0.0, 0.0] };
+        let next = |branch, greatest| Phase { branch, memory: [greatest, 0.0, 0.0] };
         let next = match (event, phase.branch) {
             // Soil that was never pushed begins on its envelope.
             (Switch::Closing, _) if greatest <= 0.0 => next(self.on_envelope(push), 0.0),
@@ -283,9 +279,9 @@ mod tests {
     #[test]
     fn work_on_the_envelope_is_stored_or_lost() {
         let line = Envelope::bilinear(1e4, 30.0);
-        for (law, push) in [(ENVELOPE, 2e-3), (FAILED, 5e-3)] {
+        for (branch, push) in [(ENVELOPE, 2e-3), (FAILED, 5e-3)] {
             let soil = Backfill::new(0.0, line, 4e4).expect("a law");
-            let phase = Phase { branch: law, ..Phase::default() };
+            let phase = Phase { branch, ..Phase::default() };
             let stored = |push: f64| soil.stored_energy(&phase, &at(push, 1.0));
             let step = 1e-7;
             let gain = (stored(push + step) - stored(push - step)) / (2.0 * step);

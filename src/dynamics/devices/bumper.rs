@@ -26,7 +26,7 @@ const OFF: u32 = 1;
 /// On the first line of the table the force acts.
 const ON: u32 = 2;
 /// Laws of a line; those of the next line are so much further.
-const LAWS_PER_LINE: u32 = 2;
+const BRANCHES_PER_LINE: u32 = 2;
 
 impl Bumper {
     /// Of a gap \[m\], rising penetrations \[m\] with rising forces \[N\] beyond (0, 0), and a dashpot \[N·s/m\]; `None` where
@@ -57,7 +57,7 @@ impl Bumper {
     }
 
     fn is_off(phase: &Phase) -> bool {
-        phase.branch % LAWS_PER_LINE == OFF
+        phase.branch % BRANCHES_PER_LINE == OFF
     }
 
     /// Whether the force acts.
@@ -67,12 +67,12 @@ impl Bumper {
 
     /// The line of the table that a phase is on; the first one while open.
     fn line(phase: &Phase) -> usize {
-        (phase.branch.saturating_sub(OFF) / LAWS_PER_LINE) as usize
+        (phase.branch.saturating_sub(OFF) / BRANCHES_PER_LINE) as usize
     }
 
     /// A law of the first line, on another line.
     fn on_line(first: u32, line: usize) -> Phase {
-        let beyond = LAWS_PER_LINE.saturating_mul(u32::try_from(line).unwrap_or(u32::MAX));
+        let beyond = BRANCHES_PER_LINE.saturating_mul(u32::try_from(line).unwrap_or(u32::MAX));
         Phase { branch: first.saturating_add(beyond), ..Phase::default() }
     }
 

@@ -29,8 +29,8 @@ const LENGTHENS: u32 = 0;
 const SHORTENS: u32 = 1;
 
 impl ViscousDamper {
-    /// The law of a sign of the rate; one for both where the force has a finite slope everywhere.
-    fn law(&self, rate: f64) -> u32 {
+    /// The branch of a sign of the rate; one for both where the force has a finite slope everywhere.
+    fn branch(&self, rate: f64) -> u32 {
         if self.exponent < 1.0 && rate < 0.0 { SHORTENS } else { LENGTHENS }
     }
 
@@ -69,7 +69,7 @@ impl Connection for ViscousDamper {
 
 impl Device for ViscousDamper {
     fn initial(&self, motion: &Separation) -> Phase {
-        Phase { branch: self.law(Line::of(motion).rate), ..Phase::default() }
+        Phase { branch: self.branch(Line::of(motion).rate), ..Phase::default() }
     }
 
     fn acts(&self, _: &Phase) -> bool {

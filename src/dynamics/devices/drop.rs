@@ -8,11 +8,11 @@ use crate::language::Text;
 
 /// Ends the run where its point has dropped by this depth \[m\].
 #[derive(Clone, Copy, Debug, PartialEq)]
-pub struct Drop(pub f64);
+pub struct DropWatch(pub f64);
 
 const DROPPED: u32 = 1;
 
-impl Connection for Drop {
+impl Connection for DropWatch {
     type State = Phase;
     type Motion = Separation;
 
@@ -37,7 +37,7 @@ impl Connection for Drop {
     }
 }
 
-impl Device for Drop {
+impl Device for DropWatch {
     fn initial(&self, _: &Separation) -> Phase {
         Phase::default()
     }

@@ -42,15 +42,18 @@ pub enum Hysteresis {
     PerAxis([ElastoPlastic; 2]),
 }
 
-/// Law of a yield circle in yield; 0 is elastic.
+/// Branch of a yield circle in yield; the other one is [`ELASTIC`].
 const YIELDING: u32 = 1;
-/// States of one axis: elastic, at +Q, at −Q.
-const STATES: u32 = 3;
+/// Branches of one axis.
+const BRANCHES: u32 = 3;
+const ELASTIC: u32 = 0;
+const AT_PLUS_Q: u32 = 1;
+const AT_MINUS_Q: u32 = 2;
 
 impl Hysteresis {
-    /// State of an axis by [`STATES`].
-    fn state(phase: &Phase, axis: usize) -> u32 {
-        if axis == 0 { phase.branch % STATES } else { phase.branch / STATES }
+    /// Branch of an axis.
+    fn axis_branch(phase: &Phase, axis: usize) -> u32 {
+        if axis == 0 { phase.branch % BRANCHES } else { phase.branch / BRANCHES }
     }
 
     /// z \[N\]. Elastic, the memory is `z − k_t u`; on the circle in yield, the angle φ \[rad\].
@@ -64,9 +67,9 @@ impl Hysteresis {
             Hysteresis::Circle(element) => remembered + moved * element.stiffness,
             Hysteresis::PerAxis(elements) => DVec2::from(std::array::from_fn::<f64, 2, _>(|axis| {
                 let ElastoPlastic { stiffness, force } = elements[axis];
-                match Self::state(phase, axis) {
-                    0 => remembered[axis] + stiffness * moved[axis],
-                    1 => force,
+                match Self::axis_branch(phase, axis) {
+                    ELASTIC => remembered[axis] + stiffness * moved[axis],
+                    AT_PLUS_Q => force,
                     _ => -force,
                 }
             })),
@@ -81,13 +84,13 @@ impl Hysteresis {
     }
 
     /// Phase of this law with z as it is now.
-    fn going_on(&self, law: u32, z: DVec2, motion: &Separation) -> Phase {
+    fn going_on(&self, branch: u32, z: DVec2, motion: &Separation) -> Phase {
         let elements = self.elements();
-        if matches!(self, Hysteresis::Circle(_)) && law == YIELDING {
-            return Phase { branch: law, memory: [z.to_angle(), 0.0, 0.0] };
+        if matches!(self, Hysteresis::Circle(_)) && branch == YIELDING {
+            return Phase { branch, memory: [z.to_angle(), 0.0, 0.0] };
         }
         let elastic = [0, 1].map(|axis| z[axis] - elements[axis].stiffness * motion.moved[axis]);
-        Phase { branch: law, memory: [elastic[0], elastic[1], 0.0] }
+        Phase { branch, memory: [elastic[0], elastic[1], 0.0] }
     }
 }
 
@@ -112,7 +115,7 @@ impl Connection for Hysteresis {
             Hysteresis::Circle(_) if phase.branch == YIELDING => z.dot(rate),
             Hysteresis::Circle(_) => 0.0,
             Hysteresis::PerAxis(_) => {
-                (0..2).filter(|&axis| Self::state(phase, axis) != 0).map(|axis| z[axis] * rate[axis]).sum()
+                (0..2).filter(|&axis| Self::axis_branch(phase, axis) != ELASTIC).map(|axis| z[axis] * rate[axis]).sum()
             }
         }
     }
@@ -203,7 +206,7 @@ impl Device for Hysteresis {
     fn switch_unit(&self, number: usize, phase: &Phase) -> SwitchUnit {
         let yields = match *self {
             Hysteresis::Circle(_) => phase.branch == YIELDING,
-            Hysteresis::PerAxis(_) => Self::state(phase, number / 2) != 0,
+            Hysteresis::PerAxis(_) => Self::axis_branch(phase, number / 2) != ELASTIC,
         };
         if yields { SwitchUnit::Speed } else { SwitchUnit::Length }
     }
@@ -218,7 +221,7 @@ impl Device for Hysteresis {
             }
             Hysteresis::PerAxis(elements) => {
                 let (axis, side) = (number / 2, if number.is_multiple_of(2) { 1.0 } else { -1.0 });
-                match (Self::state(phase, axis), number % 2) {
+                match (Self::axis_branch(phase, axis), number % 2) {
                     (0, _) => (side * z[axis] - elements[axis].force) / elements[axis].stiffness,
                     (1, 0) | (2, 1) => -side * rate[axis],
                     _ => -1.0,
@@ -236,7 +239,7 @@ impl Device for Hysteresis {
             }
             Hysteresis::Circle(_) => self.switch(number, phase, motion) + within.rate < 0.0,
             Hysteresis::PerAxis(_) => {
-                let change = if Self::state(phase, number / 2) == 0 { within.way } else { within.rate };
+                let change = if Self::axis_branch(phase, number / 2) == ELASTIC { within.way } else { within.rate };
                 self.switch(number, phase, motion) + change < 0.0
             }
         }
@@ -245,16 +248,16 @@ impl Device for Hysteresis {
     fn next(&self, event: Switch, phase: &Phase, motion: &Separation) -> (Phase, f64) {
         let Switch::Function(number) = event else { return (*phase, 0.0) };
         let z = self.hysteretic_force(phase, motion);
-        let law = match *self {
+        let branch = match *self {
             Hysteresis::Circle(_) => YIELDING - phase.branch,
             Hysteresis::PerAxis(_) => {
-                let mut states = [0, 1].map(|axis| Self::state(phase, axis));
-                let side = if number.is_multiple_of(2) { 1 } else { 2 };
-                states[number / 2] = if states[number / 2] == 0 { side } else { 0 };
-                states[0] + STATES * states[1]
+                let mut branches = [0, 1].map(|axis| Self::axis_branch(phase, axis));
+                let yielding = if number.is_multiple_of(2) { AT_PLUS_Q } else { AT_MINUS_Q };
+                branches[number / 2] = if branches[number / 2] == ELASTIC { yielding } else { ELASTIC };
+                branches[0] + BRANCHES * branches[1]
             }
         };
-        let next = self.going_on(law, z, motion);
+        let next = self.going_on(branch, z, motion);
         // Yield is noticed a rounding of the place beyond Q.
         let released = self.stored_energy(phase, motion) - self.stored_energy(&next, motion);
         (next, released)

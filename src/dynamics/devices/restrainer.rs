@@ -118,14 +118,14 @@ impl Device for Restrainer {
         let plastic = (1.0 - self.ratio()) * (elongation - elastic).max(0.0);
         // Not beyond the surface by rounding: yield would begin and end at once.
         let plastic = if plastic > 0.0 { plastic + 4.0 * f64::EPSILON * elongation } else { 0.0 };
-        let law = match elongation {
+        let branch = match elongation {
             e if e <= 0.0 => SLACK,
             e if e >= self.break_elongation => BROKEN,
             e if e >= elastic && line.rate > 0.0 => YIELD,
             _ => TAUT,
         };
-        let from = if law == YIELD { elongation } else { 0.0 };
-        Phase { branch: law, memory: [plastic, from, 0.0] }
+        let from = if branch == YIELD { elongation } else { 0.0 };
+        Phase { branch, memory: [plastic, from, 0.0] }
     }
 
     fn acts(&self, phase: &Phase) -> bool {
@@ -208,13 +208,13 @@ impl Device for Restrainer {
     fn next(&self, event: Switch, phase: &Phase, motion: &Separation) -> (Phase, f64) {
         let elongation = self.elongation(&Line::of(motion));
         let plastic = self.plastic(phase, elongation);
-        let law = match (event, phase.branch) {
+        let branch = match (event, phase.branch) {
             (Switch::Closing, _) | (Switch::Function(1), YIELD) => TAUT,
             (Switch::Function(0), _) => SLACK,
             (Switch::Function(1), _) => YIELD,
             (Switch::Function(_), _) => BROKEN,
         };
-        let released = if law == BROKEN { self.stored_energy(phase, motion) } else { 0.0 };
-        (Phase { branch: law, memory: [plastic, elongation, 0.0] }, released)
+        let released = if branch == BROKEN { self.stored_energy(phase, motion) } else { 0.0 };
+        (Phase { branch, memory: [plastic, elongation, 0.0] }, released)
     }
 }

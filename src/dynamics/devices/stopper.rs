@@ -97,14 +97,14 @@ impl Device for Stopper {
         let plastic = (press - limit).max(0.0);
         // Not beyond the limit by rounding: yield would begin and end at once.
         let plastic = if plastic > 0.0 { plastic + 4.0 * f64::EPSILON * press } else { 0.0 };
-        let law = match self.failure {
+        let branch = match self.failure {
             _ if press <= 0.0 => OPEN,
             Failure::Brittle { .. } if press >= limit => BROKEN,
             Failure::Ductile { displacement, .. } if plastic >= displacement => BROKEN,
             Failure::Ductile { .. } if press >= limit && motion.rate.x > 0.0 => YIELD,
             _ => ON,
         };
-        Phase { branch: law, memory: [plastic, 0.0, 0.0] }
+        Phase { branch, memory: [plastic, 0.0, 0.0] }
     }
 
     fn acts(&self, phase: &Phase) -> bool {
@@ -170,21 +170,17 @@ impl Device for Stopper {
 
     /// Every switching function changes by no more than the displacement or the rate that it is a part of.
     fn stays_below(&self, number: usize, phase: &Phase, motion: &Separation, within: Excursion) -> bool {
-        let change = match self.switch_unit(number, phase) {
-            SwitchUnit::Length => within.way,
-            SwitchUnit::Speed => within.rate,
-        };
-        self.switch(number, phase, motion) + change < 0.0
+        self.switch(number, phase, motion) + self.switch_unit(number, phase).largest_change(within) < 0.0
     }
 
     fn next(&self, event: Switch, phase: &Phase, motion: &Separation) -> (Phase, f64) {
-        let law = match (event, phase.branch, self.failure) {
+        let branch = match (event, phase.branch, self.failure) {
             (Switch::Closing, ..) | (Switch::Function(0), YIELD, _) => ON,
             (Switch::Function(0), ..) => OPEN,
             (Switch::Function(_), ON, Failure::Ductile { .. }) => YIELD,
             (Switch::Function(_), ..) => BROKEN,
         };
-        let released = if law == BROKEN { self.stored_energy(phase, motion) } else { 0.0 };
-        (Phase { branch: law, memory: [self.plastic(phase, motion), 0.0, 0.0] }, released)
+        let released = if branch == BROKEN { self.stored_energy(phase, motion) } else { 0.0 };
+        (Phase { branch, memory: [self.plastic(phase, motion), 0.0, 0.0] }, released)
     }
 }

@@ -44,10 +44,10 @@ impl ContactPoint {
         // The node belongs to the first side unless the face does.
         let first_is_node = site.node_body == model.pairs[site.pair].bodies[0];
         let (node, face) = if first_is_node { (side(0), side(1)) } else { (side(1), side(0)) };
-        let here = locate(&site.home, node, face);
-        let outward = face.turn(site.home.axes.z_axis).truncate();
+        let here = locate(&site.geometry, node, face);
+        let outward = face.turn(site.geometry.axes.z_axis).truncate();
         let n = if first_is_node { outward } else { -outward };
-        let node_arm = node.turn(site.home.arm).truncate();
+        let node_arm = node.turn(site.geometry.arm).truncate();
         let face_arm = ((node.home - face.home) + (node.shift - face.shift)).truncate() + node_arm;
         let arms = if first_is_node { [node_arm, face_arm] } else { [face_arm, node_arm] };
         let slide =

@@ -4,6 +4,7 @@
 //! - `subdivision`: with a bound on the second derivative between two samples.
 //! - `first_rise`: by samples alone.
 //! - [`root`]: in a bracket.
+//! - `sample_times`: the times at which a function is sampled.
 
 pub mod advancement;
 pub(in crate::dynamics) mod constants;
@@ -11,4 +12,5 @@ pub(in crate::dynamics) mod cubic_bound;
 pub(in crate::dynamics) mod first_rise;
 pub(in crate::dynamics) mod positive_again;
 pub mod root;
+pub(in crate::dynamics) mod sample_times;
 pub(in crate::dynamics) mod subdivision;

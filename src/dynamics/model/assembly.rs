@@ -3,7 +3,7 @@
 use glam::DVec3;
 
 use crate::contact::law_of_pair;
-use crate::dynamics::model::bearing::{Bearing, PlanarBearings, Standing, carry};
+use crate::dynamics::model::bearing::{Bearing, PlanarBearings, UnbalancedWeight, carry};
 use crate::dynamics::model::body::{Body, BodyCoordinates};
 use crate::dynamics::model::compiled_model::{Backwall, Model};
 use crate::dynamics::model::ground::compiled;
@@ -118,8 +118,8 @@ fn body(scene: &Scene, girder: &Girder, moving: Option<&MovingSupports>) -> Body
             preload: DVec3::ZERO,
         })
         .collect();
-    let standing = match scene.kind {
-        Kind::Planar => Standing::default(),
+    let unbalanced = match scene.kind {
+        Kind::Planar => UnbalancedWeight::default(),
         Kind::Spatial => carry(girder.mass * scene.gravity, &mut bearings, axes),
     };
     // Bearings on piers, and on ground that moves otherwise, are links; here they carry the weight alone.
@@ -145,7 +145,7 @@ fn body(scene: &Scene, girder: &Girder, moving: Option<&MovingSupports>) -> Body
     let free = free_directions(scene.kind, &girder.held);
     // A held direction keeps its place but has no speed.
     let rate = |direction: usize, v: f64| if free[direction] { v } else { 0.0 };
-    let radius = prism.corners().iter().map(|c| c.length()).fold(0.0, f64::max);
+    let radius = prism.radius();
     Body {
         rate_bounds: RateBounds::of(&prism, girder.mass, [radius, gyration2], free, &bearings),
         name: girder.name.clone(),
@@ -168,7 +168,7 @@ fn body(scene: &Scene, girder: &Girder, moving: Option<&MovingSupports>) -> Body
         axes,
         gyration2,
         bearings,
-        standing,
+        unbalanced,
     }
 }
 

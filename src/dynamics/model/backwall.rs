@@ -7,7 +7,7 @@ use glam::{DMat3, DVec3};
 
 use crate::dynamics::connection::{Device, Kinematics, Link};
 use crate::dynamics::devices::{Backfill, ElastoPlastic, Envelope, Failure, Hysteresis, Stopper};
-use crate::dynamics::model::bearing::{PlanarBearings, Standing};
+use crate::dynamics::model::bearing::{PlanarBearings, UnbalancedWeight};
 use crate::dynamics::model::body::{Body, BodyCoordinates};
 use crate::dynamics::model::compiled_model::Backwall;
 use crate::dynamics::model::coordinates::given_motion::GivenMotion;
@@ -68,7 +68,7 @@ fn complaint(abutment: &Abutment) -> SceneErrors {
     })
 }
 
-/// A wall's face: corner a, the outward direction into the soil, and the direction along the face.
+/// A wall's face: its first corner, centre and size, and the directions along it and into the soil.
 struct WallFrame {
     corner: DVec3,
     centre: DVec3,
@@ -98,7 +98,7 @@ impl WallFrame {
     /// face's first corner.
     fn body(&self, abutment: &Abutment, soil: &ResolvedBackfill, below: Option<GivenMotion>) -> Body {
         let (prism, own) = (self.block(soil.thickness), Guided { along: self.inward });
-        let radius = prism.corners().iter().map(|c| c.length()).fold(0.0, f64::max);
+        let radius = prism.radius();
         let free = [true, true, false, false, false, false];
         let per_mass = prism.inertia_per_mass();
         let inertia = per_mass * soil.mass;
@@ -117,7 +117,7 @@ impl WallFrame {
             radius,
             prism,
             bearings: Vec::new(),
-            standing: Standing::default(),
+            unbalanced: UnbalancedWeight::default(),
             planar: PlanarBearings::gather(&[], DMat3::IDENTITY),
             free,
             push: DVec3::ZERO,

@@ -9,7 +9,7 @@ use nalgebra::{Matrix2, SymmetricEigen};
 
 use crate::dynamics::connection::{Connection, Separation};
 
-/// Eccentricity below this part of the matrix is rounding of the legs' places.
+/// Eccentricity below this part of the matrix is rounding of the bearings' places.
 const DECOUPLED: f64 = 1e-14;
 /// What bearings leave of a weight, or of its moment, is rounding of [`carry`] below this part of it.
 const CARRIED: f64 = 1e-12;
@@ -63,9 +63,9 @@ impl Connection for Bearing {
 /// What bearings leave of a girder's weight. Adding up their preloads against it in every evaluation would leave a rounding
 /// of it, too.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
-pub struct Standing {
+pub struct UnbalancedWeight {
     /// Force, upwards: 0 where they carry it all \[N\].
-    pub left: f64,
+    pub force: f64,
     /// `Σ f l` of the preloads, at `l` from G in the body frame: upright where they leave no moment \[N·m\].
     pub first_moment: DVec3,
 }
@@ -142,12 +142,12 @@ fn ratio(part: f64, whole: f64) -> f64 {
 /// `f = k (W/Σk + μ·(l − c))` about the centroid `c` of the stiffness, so that `Σ f = W` whatever `μ`, with `S μ = -W c`,
 /// `S = Σ k (l − c)(l − c)ᵀ`, for no moment about G. Across a line or a point on which all bearings stand, `S` has no stiffness and a
 /// moment `W c` is left.
-pub fn carry(weight: f64, bearings: &mut [Bearing], axes: DMat3) -> Standing {
+pub fn carry(weight: f64, bearings: &mut [Bearing], axes: DMat3) -> UnbalancedWeight {
     let levers: Vec<DVec2> = bearings.iter().map(|b| (axes * b.place).truncate()).collect();
     let shares: Vec<f64> = bearings.iter().map(|b| b.stiffness.z).collect();
     let whole: f64 = shares.iter().sum();
     if whole == 0.0 {
-        return Standing { left: -weight, first_moment: DVec3::ZERO };
+        return UnbalancedWeight { force: -weight, first_moment: DVec3::ZERO };
     }
     let parts = || levers.iter().zip(shares.iter().map(|k| k / whole));
     let centre: DVec2 = parts().map(|(l, part)| *l * part).sum();
@@ -168,8 +168,8 @@ pub fn carry(weight: f64, bearings: &mut [Bearing], axes: DMat3) -> Standing {
     let moment: DVec3 = bearings.iter().map(|b| b.place * b.preload.z).sum();
     let size: f64 = bearings.iter().map(|b| b.place.length() * b.preload.z.abs()).sum();
     let unless_rounding = |part: f64, whole: f64| if part.abs() > CARRIED * whole { part } else { 0.0 };
-    Standing {
-        left: unless_rounding(forces - weight, weight),
+    UnbalancedWeight {
+        force: unless_rounding(forces - weight, weight),
         first_moment: DVec3::new(unless_rounding(moment.x, size), unless_rounding(moment.y, size), moment.z),
     }
 }
@@ -206,21 +206,21 @@ mod tests {
     #[test]
     fn the_weight_is_carried_without_a_moment() {
         let mut bearings = legs(0.013);
-        let standing = carry(50.0, &mut bearings, DMat3::IDENTITY);
+        let unbalanced = carry(50.0, &mut bearings, DMat3::IDENTITY);
         let total: DVec3 = bearings.iter().map(|b| b.preload).sum();
         let moment: DVec3 = bearings.iter().map(|b| b.place.cross(b.preload)).sum();
         assert!((total.z - 50.0).abs() < 1e-11, "whole weight, got {}", total.z);
         assert!(moment.length() < 1e-11, "no moment, got {moment}");
-        assert_eq!(standing, Standing::default(), "exactly: all legs are as high as G");
+        assert_eq!(unbalanced, UnbalancedWeight::default(), "exactly: all legs are as high as G");
     }
 
     #[test]
     fn what_one_bearing_beside_g_leaves_is_its_moment() {
         let mut bearings = vec![Bearing { place: DVec3::new(0.2, 0.0, -0.1), ..legs(0.0)[0] }];
-        let Standing { left, first_moment } = carry(50.0, &mut bearings, DMat3::IDENTITY);
+        let UnbalancedWeight { force, first_moment } = carry(50.0, &mut bearings, DMat3::IDENTITY);
         let away = (first_moment - DVec3::new(10.0, 0.0, -5.0)).length();
-        assert!(away < 1e-9 && left.abs() < 1e-9, "{first_moment}, {left} left");
-        assert_eq!(carry(50.0, &mut [], DMat3::IDENTITY).left, -50.0, "none carries nothing");
+        assert!(away < 1e-9 && force.abs() < 1e-9, "{first_moment}, {force} left");
+        assert_eq!(carry(50.0, &mut [], DMat3::IDENTITY).force, -50.0, "none carries nothing");
     }
 
     #[test]
@@ -240,10 +240,10 @@ mod tests {
                     ..legs(0.0)[0]
                 };
                 let mut bearings: Vec<Bearing> = places.iter().map(|&place| leg(place)).collect();
-                let standing = carry(1e6, &mut bearings, DMat3::from_rotation_z(0.3));
+                let unbalanced = carry(1e6, &mut bearings, DMat3::from_rotation_z(0.3));
                 let total: f64 = bearings.iter().map(|b| b.preload.z).sum();
                 assert!((total - 1e6).abs() < 1e-8, "{places:?} on {stiffness}: {total}");
-                assert_eq!(standing.left, 0.0, "{places:?} on {stiffness}");
+                assert_eq!(unbalanced.force, 0.0, "{places:?} on {stiffness}");
                 let moment: DVec3 = bearings.iter().map(|b| b.place * b.preload.z).sum();
                 // No line of these goes through G; the moment left is that of the weight at the foot of the perpendicular from G.
                 let from_g = match places {

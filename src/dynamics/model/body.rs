@@ -11,7 +11,7 @@ use glam::{DMat3, DQuat, DVec2, DVec3};
 
 use crate::contact::Frame;
 use crate::dynamics::model::axial_motion::AxialMotion;
-use crate::dynamics::model::bearing::{Bearing, BearingQuantities, PlanarBearings, Standing};
+use crate::dynamics::model::bearing::{Bearing, BearingQuantities, PlanarBearings, UnbalancedWeight};
 use crate::dynamics::model::closed_form::ClosedForm;
 use crate::dynamics::model::ground_now::GroundNow;
 use crate::dynamics::model::linear_block::part::LinearPart;
@@ -50,7 +50,7 @@ pub struct Body {
     /// Bearings.
     pub bearings: Vec<Bearing>,
     /// Its weight on them; nothing in a planar scene.
-    pub standing: Standing,
+    pub unbalanced: UnbalancedWeight,
     /// The bearings over `(x, y, θ)`.
     pub planar: PlanarBearings,
     /// World directions it may move in: x, y, z, roll, pitch, yaw.
@@ -81,7 +81,7 @@ pub enum BodyCoordinates {
     Planar,
     /// A rigid girder in space: displacement and quaternion.
     Spatial,
-    /// Those of a body from outside this package; the impact model knows none.
+    /// Any others: a girder that bends, a backwall, moving ground, a body from outside this package. The impact model knows none.
     Custom(Arc<dyn Coordinates>),
 }
 

@@ -1,4 +1,4 @@
-//! A linear block of coordinates whose free motion has a closed form.
+//! The interface of a body's free motion in closed form.
 
 use std::fmt::Debug;
 

@@ -5,7 +5,7 @@ use std::sync::Arc;
 
 use glam::{DMat3, DVec3};
 
-use crate::contact::{Frame, Home};
+use crate::contact::{ContactGeometry, Frame};
 use crate::dynamics::model::backwall;
 use crate::dynamics::model::body::Body;
 use crate::dynamics::model::face_choice::FaceChoice;
@@ -61,8 +61,8 @@ pub(in crate::dynamics) fn contacts(
     (pair, met): (usize, bool),
     sites: &mut Vec<ContactSite>,
 ) -> Result<(), SceneErrors> {
-    let mut first = facade(scene, bodies, facing.first)?;
-    let mut second = facade(scene, bodies, facing.second)?;
+    let mut first = pair_side(scene, bodies, facing.first)?;
+    let mut second = pair_side(scene, bodies, facing.second)?;
     if let (Some(girder), SolidId::Abutment(_), false) = (first.body, second.side.solid(), met) {
         let fixed = second.fixed;
         second.nodes.retain(|node| can_enter(&bodies[girder], &first.face, fixed + node.point));
@@ -84,7 +84,7 @@ pub(in crate::dynamics) fn contacts(
                 node_body: own.body,
                 point,
                 face_body: face.body,
-                home: Home::of(point, placed_at(bodies, own), &face.face, placed_at(bodies, face)),
+                geometry: ContactGeometry::of(point, placed_at(bodies, own), &face.face, placed_at(bodies, face)),
                 face: face.face.clone(),
                 fixed,
                 stand: Frame::fixed(fixed),
@@ -121,7 +121,7 @@ pub(super) fn face_choice(
     let mut others = Vec::new();
     for side in Side::of(scene.kind, own.side.solid()).into_iter().filter(count) {
         if side != own.side {
-            others.push((axes * facade(scene, bodies, side)?.face.normal, own.side < side));
+            others.push((axes * pair_side(scene, bodies, side)?.face.normal, own.side < side));
         }
     }
     Ok(FaceChoice { own: axes * own.face.normal, others })
@@ -136,7 +136,7 @@ fn around(scene: &Scene, bodies: &[Body], face: &PairSide) -> Result<[DVec3; 4],
         let corners = side.corners();
         for (edge, normal) in normals.iter_mut().enumerate() {
             if corners.contains(&quad[edge]) && corners.contains(&quad[(edge + 1) % 4]) {
-                let outward = facade(scene, bodies, side)?.face.normal;
+                let outward = pair_side(scene, bodies, side)?.face.normal;
                 *normal = DVec3::from(axes.map(|axis| axis.dot(outward)));
             }
         }
@@ -144,9 +144,9 @@ fn around(scene: &Scene, bodies: &[Body], face: &PairSide) -> Result<[DVec3; 4],
     Ok(normals)
 }
 
-/// Where the body of a facade was placed, and its axes there.
-pub(super) fn placed_at(bodies: &[Body], facade: &PairSide) -> (DVec3, DMat3) {
-    facade.body.map_or((facade.fixed, DMat3::IDENTITY), |body| (bodies[body].home, bodies[body].axes))
+/// Where the body of a side was placed, and its axes there.
+pub(super) fn placed_at(bodies: &[Body], side: &PairSide) -> (DVec3, DMat3) {
+    side.body.map_or((side.fixed, DMat3::IDENTITY), |body| (bodies[body].home, bodies[body].axes))
 }
 
 fn can_enter(body: &Body, face: &Face, world: DVec3) -> bool {
@@ -154,11 +154,11 @@ fn can_enter(body: &Body, face: &Face, world: DVec3) -> bool {
     face.inset(local) > -OVERHANG * body.prism.end_length()
 }
 
-pub(super) fn facade(scene: &Scene, bodies: &[Body], side: Side) -> Result<PairSide, SceneErrors> {
+pub(super) fn pair_side(scene: &Scene, bodies: &[Body], side: Side) -> Result<PairSide, SceneErrors> {
     match side {
-        Side::Girder(girder, end) => Ok(end_facade(scene.kind, &bodies[girder], girder, end)),
-        Side::Flank(girder, _) => flank_facade(scene.kind, &bodies[girder], girder, side),
-        Side::Abutment(number) | Side::Rear(number, _) => abutment_facade(scene, bodies, number, side),
+        Side::Girder(girder, end) => Ok(end_side(scene.kind, &bodies[girder], girder, end)),
+        Side::Flank(girder, _) => flank_side(scene.kind, &bodies[girder], girder, side),
+        Side::Abutment(number) | Side::Rear(number, _) => abutment_side(scene, bodies, number, side),
     }
 }
 
@@ -173,7 +173,7 @@ fn girder_node(kind: Kind, body: &Body, corner: usize) -> Node {
     Node { name, point: if kind == Kind::Planar { at.with_z(0.0) } else { at }, corner }
 }
 
-fn end_facade(kind: Kind, body: &Body, number: usize, end: End) -> PairSide {
+fn end_side(kind: Kind, body: &Body, number: usize, end: End) -> PairSide {
     let plan = Prism::end_corners(end);
     let corners: Vec<usize> = match kind {
         Kind::Planar => plan.to_vec(),
@@ -201,7 +201,7 @@ fn end_facade(kind: Kind, body: &Body, number: usize, end: End) -> PairSide {
     }
 }
 
-fn flank_facade(kind: Kind, body: &Body, number: usize, side: Side) -> Result<PairSide, SceneErrors> {
+fn flank_side(kind: Kind, body: &Body, number: usize, side: Side) -> Result<PairSide, SceneErrors> {
     let (corners, all) = (side.corners(), body.prism.corners());
     let depth = match side {
         Side::Flank(_, Flank::Left | Flank::Right) => body.prism.width,
@@ -225,7 +225,7 @@ fn complaint(body: &str, value: Text, remedy: impl Into<Message>) -> SceneErrors
 }
 
 /// A face of an abutment: the front, or of the block behind it.
-fn abutment_facade(scene: &Scene, bodies: &[Body], number: usize, side: Side) -> Result<PairSide, SceneErrors> {
+fn abutment_side(scene: &Scene, bodies: &[Body], number: usize, side: Side) -> Result<PairSide, SceneErrors> {
     let abutment = &scene.abutments[number];
     let complaint = |value: Text, remedy: Message| complaint(&format!("abutment.{}", abutment.name), value, remedy);
     let front = placed::abutment_face(scene, abutment)
@@ -287,7 +287,12 @@ mod tests {
             let corner = world(site.face_body, site.fixed, site.face.corners[0]);
             let normal = site.face_body.map_or(site.face.normal, |b| model.bodies[b].axes * site.face.normal);
             let gap = normal.dot(node - corner);
-            assert!((site.home.gap() - gap).abs() < 1e-14 && gap > 0.0, "{}: {} for {gap}", site.node, site.home.gap());
+            assert!(
+                (site.geometry.gap() - gap).abs() < 1e-14 && gap > 0.0,
+                "{}: {} for {gap}",
+                site.node,
+                site.geometry.gap()
+            );
             assert!((normal.x.abs() - normal.y.abs()).abs() < 1e-12, "{}: 45°, not {normal}", site.node);
             assert_eq!(site.pair, 0, "{}", site.node);
             assert!(site.node_body.is_some() != site.face_body.is_some(), "{}: girder against abutment", site.node);
@@ -295,7 +300,7 @@ mod tests {
         let of_deck = model.contacts.iter().filter(|site| site.node_body == Some(0)).count();
         assert_eq!(of_deck, 2, "both corners of the end that faces the wall");
         let [shortest, longest] = [f64::min, f64::max]
-            .map(|pick| model.contacts.iter().map(|site| site.home.gap()).reduce(pick).unwrap_or(f64::NAN));
+            .map(|pick| model.contacts.iter().map(|site| site.geometry.gap()).reduce(pick).unwrap_or(f64::NAN));
         assert!(longest - shortest < 1e-12, "parallel faces: {shortest} to {longest}");
     }
 }

@@ -17,7 +17,7 @@ use std::sync::Arc;
 use glam::{DVec2, DVec3};
 
 use crate::contact::parameters::edge_slack;
-use crate::contact::{Frame, Home, Local, locate};
+use crate::contact::{ContactGeometry, Frame, Local, locate};
 use crate::dynamics::model::face_choice::FaceChoice;
 use crate::geometry::Face;
 
@@ -46,7 +46,7 @@ const SLIDE: f64 = 1e-3;
 #[derive(Clone, Debug)]
 pub struct Edge {
     /// Both ends of the edge against the face, as placed.
-    ends: [Home; 2],
+    ends: [ContactGeometry; 2],
     /// From the first end to the second as placed, world axes \[m\].
     span: DVec3,
     /// Outward unit normal of the face that the edge bounds, as placed.
@@ -113,7 +113,7 @@ impl Edge {
     /// The edge between `ends`, with their coordinates in the face that it bounds and the outward normal of that face as
     /// placed, and the side of `face` from corner `side` on.
     pub(in crate::dynamics) fn of(
-        ends: &[(Home, DVec2); 2],
+        ends: &[(ContactGeometry, DVec2); 2],
         outward: DVec3,
         (face, side): (&Face, usize),
         [node, stand]: [&Frame; 2],
@@ -202,7 +202,7 @@ impl Edge {
     }
 
     /// Both ends of the edge against the face, as placed.
-    pub(in crate::dynamics) fn homes(&self) -> [&Home; 2] {
+    pub(in crate::dynamics) fn homes(&self) -> [&ContactGeometry; 2] {
         self.ends.each_ref()
     }
 

@@ -3,9 +3,9 @@
 
 use std::sync::Arc;
 
-use crate::contact::{Frame, Home};
+use crate::contact::{ContactGeometry, Frame};
 use crate::dynamics::model::body::Body;
-use crate::dynamics::model::contact_sites::{PairSide, facade, face_choice, placed_at};
+use crate::dynamics::model::contact_sites::{PairSide, face_choice, pair_side, placed_at};
 use crate::dynamics::model::edge_node::Edge;
 use crate::dynamics::model::face_choice::FaceChoice;
 use crate::dynamics::model::pair::ContactSite;
@@ -33,7 +33,7 @@ pub(in crate::dynamics) fn edge_nodes(
     if scene.kind == Kind::Planar {
         return Ok(());
     }
-    let [first, second] = [facade(scene, bodies, sides[0])?, facade(scene, bodies, sides[1])?];
+    let [first, second] = [pair_side(scene, bodies, sides[0])?, pair_side(scene, bodies, sides[1])?];
     let faces = met.then(|| faces(scene, bodies, [&first, &second])).transpose()?;
     let nodes = (0..4).flat_map(|i| (0..4).map(move |j| (i, j)));
     for (i, j) in nodes {
@@ -70,7 +70,7 @@ fn node(
 ) -> ContactSite {
     let ends = [own.face.corners[i], own.face.corners[(i + 1) % 4]];
     let [own_placed, facing_placed] = [own, facing].map(|side| placed_at(bodies, side));
-    let home = |point| Home::of(point, own_placed, &facing.face, facing_placed);
+    let home = |point| ContactGeometry::of(point, own_placed, &facing.face, facing_placed);
     let stands = [own_placed, facing_placed].map(|(home, _)| Frame::fixed(home));
     let outward = own_placed.1 * own.face.normal;
     let edge = Edge::of(
@@ -93,7 +93,7 @@ fn node(
         node_body: own.body,
         point: middle,
         face_body: facing.body,
-        home: home(middle),
+        geometry: home(middle),
         face: facing.face.clone(),
         fixed,
         stand: Frame::fixed(fixed),

@@ -5,7 +5,7 @@ use std::sync::Arc;
 use glam::{DMat3, DVec3};
 
 use crate::dynamics::connection::{Anchor, Device, Kinematics, Link};
-use crate::dynamics::devices::{Law, laws};
+use crate::dynamics::devices::{PlacedLaw, laws};
 use crate::dynamics::model::compiled_model::{Model, ModelDevice};
 use crate::dynamics::model::coordinates::section_forces::LinkOf;
 use crate::scene::device::Joint;
@@ -103,8 +103,8 @@ impl Model {
         }
     }
 
-    fn add_law(&mut self, name: &str, joint: &Joint, law: Law) {
-        let Law { suffix, axes, kinematics, device } = law;
+    fn add_law(&mut self, name: &str, joint: &Joint, law: PlacedLaw) {
+        let PlacedLaw { suffix, axes, kinematics, device } = law;
         let first = self.bodies[joint.girder].home;
         let other = joint.other.or_else(|| self.ground_of(name, joint));
         let second = other.map_or(joint.points[1], |other| self.bodies[other].home);

@@ -5,7 +5,7 @@ use std::sync::Arc;
 
 use glam::{DMat3, DVec3};
 
-use crate::dynamics::model::bearing::{PlanarBearings, Standing};
+use crate::dynamics::model::bearing::{PlanarBearings, UnbalancedWeight};
 use crate::dynamics::model::body::{Body, BodyCoordinates};
 use crate::dynamics::model::coordinates::given_motion::GivenMotion;
 use crate::dynamics::model::ground::compiled;
@@ -75,11 +75,11 @@ impl MovingGround {
             mass: f64::INFINITY,
             gyration2: 1.0,
             inertia: [DMat3::IDENTITY, DMat3::ZERO],
-            radius: prism.corners().iter().map(|corner| corner.length()).fold(0.0, f64::max),
+            radius: prism.radius(),
             prism,
             rate_bounds: RateBounds { mobility: 0.0, stiffest: 0.0, modal: ModalRates::default() },
             bearings: Vec::new(),
-            standing: Standing::default(),
+            unbalanced: UnbalancedWeight::default(),
             planar: PlanarBearings::gather(&[], DMat3::IDENTITY),
             free: [false; 6],
             push: DVec3::ZERO,

@@ -5,7 +5,7 @@ use std::sync::Arc;
 use glam::{DVec2, DVec3};
 
 use crate::contact::parameters::{edge_slack, outside};
-use crate::contact::{Frame, Home, Law, Local, is_damped_by_65, returned_restitution};
+use crate::contact::{ContactGeometry, Frame, Law, Local, is_damped_by_65, returned_restitution};
 use crate::dynamics::model::edge_node::Edge;
 use crate::dynamics::model::edge_node::node_place::NodePlace;
 use crate::dynamics::model::face_choice::FaceChoice;
@@ -126,13 +126,13 @@ pub struct ContactSite {
     pub face_body: Option<usize>,
     /// The face in its body's frame (about `fixed`, for an abutment).
     pub face: Face,
-    /// Both as placed.
-    pub home: Home,
+    /// Node and face as placed.
+    pub geometry: ContactGeometry,
     /// Where the frame of the abutment in this contact stands, if there is one \[m\].
     pub fixed: DVec3,
     /// That frame.
     pub stand: Frame,
-    /// For an edge node its edge and the side of the face across it; `point` and `home` are then those of the edge's
+    /// For an edge node its edge and the side of the face across it; `point` and `geometry` are then those of the edge's
     /// middle. Nothing for a corner.
     pub edge: Option<Box<Edge>>,
 }
@@ -140,11 +140,11 @@ pub struct ContactSite {
 impl ContactSite {
     /// Node and face as placed, the node at a place of its own.
     #[inline]
-    pub fn home_at(&self, place: &NodePlace) -> Home {
+    pub fn geometry_at(&self, place: &NodePlace) -> ContactGeometry {
         match &self.edge {
-            Some(edge) => edge.home(&self.home, place),
-            None if place.shift == DVec3::ZERO => self.home,
-            None => self.home.shifted(place.shift),
+            Some(edge) => edge.geometry(&self.geometry, place),
+            None if place.shift == DVec3::ZERO => self.geometry,
+            None => self.geometry.shifted(place.shift),
         }
     }
 

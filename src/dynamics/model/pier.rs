@@ -7,7 +7,7 @@ use glam::DVec3;
 
 use crate::dynamics::connection::{Device, Kinematics, Link};
 use crate::dynamics::devices::{ElastoPlastic, Hysteresis, LinearBearing};
-use crate::dynamics::model::bearing::{Bearing, PlanarBearings, Standing};
+use crate::dynamics::model::bearing::{Bearing, PlanarBearings, UnbalancedWeight};
 use crate::dynamics::model::body::{Body, BodyCoordinates};
 use crate::dynamics::model::compiled_model::{Model, Pier};
 use crate::dynamics::model::coordinates::section_forces::LinkOf;
@@ -26,7 +26,7 @@ pub(super) fn bodies(scene: &Scene, moving: Option<&MovingSupports>) -> Vec<Body
 fn body(name: &str, pier: &ResolvedPier, linked: bool) -> Body {
     let [length, width, thickness] = pier.cap;
     let prism = Prism { length, width, thickness, skew: std::f64::consts::FRAC_PI_2 };
-    let radius = prism.corners().iter().map(|c| c.length()).fold(0.0, f64::max);
+    let radius = prism.radius();
     let gyration2 = pier.inertia / pier.mass;
     let mut inertia = prism.inertia_per_mass() * pier.mass;
     inertia.z_axis.z = pier.inertia;
@@ -45,7 +45,7 @@ fn body(name: &str, pier: &ResolvedPier, linked: bool) -> Body {
         radius,
         prism,
         bearings,
-        standing: Standing::default(),
+        unbalanced: UnbalancedWeight::default(),
         free,
         push: DVec3::ZERO,
         moment: DVec3::ZERO,

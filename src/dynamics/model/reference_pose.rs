@@ -2,12 +2,12 @@
 //!
 //! A contact of a stiff face and a light girder is pressed by less than the last digit of where the girder is. So bodies that
 //! touch are integrated as what they moved since the first of their touches, and node and face are measured as if they had
-//! been placed there ([`Home::seen_from`]): the round-off of a gap is then proportional to the
+//! been placed there ([`ContactGeometry::seen_from`]): the round-off of a gap is then proportional to the
 //! displacement during contact, not to that since the body was placed.
 
 use glam::{DMat3, DQuat, DVec2, DVec3};
 
-use crate::contact::{Frame, Home, locate, turned_by};
+use crate::contact::{ContactGeometry, Frame, locate, turned_by};
 use crate::dynamics::model::edge_node::node_place::NodePlace;
 use crate::dynamics::model::pair::ContactSite;
 
@@ -26,19 +26,19 @@ pub struct ReferencePose {
     turned: DMat3,
     /// Number of the flight that ended there, where its end is that to the last bit.
     pub(in crate::dynamics) flown: Option<u32>,
-    /// Its number among what is kept to take steps again.
-    pub(in crate::dynamics) kept: Option<u32>,
+    /// Its number among the stored states from which steps are recomputed.
+    pub(in crate::dynamics) stored_number: Option<u32>,
 }
 
 impl ReferencePose {
     /// Displaced, and turned about the vertical by an angle \[rad\], which adds `turned` to the identity.
     pub fn level(shift: DVec3, angle: f64, turned: DMat3) -> Self {
-        Self { level: true, shift, angle, turn: DQuat::IDENTITY, turned, flown: None, kept: None }
+        Self { level: true, shift, angle, turn: DQuat::IDENTITY, turned, flown: None, stored_number: None }
     }
 
     /// Displaced and turned in space.
     pub fn spatial(shift: DVec3, turn: DQuat) -> Self {
-        Self { level: false, shift, angle: 0.0, turn, turned: turned_by(turn), flown: None, kept: None }
+        Self { level: false, shift, angle: 0.0, turn, turned: turned_by(turn), flown: None, stored_number: None }
     }
 
     /// Whether it is where the body was placed; a level one keeps its height.
@@ -98,8 +98,12 @@ impl ReferencePose {
 
 /// Node, at its place, and face of a contact as if they had been placed where the bases of their bodies
 /// are; an abutment stands.
-pub(crate) fn seen_from(site: &ContactSite, place: &NodePlace, [node, face]: [Option<&ReferencePose>; 2]) -> Home {
-    site.home_at(place).seen_from(&pose(site, node), &pose(site, face))
+pub(crate) fn seen_from(
+    site: &ContactSite,
+    place: &NodePlace,
+    [node, face]: [Option<&ReferencePose>; 2],
+) -> ContactGeometry {
+    site.geometry_at(place).seen_from(&pose(site, node), &pose(site, face))
 }
 
 /// Displacement of the node, at its place, along the face at the reference poses, since placed \[m\].
@@ -108,7 +112,7 @@ pub(in crate::dynamics) fn way_to(
     place: &NodePlace,
     [node, face]: [Option<&ReferencePose>; 2],
 ) -> DVec2 {
-    locate(&site.home_at(place), &pose(site, node), &pose(site, face)).way
+    locate(&site.geometry_at(place), &pose(site, node), &pose(site, face)).way
 }
 
 fn pose(site: &ContactSite, base: Option<&ReferencePose>) -> Frame {
@@ -183,7 +187,7 @@ mod tests {
                 let whole = base.whole(&own);
                 let side = |owner: Option<usize>, own: Frame| owner.map_or(site.stand, |_| own);
                 let [near, far] = [own, whole].map(|frame| [side(site.node_body, frame), side(site.face_body, frame)]);
-                [locate(&home, &near[0], &near[1]), locate(&site.home, &far[0], &far[1])]
+                [locate(&home, &near[0], &near[1]), locate(&site.geometry, &far[0], &far[1])]
             };
             let [start, far_start] = look(&since);
             further(model.kind, &mut since);

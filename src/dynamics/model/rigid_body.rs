@@ -12,7 +12,7 @@ use crate::dynamics::model::wrench::Wrench;
 /// weight, pushes and ground; Euler's equations.
 pub(in crate::dynamics) fn accelerations(body: &Body, here: &Frame, contact: &Wrench, ground: DVec3) -> [DVec3; 2] {
     let mut wrench = on_bearings(body, here);
-    wrench.force += contact.force + body.push + DVec3::Z * body.standing.left;
+    wrench.force += contact.force + body.push + DVec3::Z * body.unbalanced.force;
     wrench.moment += contact.moment + first_moment(body, here).cross(DVec3::Z);
     wrench.moment.z += body.moment.z;
     // A sum with 0 would change the sign of a zero.
@@ -30,12 +30,12 @@ pub(in crate::dynamics) fn newton_euler(body: &Body, here: &Frame, all: &Wrench,
 
 /// What the preloads of a rigid body's bearings and its weight leave.
 pub(in crate::dynamics) fn standing(body: &Body, here: &Frame) -> Wrench {
-    Wrench { force: DVec3::Z * body.standing.left, moment: first_moment(body, here).cross(DVec3::Z) }
+    Wrench { force: DVec3::Z * body.unbalanced.force, moment: first_moment(body, here).cross(DVec3::Z) }
 }
 
 /// `Σ f l` of the preloads where the body is now, in the world: across the upward vertical it is their moment \[N·m\].
 fn first_moment(body: &Body, here: &Frame) -> DVec3 {
-    let placed = body.axes * body.standing.first_moment;
+    let placed = body.axes * body.unbalanced.first_moment;
     placed + here.turned * placed
 }
 
@@ -142,16 +142,16 @@ pub(in crate::dynamics) fn kinetic_energy(body: &Body, here: &Frame) -> f64 {
     0.5 * (body.mass * here.velocity.length_squared() + spin)
 }
 
-/// Strain energy of the bearings \[J\]. The preloads are constant vertical forces; they pay for the weight \[N\].
+/// Strain energy of the bearings \[J\]. The preloads are constant vertical forces, whose work is taken off; `weight` is in \[N\].
 pub(in crate::dynamics) fn strain_energy(body: &Body, here: &Frame, weight: f64) -> f64 {
     let stored: f64 = bearing_motions(body, here).map(|(b, motion, _)| b.stored_energy(&(), &motion)).sum();
-    stored - paid(body, here, weight)
+    stored - preload_work(body, here, weight)
 }
 
 /// Work of the preloads of a rigid body since it was placed \[J\].
-pub(in crate::dynamics) fn paid(body: &Body, here: &Frame, weight: f64) -> f64 {
-    let turned = here.turned * (body.axes * body.standing.first_moment);
-    (weight + body.standing.left) * here.shift.z + turned.z
+pub(in crate::dynamics) fn preload_work(body: &Body, here: &Frame, weight: f64) -> f64 {
+    let turned = here.turned * (body.axes * body.unbalanced.first_moment);
+    (weight + body.unbalanced.force) * here.shift.z + turned.z
 }
 
 /// Power lost in the bearings \[W\].

@@ -5,7 +5,7 @@ use std::sync::Arc;
 use glam::{DMat3, DVec3};
 
 use crate::dynamics::connection::{Device, Kinematics, Link};
-use crate::dynamics::devices::{Drop, ElastoPlastic, Hysteresis, LinearBearing, Slider, Support};
+use crate::dynamics::devices::{DropWatch, ElastoPlastic, Hysteresis, LinearBearing, Slider, Support};
 use crate::dynamics::model::bearing::Bearing;
 use crate::dynamics::model::body::Body;
 use crate::dynamics::model::compiled_model::Model;
@@ -106,7 +106,7 @@ impl Model {
         let lowest = corners.iter().map(|corner| corner.z).fold(f64::INFINITY, f64::min);
         for (number, corner) in corners.into_iter().filter(|corner| corner.z <= lowest).enumerate() {
             let name = format!("{}.corner{}", self.bodies[body].name, number + 1);
-            self.add_to_ground(body, name, corner, (Arc::new(Drop(depth)), LinkOf::Device));
+            self.add_to_ground(body, name, corner, (Arc::new(DropWatch(depth)), LinkOf::Device));
         }
     }
 }

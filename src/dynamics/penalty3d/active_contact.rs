@@ -3,7 +3,7 @@
 
 use glam::{DVec2, DVec3};
 
-use crate::contact::{Frame, FrictionLaw, Home, Local, Mode, NormalLaw, locate};
+use crate::contact::{ContactGeometry, Frame, FrictionLaw, Local, Mode, NormalLaw, locate};
 use crate::dynamics::Model;
 use crate::dynamics::connection::Connection;
 use crate::dynamics::model::coordinates::state_layout::StateLayout;
@@ -24,7 +24,7 @@ pub(in crate::dynamics) struct ActiveContact {
     pub closed: ClosedContact,
     /// Contact geometry at the reference poses of both bodies, the origin of the node's displacement along the face
     /// and of the anchor.
-    pub home: Home,
+    pub geometry: ContactGeometry,
     /// Index of the slip angle in the island's vector; `None` where the angle is no state.
     pub angle: Option<usize>,
     /// Penetration at which the bounds of stiffness and damping are evaluated \[m\]; a law that stiffens can exceed
@@ -40,22 +40,22 @@ impl ActiveContact {
         site: usize,
         [node, face]: [Option<usize>; 2],
         closed: ClosedContact,
-        home: Home,
+        geometry: ContactGeometry,
     ) -> Self {
-        Self { site, node, face, sections: [0; 2], closed, home, angle: None, depth: 0.0, granted: 0.0 }
+        Self { site, node, face, sections: [0; 2], closed, geometry, angle: None, depth: 0.0, granted: 0.0 }
     }
 
     /// Position and velocity of the node relative to the face, with poses `frames` of the island's bodies relative to
     /// their reference poses.
     pub(in crate::dynamics) fn look(&self, model: &Model, frames: &[Frame]) -> Local {
         let [node, face] = self.sides(model, frames);
-        locate(&self.home, node, face)
+        locate(&self.geometry, node, face)
     }
 
     /// Outward unit normal of the face, with poses `frames` of the island's bodies relative to their reference poses.
     pub(in crate::dynamics) fn normal(&self, model: &Model, frames: &[Frame]) -> DVec3 {
         let [node, face] = self.sides(model, frames);
-        self.home.normal(node, face)
+        self.geometry.normal(node, face)
     }
 
     /// Poses of the sections of node and face, relative to the reference poses.

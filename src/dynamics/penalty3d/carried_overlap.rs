@@ -57,7 +57,7 @@ impl BodiesAt<'_> {
         let sections = model.sections(contact.site);
         let node = self.whole(contact.node, sections[0], site.stand);
         let face = self.whole(contact.face, sections[1], site.stand);
-        Some(locate(&site.home, &node, &face).penetration())
+        Some(locate(&site.geometry, &node, &face).penetration())
     }
 }
 

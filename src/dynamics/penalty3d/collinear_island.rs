@@ -204,9 +204,9 @@ impl Touch {
         let site = &model.contacts[active.site];
         let frame = |side: Option<usize>| side.map_or(site.stand, |i| Frame::fixed(model.bodies[bodies[i]].home));
         let (node, face): (Frame, Frame) = (frame(active.node), frame(active.face));
-        let normal = active.home.axes.z_axis;
+        let normal = active.geometry.axes.z_axis;
         let square = normal[axis].abs() == 1.0 && normal[1 - axis] == 0.0 && site.face.is_upright();
-        let Measured { here, arm, lever, .. } = measure(&active.home, &node, &face);
+        let Measured { here, arm, lever, .. } = measure(&active.geometry, &node, &face);
         let (closed, law) = (&active.closed, &active.closed.law);
         let still = match closed.mode {
             Mode::Stick { anchor } => anchor == here.way,

@@ -5,7 +5,7 @@
 
 use glam::{DMat3, DVec2, DVec3};
 
-use crate::contact::{Crossed, Forces, Frame, Home, Local, Measured, Mode, measure};
+use crate::contact::{ContactGeometry, Crossed, Forces, Frame, Local, Measured, Mode, measure};
 use crate::dynamics::ContactSite;
 use crate::dynamics::penalty3d::contact_state::ClosedContact;
 
@@ -30,42 +30,45 @@ pub struct Action {
 
 impl Action {
     /// The two tangents that the tangential force is along, world axes.
-    pub fn tangents(&self, home: &Home, face: &Frame) -> [DVec3; 2] {
-        [DVec3::X, DVec3::Y].map(|axis| face.turn(home.axes * self.crossed.in_axes(axis)))
+    pub fn tangents(&self, geometry: &ContactGeometry, face: &Frame) -> [DVec3; 2] {
+        [DVec3::X, DVec3::Y].map(|axis| face.turn(geometry.axes * self.crossed.in_axes(axis)))
     }
 }
 
 /// Forces of a closed contact, poses relative to the placed poses.
 #[inline]
 pub fn act(site: &ContactSite, closed: &ClosedContact, node: &Frame, face: &Frame) -> Action {
-    act_in(&site.home_at(&closed.place), closed, &closed.mode, node, face)
+    act_in(&site.geometry_at(&closed.place), closed, &closed.mode, node, face)
 }
 
-/// Forces of a closed contact in the mode `mode`, poses relative to those of `home`.
+/// Forces of a closed contact in the mode `mode`, poses relative to those of `geometry`.
 #[inline]
-pub fn act_in(home: &Home, closed: &ClosedContact, mode: &Mode, node: &Frame, face: &Frame) -> Action {
-    let Measured { here, arm, lever, crossed } = measure(home, node, face);
+pub fn act_in(geometry: &ContactGeometry, closed: &ClosedContact, mode: &Mode, node: &Frame, face: &Frame) -> Action {
+    let Measured { here, arm, lever, crossed } = measure(geometry, node, face);
     let forces = closed.forces_in(mode, &here);
-    if home.edge != DVec3::ZERO {
-        let offset = closed.law.normal.is_along_stretch().then(|| home.anchor_part());
-        return act_across((home, offset.unwrap_or(0.0)), face, (here, forces, crossed), [arm, lever]);
+    if geometry.edge != DVec3::ZERO {
+        let offset = closed.law.normal.is_along_stretch().then(|| geometry.anchor_part());
+        return act_across((geometry, offset.unwrap_or(0.0)), face, (here, forces, crossed), [arm, lever]);
     }
-    let force = to_world(home, face, forces.tangential_total(), forces.normal_total());
-    let offset =
-        if closed.law.normal.is_along_stretch() { to_world(home, face, forces.stretch, here.gap) } else { DVec3::ZERO };
+    let force = to_world(geometry, face, forces.tangential_total(), forces.normal_total());
+    let offset = if closed.law.normal.is_along_stretch() {
+        to_world(geometry, face, forces.stretch, here.gap)
+    } else {
+        DVec3::ZERO
+    };
     Action { here, forces, force, node_arm: arm, face_arm: lever - offset, couple: DVec3::ZERO, crossed }
 }
 
 /// Forces of two edges across each other: at the node, on the face's body by the part `anchor_part` of the way from there to the anchor,
 /// with the couple by which the normal force acts along the common perpendicular.
 fn act_across(
-    (home, anchor_part): (&Home, f64),
+    (geometry, anchor_part): (&ContactGeometry, f64),
     face: &Frame,
     (here, forces, crossed): (Local, Forces, Crossed),
     [node_arm, face_arm]: [DVec3; 2],
 ) -> Action {
     let total = forces.tangential_total().extend(forces.normal_total());
-    let in_world = |v: DVec3| to_world(home, face, v.truncate(), v.z);
+    let in_world = |v: DVec3| to_world(geometry, face, v.truncate(), v.z);
     let force = in_world(crossed.in_axes(total));
     let couple = in_world(crossed.couple(here.at.extend(here.gap), total));
     let face_arm = match anchor_part {
@@ -77,9 +80,9 @@ fn act_across(
 
 /// World components of a vector given by its components along and normal to the face.
 #[inline]
-pub fn to_world(home: &Home, face: &Frame, along: DVec2, normal: f64) -> DVec3 {
-    let axes = &home.axes;
-    if face.level && home.upright {
+pub fn to_world(geometry: &ContactGeometry, face: &Frame, along: DVec2, normal: f64) -> DVec3 {
+    let axes = &geometry.axes;
+    if face.level && geometry.upright {
         // Rotation about Z and a vertical face: the terms that are 0 are left out.
         let [x, y] =
             [axes.x_axis.x * along.x + axes.z_axis.x * normal, axes.x_axis.y * along.x + axes.z_axis.y * normal];
@@ -98,31 +101,31 @@ mod tests {
     use crate::dynamics::penalty3d::example::{closed, stick, wall};
 
     /// A contact of a girder pressed in, moved along the wall and rotated.
-    fn turned(level: bool) -> (Model, Action, [Frame; 2], Home) {
+    fn turned(level: bool) -> (Model, Action, [Frame; 2], ContactGeometry) {
         let (model, active) = closed(&wall(), stick);
         let site = &model.contacts[active[0].site];
         let node = Frame { level, ..model.bodies[0].planar_frame(&[1e-3, 2e-4, 1e-3, 0.3, 0.1, 0.5]) };
-        let (home, face) = (site.home, Frame { level, ..site.stand });
+        let (geometry, face) = (site.geometry, Frame { level, ..site.stand });
         let action = act(site, &active[0].closed, &node, &face);
-        (model, action, [node, face], home)
+        (model, action, [node, face], geometry)
     }
 
     #[test]
     fn the_couple_of_action_and_reaction_is_that_of_the_stretch() {
-        let (_, action, [node, face], home) = turned(true);
+        let (_, action, [node, face], geometry) = turned(true);
         let [at_node, at_face] = [node.origin() + action.node_arm, face.origin() + action.face_arm];
         let couple = at_node.cross(action.force) - at_face.cross(action.force);
-        let offset = to_world(&home, &face, action.forces.stretch, 0.0);
+        let offset = to_world(&geometry, &face, action.forces.stretch, 0.0);
         let expected =
-            offset.cross(action.force) + to_world(&home, &face, DVec2::ZERO, action.here.gap).cross(action.force);
+            offset.cross(action.force) + to_world(&geometry, &face, DVec2::ZERO, action.here.gap).cross(action.force);
         assert!(action.forces.stretch.length() > 1e-5, "the spring is stretched");
         assert!((couple - expected).length() < 1e-12 * action.force.length(), "{couple} is not {expected}");
     }
 
     #[test]
     fn the_force_in_the_world_has_the_components_of_the_law() {
-        let (_, action, [_, face], home) = turned(true);
-        let normal = face.turn(home.axes.z_axis);
+        let (_, action, [_, face], geometry) = turned(true);
+        let normal = face.turn(geometry.axes.z_axis);
         let forces = action.forces;
         assert!((action.force.dot(normal) - forces.normal_total()).abs() < 1e-11 * action.force.length(), "normal");
         let square = forces.normal_total().powi(2) + forces.tangential_total().length_squared();

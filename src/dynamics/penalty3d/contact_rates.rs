@@ -50,11 +50,11 @@ pub(in crate::dynamics) fn decay(
 ) -> f64 {
     let mut sums = vec![0.0; bodies.len()];
     for a in active {
-        let home = model.contacts[a.site].home_at(&a.closed.place);
+        let geometry = model.contacts[a.site].geometry_at(&a.closed.place);
         let [node, face] = model.sections(a.site);
-        for (side, point) in [(a.node, (node, home.arm)), (a.face, (face, home.lever))] {
+        for (side, point) in [(a.node, (node, geometry.arm)), (a.face, (face, geometry.lever))] {
             if let Some(i) = side {
-                sums[i] += decay_rows(&model.bodies[bodies[i]], a, &home.axes, point);
+                sums[i] += decay_rows(&model.bodies[bodies[i]], a, &geometry.axes, point);
             }
         }
     }
@@ -118,9 +118,9 @@ mod tests {
         for _ in 0..500 {
             let mut next = vec![DVec3::ZERO; q.len()];
             for contact in active {
-                let home = &model.contacts[contact.site].home;
-                let sides = [(contact.node, home.arm, 1.0), (contact.face, home.lever, -1.0)];
-                for axis in [home.axes.x_axis, home.axes.y_axis, home.axes.z_axis] {
+                let geometry = &model.contacts[contact.site].geometry;
+                let sides = [(contact.node, geometry.arm, 1.0), (contact.face, geometry.lever, -1.0)];
+                for axis in [geometry.axes.x_axis, geometry.axes.y_axis, geometry.axes.z_axis] {
                     let row = |arm: DVec3| DVec3::new(axis.x, axis.y, arm.cross(axis).z);
                     let rates = sides.map(|(side, arm, sign)| side.map_or(0.0, |i| sign * row(arm).dot(q[i])));
                     for (side, arm, sign) in sides {

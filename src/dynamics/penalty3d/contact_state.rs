@@ -48,10 +48,10 @@ pub struct SolverState {
     pub retries: u32,
     /// Distance beyond the edges of its face up to which the contact is kept, where it alone carries an overlap of two bodies
     /// that have met \[m\].
-    pub kept: f64,
-    /// Between bodies that have met, how far beyond the polygon of its face a corner's projection passes its vertex on \[m\]; `None` for one
-    /// that has, or that closed beyond: the planes of the faces around bound the contact.
-    pub passes_at: Option<f64>,
+    pub kept_beyond_edge: f64,
+    /// Distance beyond its face's edge at which a corner of bodies that have met hands its vertex on to the next face \[m\]; `None` after the
+    /// handover, and of a corner that closed beyond the edge: the planes of the faces around bound its contact.
+    pub handover_distance: Option<f64>,
     /// How far beside its face a corner may have been where it took over a vertex from another node \[m\].
     pub beside: f64,
 }

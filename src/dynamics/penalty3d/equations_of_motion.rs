@@ -69,7 +69,7 @@ impl EquationsOfMotion<'_> {
 impl EquationsOfMotion<'_> {
     /// The port of a device whose memory is a state: its first axis is that of the memory's force, its second that of the
     /// relative velocity which changes the memory.
-    fn device_port(&self, number: usize, y: &[f64], push: &mut [f64], view: &mut [f64]) {
+    fn device_port(&self, number: usize, y: &[f64], input: &mut [f64], output: &mut [f64]) {
         let Some(link) = self.system.evolving().nth(number) else { return };
         let mut frames = Vec::with_capacity(self.system.layout.section_count());
         for (i, &body) in self.system.bodies.iter().enumerate() {
@@ -77,7 +77,7 @@ impl EquationsOfMotion<'_> {
         }
         let (motion, arms) = link.motion(self.model, &self.system.bases, &frames);
         let Evolution { force, drive, .. } = link.of(self.model).device.evolution(&link.phase_in(y), &motion);
-        let n = push.len() / 2;
+        let n = input.len() / 2;
         for (axis, along) in [force, drive].into_iter().enumerate() {
             let along = link.in_world(self.model, &self.system.bases, &frames, along.normalize_or_zero());
             for (end, sign) in [1.0, -1.0].into_iter().enumerate() {
@@ -85,7 +85,7 @@ impl EquationsOfMotion<'_> {
                 let body = &self.model.bodies[self.system.bodies[i]];
                 let section = link.sections[end];
                 let here = self.system.bases[i].whole(&frames[section]);
-                let columns = [&mut *push, &mut *view].map(|all| &mut all[axis * n..][self.system.layout.range(i)]);
+                let columns = [&mut *input, &mut *output].map(|all| &mut all[axis * n..][self.system.layout.range(i)]);
                 let own = section - self.system.layout.sections(i).start;
                 body.port(Point { section: own, frame: &here, arm: arms[end] }, along * sign, columns);
             }
@@ -182,17 +182,17 @@ impl ImplicitSystem for EquationsOfMotion<'_> {
         self.workspace.sliding.freeze(held);
     }
 
-    fn port(&self, slider: usize, y: &[f64], push: &mut [f64], view: &mut [f64]) {
+    fn port(&self, port: usize, y: &[f64], input: &mut [f64], output: &mut [f64]) {
         let sliders = &self.workspace.sliding.sliders;
-        if let Some(number) = slider.checked_sub(sliders.len()) {
-            return self.device_port(number, y, push, view);
+        if let Some(number) = port.checked_sub(sliders.len()) {
+            return self.device_port(number, y, input, output);
         }
-        let active = &self.system.active[sliders[slider]];
+        let active = &self.system.active[sliders[port]];
         // Faces of planar scenes have one direction of sliding.
         if self.model.kind == Kind::Planar {
             return;
         }
-        let n = push.len() / 2;
+        let n = input.len() / 2;
         let site = &self.model.contacts[active.site];
         let own = self.model.sections(active.site);
         let frames = [(active.node, own[0]), (active.face, own[1])].map(|(side, section)| {
@@ -201,14 +201,14 @@ impl ImplicitSystem for EquationsOfMotion<'_> {
             })
         });
         let turned = active.state_in(y);
-        let action = contact_force::act_in(&active.home, &turned, &turned.mode, &frames[0], &frames[1]);
+        let action = contact_force::act_in(&active.geometry, &turned, &turned.mode, &frames[0], &frames[1]);
         let sides = [(active.node, action.node_arm, 1.0), (active.face, action.face_arm, -1.0)];
-        for (axis, along) in action.tangents(&active.home, &frames[1]).into_iter().enumerate() {
+        for (axis, along) in action.tangents(&active.geometry, &frames[1]).into_iter().enumerate() {
             for (which, (side, arm, sign)) in sides.into_iter().enumerate() {
                 let Some(i) = side else { continue };
                 let body = &self.model.bodies[self.system.bodies[i]];
                 let here = self.system.bases[i].whole(&frames[which]);
-                let columns = [&mut *push, &mut *view].map(|all| &mut all[axis * n..][self.system.layout.range(i)]);
+                let columns = [&mut *input, &mut *output].map(|all| &mut all[axis * n..][self.system.layout.range(i)]);
                 body.port(Point { section: own[which], frame: &here, arm }, along * sign, columns);
             }
         }

@@ -43,7 +43,7 @@ impl Island {
             roundoff = roundoff.max(self.system.omega * known + here.speed(self.system.radii[i]));
             pushed = pushed.max((body.push.length() + turning_push(body)) / body.mass);
             if body.free[2] {
-                weight = weight.max(body.standing.left.abs() / body.mass);
+                weight = weight.max(body.unbalanced.force.abs() / body.mass);
             }
             if free {
                 acceleration = acceleration.max(self.acceleration(model, i));

@@ -8,6 +8,7 @@ use crate::contact::{Frame, Local, Mode, NormalLaw, locate};
 use crate::dynamics::Model;
 use crate::dynamics::locate::first_rise::{EarliestEvent, Resolution, first_rise};
 use crate::dynamics::locate::root::root;
+use crate::dynamics::locate::sample_times::sample_times;
 use crate::dynamics::penalty3d::constants::{
     CLOCK_ROUNDING, ENTRY_ROUNDING, FREE_RETRIES, PARTING_BAND, POSITION_ROUNDING, RETRY_DOUBLINGS, SAMPLES_EXPLICIT,
     SAMPLES_IMPLICIT, SAMPLES_MEDIUM, SHORT_PHASES, SPEED_ROUNDING_PHASE, ZERO_BAND,
@@ -23,11 +24,11 @@ pub(in crate::dynamics) fn local_at(model: &Model, island: &Island, number: usiz
     let own = model.sections(active.site);
     let frame =
         |side: Option<usize>, section: usize| side.map_or(site.stand, |i| island.frame_since(model, i, section, t));
-    locate(&active.home, &frame(active.node, own[0]), &frame(active.face, own[1]))
+    locate(&active.geometry, &frame(active.node, own[0]), &frame(active.face, own[1]))
 }
 
 /// Switching function of a closed contact at `t`, negative while the state lasts (`docs/physics.md#contact-events`).
-pub(in crate::dynamics) fn function(
+pub(in crate::dynamics) fn switching_function(
     model: &Model,
     island: &Island,
     number: usize,
@@ -40,9 +41,9 @@ pub(in crate::dynamics) fn function(
         Reason::Opening => here.gap,
         Reason::Edge => {
             let (site, solver) = (&model.contacts[active.site], &active.closed.solver);
-            match solver.passes_at {
+            match solver.handover_distance {
                 Some(beyond) => site.over_edge(here) - beyond,
-                None => site.beyond(&active.closed.place, here) - solver.kept,
+                None => site.beyond(&active.closed.place, here) - solver.kept_beyond_edge,
             }
         }
         Reason::Switching | Reason::Kink => {
@@ -70,7 +71,11 @@ pub(in crate::dynamics) fn reasons(island: &Island, number: usize) -> impl Itera
 
 /// The first events within the planned step and their time \[s\]. Contacts whose event lies within `simultaneity`
 /// \[s\] of the first change state with it.
-pub(in crate::dynamics) fn first_due(model: &Model, island: &Island, simultaneity: f64) -> Option<(f64, Vec<Due>)> {
+pub(in crate::dynamics) fn first_contact_events(
+    model: &Model,
+    island: &Island,
+    simultaneity: f64,
+) -> Option<(f64, Vec<Due>)> {
     match sample_count(island) {
         SAMPLES_EXPLICIT => first_among::<SAMPLES_EXPLICIT>(model, island, simultaneity),
         SAMPLES_MEDIUM => first_among::<SAMPLES_MEDIUM>(model, island, simultaneity),
@@ -92,9 +97,7 @@ pub(in crate::dynamics) fn sample_count(island: &Island) -> usize {
 
 fn first_among<const N: usize>(model: &Model, island: &Island, simultaneity: f64) -> Option<(f64, Vec<Due>)> {
     let (mut found, mut earliest): (Vec<(f64, Due)>, f64) = (Vec::new(), f64::INFINITY);
-    let part = |i: usize| (island.step.until - island.step.from) * i as f64 / (N - 1) as f64;
-    let times: [f64; N] =
-        std::array::from_fn(|i| if i == N - 1 { island.step.until } else { island.step.from + part(i) });
+    let times = sample_times::<N>([island.step.from, island.step.until]);
     let (frames, sections) = (island.frames_since(model, &times), island.system.layout.section_count());
     for number in island.kind.distinct(island.system.active.len()) {
         let samples: [Local; N] =
@@ -106,19 +109,21 @@ fn first_among<const N: usize>(model: &Model, island: &Island, simultaneity: f64
             let first = EarliestEvent { at: earliest, together: simultaneity };
             let band =
                 dead_band(model, island, number, reason, &samples[0]) + retry_band(island, number, reason, &samples);
-            let values: [f64; N] =
-                std::array::from_fn(|i| function(model, island, number, reason, &samples[i], times[i]) - band);
-            let value_at =
-                |t: f64| function(model, island, number, reason, &local_at(model, island, number, t), t) - band;
+            let values: [f64; N] = std::array::from_fn(|i| {
+                switching_function(model, island, number, reason, &samples[i], times[i]) - band
+            });
+            let value_at = |t: f64| {
+                switching_function(model, island, number, reason, &local_at(model, island, number, t), t) - band
+            };
             let passing = reason == Reason::Switching && island.system.active[number].closed.solver.passing_stop;
             let entering = is_entering(model, island, number, &samples[0]);
             let rounding = POSITION_ROUNDING * island.reach(model, number);
             let zero = match reason {
                 _ if entering => f64::INFINITY,
                 Reason::Switching if is_sticking(island, number) => {
-                    ZERO_BAND * scale(island, number, reason, &samples) + rounding
+                    ZERO_BAND * switching_scale(island, number, reason, &samples) + rounding
                 }
-                _ => ZERO_BAND * scale(island, number, reason, &samples),
+                _ => ZERO_BAND * switching_scale(island, number, reason, &samples),
             };
             let first = if entering { EarliestEvent::UNKNOWN } else { first };
             if let Some(t) = first_rise([&times, &values], Resolution::at_start(zero), passing, first, value_at) {
@@ -164,7 +169,7 @@ fn is_inside(model: &Model, island: &Island, number: usize, here: &Local) -> boo
     let excursions = [active.node, active.face].into_iter().zip(arms);
     let excursions =
         excursions.map(|(side, arm)| side.map_or(0.0, |i| island.excursion(model, i, arm, island.step.from)));
-    function(model, island, number, Reason::Edge, here, island.step.from) < -excursions.sum::<f64>()
+    switching_function(model, island, number, Reason::Edge, here, island.step.from) < -excursions.sum::<f64>()
 }
 
 /// Correction of the switching function of a slip that has begun [`FREE_RETRIES`] times at one instant \[m/s\]: the
@@ -188,7 +193,9 @@ fn retry_band(island: &Island, number: usize, reason: Reason, samples: &[Local])
     if retries < FREE_RETRIES || reason != Reason::Switching || is_sticking(island, number) {
         return 0.0;
     }
-    ZERO_BAND * scale(island, number, reason, samples) * f64::from((retries - FREE_RETRIES).min(RETRY_DOUBLINGS)).exp2()
+    ZERO_BAND
+        * switching_scale(island, number, reason, samples)
+        * f64::from((retries - FREE_RETRIES).min(RETRY_DOUBLINGS)).exp2()
 }
 
 /// Opening of a node that enters by less than round-off, from its crossing at `t`: at the reversal of its gap's rate,
@@ -252,7 +259,8 @@ fn also_due(model: &Model, island: &Island, t: f64, due: &mut Vec<Due>) {
     for number in 0..island.system.active.len() {
         for &reason in &reasons_due {
             let known = due.iter().any(|d| d.index == number);
-            if !known && function(model, island, number, reason, &local_at(model, island, number, t), t) > 0.0 {
+            if !known && switching_function(model, island, number, reason, &local_at(model, island, number, t), t) > 0.0
+            {
                 due.push(Due { index: number, reason });
             }
         }
@@ -261,7 +269,7 @@ fn also_due(model: &Model, island: &Island, t: f64, due: &mut Vec<Due>) {
 }
 
 /// Scale of a switching function over its samples, in its unit: rounding of it is the zero that the last event left, and no value.
-fn scale(island: &Island, number: usize, reason: Reason, samples: &[Local]) -> f64 {
+fn switching_scale(island: &Island, number: usize, reason: Reason, samples: &[Local]) -> f64 {
     let closed = &island.system.active[number].closed;
     let largest = |f: fn(&Local) -> f64| samples.iter().map(f).fold(0.0, f64::max);
     let depth = largest(|l| l.gap.abs());

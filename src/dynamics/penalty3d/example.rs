@@ -8,7 +8,7 @@ use crate::dynamics::model::coordinates::state_layout::StateLayout;
 use crate::dynamics::penalty3d::active_contact::ActiveContact;
 use crate::dynamics::penalty3d::contact_state::ClosedContact;
 use crate::dynamics::penalty3d::due::Due;
-use crate::dynamics::penalty3d::event_location::first_due;
+use crate::dynamics::penalty3d::event_location::first_contact_events;
 use crate::dynamics::penalty3d::island::Island;
 use crate::dynamics::{Body, ContactSite, Model};
 use crate::scene::{Scene, format};
@@ -54,14 +54,14 @@ pub(in crate::dynamics) fn closed(scene: &Scene, mode: impl Fn(&Local) -> Mode) 
     let frame = |body: Option<usize>, site: &ContactSite| {
         body.map_or(site.stand, |body| model.bodies[body].planar_frame(&[0.0; WIDTH]))
     };
-    let local = |site: &ContactSite| locate(&site.home, &frame(site.node_body, site), &frame(site.face_body, site));
+    let local = |site: &ContactSite| locate(&site.geometry, &frame(site.node_body, site), &frame(site.face_body, site));
     let active = (0..model.contacts.len()).filter_map(|number| {
         let site = &model.contacts[number];
         let here = local(site);
         let pair = &model.pairs[site.pair];
         let nodes = sharers(pair.contacts.clone().map(|n| (&model.contacts[n].face, local(&model.contacts[n]).at)));
         let closed = ClosedContact::new(pair.law.shared(nodes as f64), mode(&here), 0.0);
-        let active = ActiveContact::new(number, [site.node_body, site.face_body], closed, site.home);
+        let active = ActiveContact::new(number, [site.node_body, site.face_body], closed, site.geometry);
         // An edge node is one from the closing of its pair on.
         (site.edge.is_none() && is_over(&site.face, here.at)).then_some(active)
     });
@@ -95,7 +95,7 @@ pub(in crate::dynamics) fn island_of(model: &Model, active: Vec<ActiveContact>, 
 pub(in crate::dynamics) fn first_event(model: &Model, island: &mut Island) -> (f64, Vec<Due>) {
     for _ in 0..1000 {
         island.plan(model, 1.0, f64::INFINITY).expect("a step that can be made");
-        if let Some(found) = first_due(model, island, 1e-12) {
+        if let Some(found) = first_contact_events(model, island, 1e-12) {
             return found;
         }
     }

@@ -43,7 +43,7 @@ fn add_devices(model: &Model, system: &CoupledSystem, y: &[f64], workspace: &mut
         if let Some((at, evolution)) = link.push(placing, y, &workspace.frames, &mut workspace.wrenches) {
             out[at] = evolution.rate;
             workspace.rates.push(evolution.decay);
-            workspace.sliding.evolves([port, workspace.rates.len() - 1], &evolution);
+            workspace.sliding.add_memory_term([port, workspace.rates.len() - 1], &evolution);
             port += 1;
         }
     }
@@ -59,7 +59,7 @@ fn add_contacts(model: &Model, system: &CoupledSystem, y: &[f64], workspace: &mu
         let held = workspace.sliding.frozen_contact(slider, active);
         let closed = held.as_ref().unwrap_or(&active.closed);
         let mode = active.angle.map_or(closed.mode, |at| Mode::Slip { direction: direction(y[at]) });
-        let action = contact_force::act_in(&active.home, closed, &mode, node, face);
+        let action = contact_force::act_in(&active.geometry, closed, &mode, node, face);
         if active.node.is_some() {
             workspace.wrenches[active.sections[0]].push_with(action.force, action.node_arm, action.couple);
         }
@@ -70,11 +70,17 @@ fn add_contacts(model: &Model, system: &CoupledSystem, y: &[f64], workspace: &mu
             let length = closed.law.slip_stretch(&action.here) + closed.solver.regularisation;
             out[at] = direction.perp_dot(action.here.rate) / length;
             workspace.rates.push(-direction.dot(action.here.rate) / length);
-            workspace.sliding.follows([slider, workspace.rates.len() - 1], closed, direction, &action, length);
+            workspace.sliding.add_slip_angle_term(
+                [slider, workspace.rates.len() - 1],
+                closed,
+                direction,
+                &action,
+                length,
+            );
             slider += 1;
         } else if active.turns_at_once() {
             if held.is_none() {
-                workspace.sliding.turns(slider, closed, &action.forces);
+                workspace.sliding.add_direction_terms(slider, closed, &action.forces);
             }
             slider += 1;
         }

@@ -5,6 +5,7 @@ use smallvec::SmallVec;
 use crate::dynamics::Model;
 use crate::dynamics::connection::{Excursion, Kinematics, Link, Phase, Separation, SwitchUnit};
 use crate::dynamics::locate::first_rise::{EarliestEvent, Resolution, first_rise};
+use crate::dynamics::locate::sample_times::sample_time;
 use crate::dynamics::penalty3d::active_link::ActiveLink;
 use crate::dynamics::penalty3d::constants::{POSITION_ROUNDING, ZERO_BAND};
 use crate::dynamics::penalty3d::due::LinkDue;
@@ -12,7 +13,7 @@ use crate::dynamics::penalty3d::event_location::sample_count;
 use crate::dynamics::penalty3d::island::Island;
 
 /// The first end of a phase of the island's devices within its planned step, and its time \[s\]; `None` without one.
-pub(in crate::dynamics) fn first_due(model: &Model, island: &Island) -> Option<(f64, LinkDue)> {
+pub(in crate::dynamics) fn first_phase_end(model: &Model, island: &Island) -> Option<(f64, LinkDue)> {
     if island.system.links.iter().all(|active| active.of(model).device.switches(&active.phase) == 0) {
         return None;
     }
@@ -32,9 +33,8 @@ pub(in crate::dynamics) fn first_due(model: &Model, island: &Island) -> Option<(
             continue;
         }
         if times.len() == 1 {
-            let last = sample_count(island) - 1;
-            let part = |i: usize| (island.step.until - island.step.from) * i as f64 / last as f64;
-            times.extend((1..=last).map(|i| if i == last { island.step.until } else { island.step.from + part(i) }));
+            let (interval, count) = ([island.step.from, island.step.until], sample_count(island));
+            times.extend((1..count).map(|i| sample_time(interval, i, count)));
             frames.extend(island.frames_since(model, &times[1..]));
         }
         let motions: Vec<_> =

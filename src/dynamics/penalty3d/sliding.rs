@@ -1,5 +1,5 @@
-//! Contacts that slide in two directions, linearised for implicit steps: the derivatives of their friction by `V_t` as
-//! rank-one terms, and the directions that difference quotients hold, which are then those of all other terms.
+//! Rank-one terms of implicit steps: friction of contacts that slide in two directions, whose direction turns, and memories of devices
+//! that evolve. Difference quotients hold the directions of sliding, which are then those of all other terms.
 
 use glam::DVec2;
 
@@ -11,12 +11,12 @@ use crate::dynamics::penalty3d::constants::ANGLE_DIFFERENCE;
 use crate::dynamics::penalty3d::contact_force::Action;
 use crate::dynamics::penalty3d::contact_state::ClosedContact;
 
-/// Linearisation of contacts that slide in two directions, for implicit steps.
+/// Rank-one terms at the linearisation of an implicit step.
 #[derive(Debug, Default)]
 pub(in crate::dynamics) struct Sliding {
     /// Indices of those contacts among the closed ones.
     pub sliders: Vec<usize>,
-    /// Derivatives of their friction by `V_t`, as rank-one terms.
+    /// Derivatives of their friction by `V_t`, and of forces of devices by what these remember.
     terms: Vec<RankOneTerm>,
     /// Regularised directions of sliding at the linearisation, `V_t / max(|V_t|, v_stick)`.
     against: Vec<DVec2>,
@@ -63,7 +63,7 @@ impl Sliding {
 
     /// Rank-one term of a slip whose angle is component `follower` of the auxiliary states: `V_t` turns the angle,
     /// the angle turns the force.
-    pub(in crate::dynamics) fn follows(
+    pub(in crate::dynamics) fn add_slip_angle_term(
         &mut self,
         [slider, follower]: [usize; 2],
         closed: &ClosedContact,
@@ -87,7 +87,7 @@ impl Sliding {
 
     /// Rank-one term of a device whose memory is component `follower` of the auxiliary states: the relative velocity along the
     /// port's second axis changes the memory, the memory the force along the first.
-    pub(in crate::dynamics) fn evolves(&mut self, [port, follower]: [usize; 2], evolution: &Evolution) {
+    pub(in crate::dynamics) fn add_memory_term(&mut self, [port, follower]: [usize; 2], evolution: &Evolution) {
         let (force, drive) = (evolution.force.length(), evolution.drive.length());
         let (input, output) = (DVec2::new(force, 0.0), DVec2::new(0.0, drive));
         self.terms.push(RankOneTerm { port, input, output, auxiliary: Some(follower) });
@@ -95,7 +95,7 @@ impl Sliding {
 
     /// Rank-one terms of friction along `V_t` (law `paper`): its turning with the direction, and its decrease below
     /// `v_stick`.
-    pub(in crate::dynamics) fn turns(&mut self, slider: usize, closed: &ClosedContact, forces: &Forces) {
+    pub(in crate::dynamics) fn add_direction_terms(&mut self, slider: usize, closed: &ClosedContact, forces: &Forces) {
         let (speed, least) = (forces.sliding.length(), closed.law.v_stick);
         let against = forces.sliding / speed.max(least);
         let along = forces.sliding.try_normalize().unwrap_or(DVec2::X);
@@ -140,7 +140,7 @@ mod tests {
         for rate in [DVec2::new(0.03, 0.04), DVec2::new(0.003, -0.002)] {
             let here = pressed(rate);
             let mut sliding = Sliding { against: vec![DVec2::X], ..Sliding::default() };
-            sliding.turns(0, &closed, &closed.forces(&here));
+            sliding.add_direction_terms(0, &closed, &closed.forces(&here));
             let h = 1e-7;
             for change in [DVec2::X, DVec2::Y] {
                 let force = |h: f64| closed.forces(&pressed(rate + change * h)).tangential_total();
@@ -168,7 +168,7 @@ mod tests {
         };
         let length = closed.law.slip_stretch(&here) + closed.solver.regularisation;
         let mut sliding = Sliding::default();
-        sliding.follows([0, 0], &closed, direction(angle), &action, length);
+        sliding.add_slip_angle_term([0, 0], &closed, direction(angle), &action, length);
         let term = sliding.terms[0];
         let force =
             |angle: f64| closed.forces_in(&Mode::Slip { direction: direction(angle) }, &here).tangential_total();
@@ -191,7 +191,7 @@ mod tests {
         assert_eq!(sliding.frozen_contact(0, &active[0]), None, "it follows the state");
         let rate = DVec2::new(0.0, 0.05);
         let here = pressed(rate);
-        sliding.turns(0, &active[0].closed, &active[0].closed.forces(&here));
+        sliding.add_direction_terms(0, &active[0].closed, &active[0].closed.forces(&here));
         sliding.freeze(true);
         // Other velocity, same friction: that along Y at the linearisation.
         let elsewhere = pressed(DVec2::new(0.05, 0.0));

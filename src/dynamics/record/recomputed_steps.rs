@@ -248,7 +248,7 @@ fn again(field: &mut EquationsOfMotion<'_>, from: f64, y: &mut [f64], length: f6
 /// State at the end of a body's flight, which is the beginning of the next sequence of its path.
 fn landed(member: Member, past: &Past<'_>) -> PlanarState {
     let (body, flown) = (member.body as usize, member.base as usize);
-    match (past.paths[body].kept(flown), past.paths[body].next(flown), &past.free_motions[body]) {
+    match (past.paths[body].motion_of(flown), past.paths[body].next(flown), &past.free_motions[body]) {
         ((from, StoredMotion::Start(state)), Some(until), Some(free_motion)) => {
             free_motion.girder_state(from, state, until).unwrap_or(state)
         }

@@ -18,7 +18,7 @@ pub struct StepPolynomial {
     step: f64,
     /// Stored ones of the first [`MASKED`] components, lowest bit first; the others of these are 0. All further ones
     /// are stored.
-    kept: u32,
+    stored_mask: u32,
     coefficients: Box<[[f64; DENSE_TERMS]]>,
     /// Numbers of the reference pose; empty for the placed pose.
     base: Box<[f64]>,
@@ -35,20 +35,20 @@ impl StepPolynomial {
         let moves = |c: &&[f64; DENSE_TERMS]| c.iter().any(|x| *x != 0.0);
         let (masked, whole) = all.split_at(all.len().min(MASKED));
         let bit = |(i, c): (usize, &[f64; DENSE_TERMS])| u32::from(moves(&c)) << i;
-        let kept = masked.iter().enumerate().map(bit).fold(0, |all, bit| all | bit);
+        let stored_mask = masked.iter().enumerate().map(bit).fold(0, |all, bit| all | bit);
         let coefficients = masked.iter().filter(moves).chain(whole).copied().collect();
         let base = base.map(ReferencePose::numbers).unwrap_or_default();
-        Self { from: dense.from, step: dense.step, kept, coefficients, base }
+        Self { from: dense.from, step: dense.step, stored_mask, coefficients, base }
     }
 
     /// Writes all components at `t`, relative to the reference pose, to `out`; returns the numbers of the reference
     /// pose.
     pub fn read(&self, t: f64, out: &mut [f64]) -> &[f64] {
         let x = (t - self.from) / self.step;
-        let mut kept = self.coefficients.iter();
+        let mut stored = self.coefficients.iter();
         for (i, value) in out.iter_mut().enumerate() {
-            let moving = i >= MASKED || self.kept & (1 << i) != 0;
-            *value = if moving { kept.next().map_or(0.0, |c| DenseOutput::value(c, x)) } else { 0.0 };
+            let moving = i >= MASKED || self.stored_mask & (1 << i) != 0;
+            *value = if moving { stored.next().map_or(0.0, |c| DenseOutput::value(c, x)) } else { 0.0 };
         }
         &self.base
     }
@@ -65,11 +65,11 @@ impl StepPolynomial {
 
     /// Coefficients of component `i`; `None` where it is 0 throughout the step.
     fn coefficients_of(&self, i: usize) -> Option<&[f64; DENSE_TERMS]> {
-        let before = |mask: u32| (self.kept & mask).count_ones() as usize;
+        let before = |mask: u32| (self.stored_mask & mask).count_ones() as usize;
         if i >= MASKED {
             return self.coefficients.get(before(u32::MAX) + i - MASKED);
         }
-        (self.kept & (1 << i) != 0).then(|| &self.coefficients[before((1 << i) - 1)])
+        (self.stored_mask & (1 << i) != 0).then(|| &self.coefficients[before((1 << i) - 1)])
     }
 
     /// Memory of the polynomial \[bytes\].
@@ -79,7 +79,7 @@ impl StepPolynomial {
 
     /// All numbers of the representation, for hashing.
     pub fn numbers(&self) -> impl Iterator<Item = f64> {
-        let head = [self.from, self.step, f64::from(self.kept)].into_iter();
+        let head = [self.from, self.step, f64::from(self.stored_mask)].into_iter();
         head.chain(self.base.iter().copied()).chain(self.coefficients.iter().flatten().copied())
     }
 }

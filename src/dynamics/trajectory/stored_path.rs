@@ -150,16 +150,16 @@ impl StoredPath {
     }
 
     /// Beginning \[s\] and representation of segment `number`.
-    pub fn kept(&self, number: usize) -> (f64, StoredMotion<'_>) {
+    pub fn motion_of(&self, number: usize) -> (f64, StoredMotion<'_>) {
         let which = (self.codes[number] & CODE_MASK) as usize;
-        let kept = match self.codes[number] >> CODE_BITS {
+        let motion = match self.codes[number] >> CODE_BITS {
             0 => StoredMotion::Start(self.starts.get(self.codes[number] & CODE_MASK)),
             1 => StoredMotion::Flight(&self.flights[which]),
             2 => StoredMotion::Step(&self.pieces[which]),
             3 => StoredMotion::Recomputed(self.codes[number] & CODE_MASK),
             _ => StoredMotion::Slide(&self.slides[which]),
         };
-        (self.from[number], kept)
+        (self.from[number], motion)
     }
 
     /// Beginning of the segment after segment `number`; `None` after the last \[s\].
@@ -175,7 +175,7 @@ impl StoredPath {
 
     /// Beginning \[s\] and representation of the segment at `t`; `None` for an empty path.
     pub fn at(&self, t: f64) -> Option<(f64, StoredMotion<'_>)> {
-        self.number_at(t).map(|number| self.kept(number))
+        self.number_at(t).map(|number| self.motion_of(number))
     }
 
     /// End of segment `number` \[s\].
@@ -291,14 +291,17 @@ mod tests {
         ];
         let segment = |(i, path): (u32, SegmentMotion)| Segment { from: f64::from(i), until: f64::from(i + 1), path };
         let path: StoredPath = (0..).zip(motions).map(segment).collect();
-        assert!(matches!(path.kept(0), (0.0, StoredMotion::Start(kept)) if kept == state), "by its start alone");
-        assert!(matches!(path.kept(1), (1.0, StoredMotion::Flight(f)) if f.start() == 0.5), "begun before the segment");
+        assert!(matches!(path.motion_of(0), (0.0, StoredMotion::Start(kept)) if kept == state), "by its start alone");
+        assert!(
+            matches!(path.motion_of(1), (1.0, StoredMotion::Flight(f)) if f.start() == 0.5),
+            "begun before the segment"
+        );
         let mut place = [0.0; WIDTH];
-        let (_, StoredMotion::Step(piece)) = path.kept(2) else { panic!("a step") };
+        let (_, StoredMotion::Step(piece)) = path.motion_of(2) else { panic!("a step") };
         piece.read(2.5, &mut place);
         assert_eq!(place, [7.5; WIDTH], "half way");
-        assert!(matches!(path.kept(3), (3.0, StoredMotion::Recomputed(17))), "by its number");
-        assert!(matches!(path.kept(4), (4.0, StoredMotion::Slide(s)) if s.from == 4.0), "a sliding face");
+        assert!(matches!(path.motion_of(3), (3.0, StoredMotion::Recomputed(17))), "by its number");
+        assert!(matches!(path.motion_of(4), (4.0, StoredMotion::Slide(s)) if s.from == 4.0), "a sliding face");
         let closed: Vec<bool> = path.spans().map(|span| span.flies).collect();
         assert_eq!(closed, [true, true, false, false, true], "closed forms");
         assert_eq!(path.flown_until(5.0), None, "the last one is no flight");

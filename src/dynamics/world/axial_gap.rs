@@ -25,7 +25,7 @@ impl AxialGap {
         let first = model.pairs[pair].bodies[0];
         let one = |(site, geometry): &(usize, SiteGeometry), axis: usize| {
             let site = &model.contacts[*site];
-            let normal = site.home.axes.z_axis;
+            let normal = site.geometry.axes.z_axis;
             let square = site.face.is_upright() && normal[axis].abs() == 1.0 && normal[1 - axis] == 0.0;
             let side = if site.node_body == first { 1.0 } else { -1.0 };
             square.then(|| Self { axis, rest: geometry.home_gap, towards: side * normal[axis], size: geometry.size })

@@ -126,7 +126,7 @@ fn place(world: &World, contact: usize, poses: Poses<'_>) -> DVec2 {
         return site.edge.as_ref().map_or_else(corner, |edge| edge.own_place(&track.place));
     }
     let [node, face] = poses(contact);
-    site.on_face(&track.place, &locate(&site.home_at(&track.place), &node, &face))
+    site.on_face(&track.place, &locate(&site.geometry_at(&track.place), &node, &face))
 }
 
 /// Coordinates on the second side's face of a point of its body \[m\].
@@ -193,7 +193,7 @@ fn corner_vertex(world: &World, contact: usize, poses: Poses<'_>, beyond: f64) -
         return None;
     }
     let [node, face] = poses(contact);
-    let at = locate(&site.home, &node, &face).at;
+    let at = locate(&site.geometry, &node, &face).at;
     if site.face.inset_at(at) < -beyond {
         return None;
     }

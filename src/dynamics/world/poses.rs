@@ -57,7 +57,7 @@ impl World {
     /// Position and velocity of a corner relative to its face at `t`.
     pub(in crate::dynamics) fn local(&self, contact: usize, t: f64) -> Local {
         let site = &self.model.contacts[self.contacts[contact].site];
-        locate(&site.home, &self.side(contact, 0, t), &self.side(contact, 1, t))
+        locate(&site.geometry, &self.side(contact, 0, t), &self.side(contact, 1, t))
     }
 
     /// Pose of the node's (`side` 0) or the face's (1) body of a contact; the fixed pose of an abutment.

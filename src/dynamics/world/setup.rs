@@ -6,7 +6,7 @@ use std::sync::Arc;
 use crate::dynamics::model::edge_node::node_place::NodePlace;
 use crate::dynamics::model::pair::Carrier;
 
-use crate::contact::{Home, NormalLaw};
+use crate::contact::{ContactGeometry, NormalLaw};
 use crate::dynamics::free_flight::body_motion::BodyMotion;
 use crate::dynamics::penalty3d::constants::SIMULTANEOUS_PHASE;
 use crate::dynamics::penalty3d::contact_state::Contact;
@@ -131,7 +131,7 @@ impl World {
             sections: model.sections(site),
             geometry: SiteGeometry::of(model, site),
             corners: None,
-            rivals: Vec::new(),
+            other_faces: Vec::new(),
             state: Contact::Open { armed: true },
             divisor: 1.0,
             has_part: false,
@@ -148,8 +148,8 @@ impl World {
     fn find_corners(&mut self, model: &Model, from: usize) {
         for contact in from..self.contacts.len() {
             let Some(edge) = &model.contacts[self.contacts[contact].site].edge else { continue };
-            let corner = |home: &Home| {
-                let is_there = |site: &ContactSite| site.edge.is_none() && site.home == *home;
+            let corner = |home: &ContactGeometry| {
+                let is_there = |site: &ContactSite| site.edge.is_none() && site.geometry == *home;
                 let rides = |other: usize| self.contacts[other].sections == self.contacts[contact].sections;
                 (from..contact).find(|&other| is_there(&model.contacts[self.contacts[other].site]) && rides(other))
             };
@@ -191,7 +191,7 @@ impl World {
         }
         for same in nodes.values().filter(|same| same.len() > 1) {
             for &contact in same {
-                self.contacts[contact].rivals = same.iter().copied().filter(|&other| other != contact).collect();
+                self.contacts[contact].other_faces = same.iter().copied().filter(|&other| other != contact).collect();
             }
         }
     }

@@ -26,9 +26,9 @@ impl SiteGeometry {
     pub(in crate::dynamics) fn of(model: &Model, site: usize) -> Self {
         let site = &model.contacts[site];
         let half = site.half_edge();
-        let (arm, lever) = (site.home.arm.length() + half, site.home.lever.length() + half);
+        let (arm, lever) = (site.geometry.arm.length() + half, site.geometry.lever.length() + half);
         let of_met = site.corner.is_some();
-        Self { home_gap: site.home.gap(), arm, lever, size: arm + lever + site.face.size(), of_met }
+        Self { home_gap: site.geometry.gap(), arm, lever, size: arm + lever + site.face.size(), of_met }
     }
 
     /// The gap `here` with a bound on `|g̈|` from bounds on the motion of both bodies and on their relative motion,

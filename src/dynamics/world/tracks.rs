@@ -149,7 +149,7 @@ pub(in crate::dynamics) struct ContactTrack {
     /// Of an edge node the contacts of both ends of the edge with the same face, where these are nodes; nothing of a corner.
     pub corners: Option<[usize; 2]>,
     /// Other contacts of the node with the same body, of which it touches one face at a time.
-    pub rivals: Vec<usize>,
+    pub other_faces: Vec<usize>,
     /// Geometry of its site as placed.
     pub geometry: SiteGeometry,
     /// Next closing on the present trajectories; `None` without one before the end of the search \[s\].

@@ -143,7 +143,7 @@ pub fn beside_girders(scene: &Scene) -> Vec<BesideGirder> {
 
 /// Distance of the farthest corner from G \[m\].
 fn radius(girder: &Girder) -> f64 {
-    girder.prism().corners().iter().map(|corner| corner.length()).fold(0.0, f64::max)
+    girder.prism().radius()
 }
 
 /// Angular speed at the start \[rad/s\].

@@ -59,7 +59,7 @@ fn now(
     let [normal_velocity, slide] = kinematics.cluster.speeds(&point);
     let node = history.model().contacts[site].node_body.and_then(|body| kinematics.bodies.binary_search(&body).ok());
     let place = match node {
-        Some(place) => kinematics.frames[place].origin() + kinematics.frames[place].turn(contact.home.arm),
+        Some(place) => kinematics.frames[place].origin() + kinematics.frames[place].turn(contact.geometry.arm),
         None => contact.fixed + contact.point,
     };
     let normal = flat(point.n);

@@ -27,9 +27,11 @@ pub(super) fn bound(history: &History, body: usize, radius: f64, t: f64) -> Boun
     let end = end_of(history, body, number);
     let own = &history.model().bodies[body];
     let step = |piece: &StepPolynomial| own.bounds(&|range| piece.derivative_bounds(range));
-    let bounds = match path.kept(number).1 {
+    let bounds = match path.motion_of(number).1 {
         StoredMotion::Step(piece) => step(piece),
-        StoredMotion::Recomputed(recipe) => history.trajectories.stepped(body, (recipe, path.kept(number).0), step),
+        StoredMotion::Recomputed(recipe) => {
+            history.trajectories.stepped(body, (recipe, path.motion_of(number).0), step)
+        }
         StoredMotion::Slide(slide) => {
             let until = end.min(t + slide.sight / LOOKS_PER_REVERSAL);
             let [here, there] = [t, until].map(|t| history.frame(body, t).shift);
@@ -57,7 +59,7 @@ pub(super) fn speed(history: &History, body: usize, radius: f64, t: f64) -> f64 
 pub(super) fn reach(history: &History, body: usize) -> f64 {
     let (path, own) = (history.trajectories.path(body), &history.model().bodies[body]);
     let at = |t: f64| history.frame(body, t).shift.length();
-    let within = |number: usize| match path.kept(number) {
+    let within = |number: usize| match path.motion_of(number) {
         (from, StoredMotion::Step(piece)) => at(from) + own.excursion(0.0, &|range| piece.displacement_bound(range)),
         // Together, below.
         (_, StoredMotion::Recomputed(_)) => 0.0,
@@ -92,7 +94,7 @@ fn end_of(history: &History, body: usize, number: usize) -> f64 {
 /// Bounds on segment `number`, a flight, from `t` on.
 fn in_flight(history: &History, body: usize, number: usize, t: f64) -> MotionBounds {
     let horizon = end_of(history, body, number) - t;
-    match (history.trajectories.path(body).kept(number), history.trajectories.free_motion(body)) {
+    match (history.trajectories.path(body).motion_of(number), history.trajectories.free_motion(body)) {
         ((from, StoredMotion::Start(start)), Some(system)) => system.bounds(&system.fly(from, &start), t, horizon),
         ((_, StoredMotion::Flight(flight)), Some(system)) => system.bounds(flight, t, horizon),
         // Without a closed form nothing flies.

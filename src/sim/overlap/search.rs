@@ -201,7 +201,7 @@ impl Meeting<'_> {
             // itself is behind its face.
             let gap = match &site.edge {
                 Some(edge) => edge.distance(&node, &face),
-                None => Some(locate(&site.home, &node, &face).gap),
+                None => Some(locate(&site.geometry, &node, &face).gap),
             };
             gap.map_or(f64::NEG_INFINITY, |gap| -gap).max(-before_face(self.history, contact, t)[0])
         };

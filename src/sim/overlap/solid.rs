@@ -198,7 +198,7 @@ impl Solids {
             None => other.outline(None).map(DVec3::truncate),
         };
         let point = (node.origin() + node.turn(own * site.point)).truncate();
-        [plan_distance(&polygon, point), node_face::gap(&site.home, &node, &face)[0]]
+        [plan_distance(&polygon, point), node_face::gap(&site.geometry, &node, &face)[0]]
     }
 
     /// Centre of what two bodies share: of the polygon in plan, of the common box of both in height \[m\].

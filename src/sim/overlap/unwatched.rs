@@ -92,7 +92,7 @@ fn turns_far(history: &History, body: usize) -> bool {
     };
     let swept = 2.0 * (0.5 * path.swept().chord).min(1.0).asin();
     swept > MOST_TURNED
-        || (0..path.len()).any(|number| match path.kept(number) {
+        || (0..path.len()).any(|number| match path.motion_of(number) {
             // In plan, read without flying there.
             (_, StoredMotion::Start(state)) => state[2].abs() > MOST_TURNED,
             (_, StoredMotion::Recomputed(_)) => false,

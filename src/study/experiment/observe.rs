@@ -148,7 +148,7 @@ fn hits(history: &History) -> Vec<HitSeen> {
         }
         if let Some(hit) = hits.last_mut() {
             hit.until = hit.until.max(until);
-            let left = history.model().contacts[contact].home.arm.y > 0.0;
+            let left = history.model().contacts[contact].geometry.arm.y > 0.0;
             hit.corners[usize::from(left)].get_or_insert(from);
         }
     }

@@ -85,7 +85,7 @@ fn driven_in(history: &History) -> f64 {
                 }
                 None => Frame::fixed(site.fixed),
             };
-            let here = locate(&site.home, &frame(site.node_body), &frame(site.face_body));
+            let here = locate(&site.geometry, &frame(site.node_body), &frame(site.face_body));
             deepest = deepest.max(-here.gap / site.face.size());
         }
     }

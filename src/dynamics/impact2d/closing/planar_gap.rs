@@ -31,8 +31,8 @@ impl PlanarSite {
         let (node, face) = (placed(site.node_body), placed(site.face_body));
         Self {
             home: (node.home - face.home).truncate(),
-            arm: site.home.arm.truncate(),
-            normal: site.home.axes.z_axis.truncate(),
+            arm: site.geometry.arm.truncate(),
+            normal: site.geometry.axes.z_axis.truncate(),
             level: site.face.corners[0].dot(site.face.normal),
         }
     }

@@ -45,11 +45,11 @@ impl GuidedFlight {
 
     /// `u, u̇` at `t`.
     fn at(&self, start: f64, numbers: &[f64], t: f64) -> [f64; 2] {
-        let Some(Parts { spring, own, kept }) = Parts::of(numbers) else { return [f64::NAN; 2] };
+        let Some(Parts { spring, own, states_at_samples }) = Parts::of(numbers) else { return [f64::NAN; 2] };
         let (first, target) = (self.ground.piece_number(start), self.ground.piece_number(t));
-        let known = target.saturating_sub(first).min(kept.len());
+        let known = target.saturating_sub(first).min(states_at_samples.len());
         let (mut number, mut at, mut state) = match known.checked_sub(1) {
-            Some(last) => (first + known, self.ground.piece(first + known).from, kept[last]),
+            Some(last) => (first + known, self.ground.piece(first + known).from, states_at_samples[last]),
             None => (first, start, own),
         };
         while number < target {
@@ -67,13 +67,17 @@ struct Parts<'a> {
     /// `u, u̇` at the start.
     own: [f64; 2],
     /// `u, u̇` at the samples of the record since.
-    kept: &'a [[f64; 2]],
+    states_at_samples: &'a [[f64; 2]],
 }
 
 impl<'a> Parts<'a> {
     fn of(numbers: &'a [f64]) -> Option<Self> {
-        let (&[stiffness, load, u, v], kept) = numbers.split_first_chunk::<HEAD>()?;
-        Some(Self { spring: GroundSpring { stiffness, load }, own: [u, v], kept: kept.as_chunks().0 })
+        let (&[stiffness, load, u, v], states_at_samples) = numbers.split_first_chunk::<HEAD>()?;
+        Some(Self {
+            spring: GroundSpring { stiffness, load },
+            own: [u, v],
+            states_at_samples: states_at_samples.as_chunks().0,
+        })
     }
 }
 
@@ -118,9 +122,9 @@ impl ClosedForm for GuidedFlight {
     }
 
     fn remember(&self, start: f64, numbers: &mut Vec<f64>, t: f64) {
-        let Some(Parts { spring, own, kept }) = Parts::of(numbers) else { return };
-        let mut number = self.ground.piece_number(start) + kept.len();
-        let (mut state, mut piece) = (kept.last().copied().unwrap_or(own), self.ground.piece(number));
+        let Some(Parts { spring, own, states_at_samples }) = Parts::of(numbers) else { return };
+        let mut number = self.ground.piece_number(start) + states_at_samples.len();
+        let (mut state, mut piece) = (states_at_samples.last().copied().unwrap_or(own), self.ground.piece(number));
         let mut at = piece.from.max(start);
         while piece.until <= t {
             state = self.advance(spring, &piece, at, state, piece.until - at);

@@ -240,10 +240,10 @@ impl Coordinates for Planar {
         rigid_body::acceleration(body, &point, force)
     }
 
-    fn port(&self, body: &Body, point: Point<'_>, force: DVec3, [response, load]: [&mut [f64]; 2]) {
+    fn port(&self, body: &Body, point: Point<'_>, force: DVec3, [input, output]: [&mut [f64]; 2]) {
         let (linear, turning) = rigid_body::response(body, &point.frame.rotation(&body.axes), force, point.arm);
-        response[RATES..].copy_from_slice(&[linear.x, linear.y, turning.z]);
-        load[RATES..].copy_from_slice(&[force.x, force.y, point.arm.cross(force).z]);
+        input[RATES..].copy_from_slice(&[linear.x, linear.y, turning.z]);
+        output[RATES..].copy_from_slice(&[force.x, force.y, point.arm.cross(force).z]);
     }
 
     fn along(&self, body: &Body, axis: usize) -> Option<AxialMotion> {

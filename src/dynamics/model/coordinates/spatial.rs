@@ -236,12 +236,12 @@ impl Coordinates for Spatial {
         rigid_body::acceleration(body, &point, force)
     }
 
-    fn port(&self, body: &Body, point: Point<'_>, force: DVec3, [push, view]: [&mut [f64]; 2]) {
+    fn port(&self, body: &Body, point: Point<'_>, force: DVec3, [input, output]: [&mut [f64]; 2]) {
         let (linear, turning) = rigid_body::response(body, &point.frame.rotation(&body.axes), force, point.arm);
-        push[VELOCITY].copy_from_slice(&linear.to_array());
-        push[SPIN].copy_from_slice(&turning.to_array());
-        view[VELOCITY].copy_from_slice(&force.to_array());
-        view[SPIN].copy_from_slice(&point.arm.cross(force).to_array());
+        input[VELOCITY].copy_from_slice(&linear.to_array());
+        input[SPIN].copy_from_slice(&turning.to_array());
+        output[VELOCITY].copy_from_slice(&force.to_array());
+        output[SPIN].copy_from_slice(&point.arm.cross(force).to_array());
     }
 
     fn fastest(&self, body: &Body) -> f64 {
@@ -265,7 +265,7 @@ impl Coordinates for Spatial {
 mod tests {
     use super::*;
     use crate::dynamics::Model;
-    use crate::dynamics::model::bearing::Standing;
+    use crate::dynamics::model::bearing::UnbalancedWeight;
     use crate::dynamics::model::rigid_body::world_inertia;
     use crate::scene::presets;
 
@@ -274,7 +274,7 @@ mod tests {
         let model = Model::compile(&presets::load("deck-30m").expect("a preset")).expect("a scene");
         let mut body = model.bodies[0].clone();
         body.bearings.clear();
-        (body.standing, body.push, body.moment) = (Standing::default(), DVec3::ZERO, DVec3::ZERO);
+        (body.unbalanced, body.push, body.moment) = (UnbalancedWeight::default(), DVec3::ZERO, DVec3::ZERO);
         body.free = [true; 6];
         body
     }

@@ -3,7 +3,7 @@
 use glam::{DMat3, DVec2, DVec3};
 
 use super::{Crossing, Edge};
-use crate::contact::Home;
+use crate::contact::ContactGeometry;
 
 /// Where the node of a contact is and how its contact is directed, axes of the bodies as placed.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
@@ -23,7 +23,7 @@ pub struct NodePlace {
 impl Edge {
     /// Node and contact geometry as placed, from those of the middle of the edge against the face: axes along the side,
     /// across it and along the normal, with their origin at the first corner of the side.
-    pub(in crate::dynamics) fn home(&self, middle: &Home, place: &NodePlace) -> Home {
+    pub(in crate::dynamics) fn geometry(&self, middle: &ContactGeometry, place: &NodePlace) -> ContactGeometry {
         let node = middle.shifted(place.shift);
         if place.normal == DVec3::ZERO {
             return node;

@@ -6,13 +6,18 @@ use glam::{DMat3, DQuat};
 
 /// A unit square in the plane z = 0 with its outward normal up, and an edge at height `h` across its side y = 0,
 /// rising by `slope` inwards, of a face that looks down.
-fn across(h: f64, slope: f64) -> (Edge, Home, [Frame; 2]) {
+fn across(h: f64, slope: f64) -> (Edge, ContactGeometry, [Frame; 2]) {
     let quad = [(0.0, 0.0, 0.0), (1.0, 0.0, 0.0), (1.0, 1.0, 0.0), (0.0, 1.0, 0.0)].map(DVec3::from);
     let face = Face::new(quad, 0.5).expect("a square");
     let frames = [DVec3::new(0.3, 0.1, 2.0), DVec3::ZERO].map(Frame::fixed);
     let point = |y: f64| DVec3::new(0.3, y, h + slope * y);
     let home = |at: DVec3| {
-        Home::of(at - frames[0].home, (frames[0].home, DMat3::IDENTITY), &face, (DVec3::ZERO, DMat3::IDENTITY))
+        ContactGeometry::of(
+            at - frames[0].home,
+            (frames[0].home, DMat3::IDENTITY),
+            &face,
+            (DVec3::ZERO, DMat3::IDENTITY),
+        )
     };
     let edge = Edge::of(
         &[point(-0.4), point(0.6)].map(|at| (home(at), at.truncate())),

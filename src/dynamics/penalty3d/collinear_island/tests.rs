@@ -17,7 +17,7 @@ fn pressed(scene: &Scene) -> (Model, Vec<ActiveContact>) {
     let model = Model::compile(scene).expect("a valid scene");
     let stick = |site: usize| {
         let here = crate::contact::locate(
-            &model.contacts[site].home,
+            &model.contacts[site].geometry,
             &frame(&model, model.contacts[site].node_body, site),
             &frame(&model, model.contacts[site].face_body, site),
         );
@@ -35,7 +35,7 @@ fn pressed(scene: &Scene) -> (Model, Vec<ActiveContact>) {
         let mode = Mode::Stick { anchor: here.way };
         let closed = ClosedContact::new(law, mode, 0.0);
         let ContactSite { node_body: node, face_body: face, .. } = model.contacts[site];
-        let home = model.contacts[site].home;
+        let home = model.contacts[site].geometry;
         ActiveContact::new(site, [node, face], closed, home)
     };
     let mut active: Vec<ActiveContact> = (0..model.contacts.len()).map(stick).collect();

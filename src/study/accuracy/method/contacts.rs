@@ -47,7 +47,7 @@ impl Contacts {
     pub(super) fn overlap(&mut self, model: &Model, frames: &[Frame]) {
         for (number, site) in model.contacts.iter().enumerate() {
             let [node, face] = sides(site, frames);
-            let here = locate(&site.home, &node, &face);
+            let here = locate(&site.geometry, &node, &face);
             if here.gap < 0.0 {
                 let held = inside(site, &here);
                 self.states[number] = if held {
@@ -85,7 +85,7 @@ impl Contacts {
             }
             Contact::Open { armed: false } => None,
             Contact::Open { armed: true } => {
-                let here = locate(&site.home, &node, &face);
+                let here = locate(&site.geometry, &node, &face);
                 let enters = here.gap < 0.0 && inside(site, &here);
                 enters.then(|| act(site, &entered(self.law(model, number, frames), &here), &node, &face))
             }
@@ -100,7 +100,7 @@ impl Contacts {
                 self.peak = self.peak.max(action.force.length());
             }
             let [node, face] = sides(site, frames);
-            let here = locate(&site.home, &node, &face);
+            let here = locate(&site.geometry, &node, &face);
             let before = self.states[number];
             let after = match before {
                 Contact::Closed(closed) => self.hold(number, closed, &here, inside(site, &here)),
@@ -179,7 +179,7 @@ impl Contacts {
         let is_inside = |&number: &usize| {
             let site = &model.contacts[number];
             let [node, face] = sides(site, frames);
-            inside(site, &locate(&site.home, &node, &face))
+            inside(site, &locate(&site.geometry, &node, &face))
         };
         pair.contacts.clone().filter(is_inside).count().max(1)
     }

@@ -59,7 +59,7 @@ fn deepest(history: &History, contact: usize, times: &[f64], frames: &[Vec<Frame
     let (mut ignored, mut next, mut worst) = (false, 0, None::<(f64, f64)>);
     for (i, (&t, all)) in times.iter().zip(frames).enumerate() {
         let (node, face) = (side(site.node_body, all), side(site.face_body, all));
-        let here: Local = locate(&site.home, &node, &face);
+        let here: Local = locate(&site.geometry, &node, &face);
         // Rounding at the crossing, of places or of the clock, makes a node neither before the face nor behind it.
         let moved = node.shift.length() + face.shift.length();
         let front = FRONT * size + PLACES * moved + CLOCK * t * here.gap_rate.abs();

@@ -103,7 +103,7 @@ impl BearingPoint {
     }
 
     /// Work of the force at rest by what the modes move its point, less that of the constant load that cancels it.
-    pub(super) fn paid(&self, turned: &DMat3, bent: DVec3) -> f64 {
+    pub(super) fn preload_work(&self, turned: &DMat3, bent: DVec3) -> f64 {
         // bent = (1 + D) d: f·bent − f·d = f·D d, with d = (1 + D)ᵀ bent.
         self.bearing.preload.dot(*turned * (bent + turned.transpose() * bent))
     }

@@ -307,11 +307,11 @@ impl Coordinates for SpatialElasticGirder {
         let strain: f64 = (self.bearings.iter())
             .map(|point| {
                 let now = point.now(&body.axes, &here, q, rates);
-                point.bearing.stored_energy(&(), &now.motion) - point.paid(&here.turned, now.bent)
+                point.bearing.stored_energy(&(), &now.motion) - point.preload_work(&here.turned, now.bent)
             })
             .sum();
         let kinetic = rigid_body::kinetic_energy(body, &here) + modal;
-        [kinetic, strain - rigid_body::paid(body, &here, weight), weight * here.shift.z]
+        [kinetic, strain - rigid_body::preload_work(body, &here, weight), weight * here.shift.z]
     }
 
     fn powers(&self, body: &Body, state: &[f64], ground: GroundNow) -> [f64; 3] {

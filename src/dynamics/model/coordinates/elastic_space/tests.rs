@@ -99,7 +99,7 @@ fn a_bearing_and_its_link_are_at_one_point() {
 fn forces_do_the_work_that_its_energy_gains() {
     let model = model();
     let body = &model.bodies[0];
-    assert!(body.standing.first_moment.truncate().length() > 0.0 || body.bearings[0].preload.z > 0.0, "it is loaded");
+    assert!(body.unbalanced.first_moment.truncate().length() > 0.0 || body.bearings[0].preload.z > 0.0, "it is loaded");
     for turned in [0.0, 0.3, 1.5] {
         let (state, contact, dt) = (state(body, turned), wrenches(body), 3e-6);
         let rate = slope(body, &state, &contact);
@@ -207,8 +207,8 @@ fn section_forces_vanish_at_both_ends_and_jump_by_the_loads() {
 fn section_forces_of_a_mode_are_those_by_strain() {
     let mut model = model();
     let body = &mut model.bodies[0];
-    (body.push, body.moment, body.standing) =
-        (DVec3::ZERO, DVec3::ZERO, crate::dynamics::model::bearing::Standing::default());
+    (body.push, body.moment, body.unbalanced) =
+        (DVec3::ZERO, DVec3::ZERO, crate::dynamics::model::bearing::UnbalancedWeight::default());
     body.bearings.clear();
     let beam = model.flexible[0].as_ref().and_then(|flexible| flexible.space).expect("in space");
     let modes = crate::dynamics::elastic::SpaceModes::of(beam, 32);

@@ -5,7 +5,7 @@
 use glam::{DMat2, DMat3, DVec2, DVec3};
 
 use crate::contact::parameters::is_over;
-use crate::contact::{Frame, FrictionLaw, Home, Law, Local, Mode, NormalLaw, locate};
+use crate::contact::{ContactGeometry, Frame, FrictionLaw, Law, Local, Mode, NormalLaw, locate};
 use crate::dynamics::closing::constants::CLOSING_INTERVAL;
 use crate::dynamics::closing::step_samples::resolution_of;
 use crate::dynamics::contact_model::constants::{REGULARISATION_CLOCK, REGULARISATION_FRICTION, REGULARISATION_LEAST};
@@ -23,7 +23,7 @@ use crate::scene::Kind;
 
 /// States and poses of bodies at the time of an event.
 #[derive(Debug)]
-pub(in crate::dynamics) struct EventInstant {
+pub(in crate::dynamics) struct EventBodies {
     /// Time \[s\].
     pub t: f64,
     /// Slots of the bodies, ascending.
@@ -40,7 +40,7 @@ pub(in crate::dynamics) struct EventInstant {
     pub since: Vec<Frame>,
 }
 
-impl EventInstant {
+impl EventBodies {
     /// From slots, reference poses and states at `t`.
     pub(in crate::dynamics) fn of(
         world: &World,
@@ -68,7 +68,7 @@ impl EventInstant {
         Self { t, slots, layout, bases: Vec::new(), states: Vec::new(), frames, since: Vec::new() }
     }
 
-    fn place(&self, slot: usize) -> Option<usize> {
+    fn index_of(&self, slot: usize) -> Option<usize> {
         self.slots.binary_search(&slot).ok()
     }
 
@@ -79,12 +79,12 @@ impl EventInstant {
 
     /// Place of a body's section in the lists of poses.
     pub(in crate::dynamics) fn section(&self, slot: usize, own: usize) -> Option<usize> {
-        Some(self.layout.sections(self.place(slot)?).start + own)
+        Some(self.layout.sections(self.index_of(slot)?).start + own)
     }
 
     /// Reference pose of a body; `None` for an abutment.
     pub(in crate::dynamics) fn base(&self, slot: Option<usize>) -> Option<&ReferencePose> {
-        self.bases.get(self.place(slot?)?)
+        self.bases.get(self.index_of(slot?)?)
     }
 }
 
@@ -94,21 +94,21 @@ fn layout(world: &World, slots: &[usize]) -> StateLayout {
 
 /// Contacts of a group of bodies at the time of an event.
 #[derive(Clone, Copy)]
-pub(in crate::dynamics) struct AtInstant<'a> {
+pub(in crate::dynamics) struct EventContacts<'a> {
     /// Constant data and present states of the group.
     pub world: &'a World,
     /// States of the bodies that the event concerns.
-    pub now: &'a EventInstant,
+    pub now: &'a EventBodies,
 }
 
-impl<'a> AtInstant<'a> {
+impl<'a> EventContacts<'a> {
     /// The edge of an edge node.
     pub(in crate::dynamics) fn edge(&self, contact: usize) -> Option<&'a Edge> {
         self.world.model.contacts[self.world.contacts[contact].site].edge.as_deref()
     }
 }
 
-impl AtInstant<'_> {
+impl EventContacts<'_> {
     /// Pose from `frames` of the node's body (`which` 0) or the face's (1); the fixed pose of an abutment.
     fn side(&self, contact: usize, which: usize, frames: &[Frame]) -> Frame {
         let track = &self.world.contacts[contact];
@@ -126,19 +126,19 @@ impl AtInstant<'_> {
     /// Position and velocity of a node relative to its face, poses relative to the placed poses.
     pub(in crate::dynamics) fn local(&self, contact: usize) -> Local {
         let track = &self.world.contacts[contact];
-        let home = self.world.model.contacts[track.site].home_at(&track.place);
+        let geometry = self.world.model.contacts[track.site].geometry_at(&track.place);
         let [node, face] = self.sides(contact);
-        locate(&home, &node, &face)
+        locate(&geometry, &node, &face)
     }
 
     /// Contact geometry at the reference poses, the poses in `frames` of node's and face's body relative to them, and
     /// the node relative to its face: the formulation of a closed contact.
-    pub(in crate::dynamics) fn since(&self, contact: usize, frames: &[Frame]) -> (Home, [Frame; 2], Local) {
+    pub(in crate::dynamics) fn since(&self, contact: usize, frames: &[Frame]) -> (ContactGeometry, [Frame; 2], Local) {
         let track = &self.world.contacts[contact];
         let bases = track.slots.map(|slot| self.now.base(slot));
-        let home = reference_pose::seen_from(&self.world.model.contacts[track.site], &track.place, bases);
+        let geometry = reference_pose::seen_from(&self.world.model.contacts[track.site], &track.place, bases);
         let sides = [0, 1].map(|which| self.side(contact, which, frames));
-        (home, sides, locate(&home, &sides[0], &sides[1]))
+        (geometry, sides, locate(&geometry, &sides[0], &sides[1]))
     }
 
     /// Whether the projection of a node is inside its face's polygon, the face by which it is in the pair is the most opposed
@@ -163,9 +163,9 @@ impl AtInstant<'_> {
     /// Outward unit normal of a contact's face.
     pub(in crate::dynamics) fn normal(&self, contact: usize) -> DVec3 {
         let track = &self.world.contacts[contact];
-        let home = self.world.model.contacts[track.site].home_at(&track.place);
+        let geometry = self.world.model.contacts[track.site].geometry_at(&track.place);
         let [node, face] = self.sides(contact);
-        home.normal(&node, &face)
+        geometry.normal(&node, &face)
     }
 
     /// Gap that is round-off of the positions \[m\].
@@ -177,7 +177,10 @@ impl AtInstant<'_> {
 
     /// Whether the node is in contact with another face of the same body, of which it touches one at a time.
     pub(in crate::dynamics) fn touches_elsewhere(&self, contact: usize) -> bool {
-        self.world.contacts[contact].rivals.iter().any(|&other| self.world.contacts[other].state.closed().is_some())
+        self.world.contacts[contact]
+            .other_faces
+            .iter()
+            .any(|&other| self.world.contacts[other].state.closed().is_some())
     }
 
     /// Whether a pose of a planar scene is the placed pose, exactly.
@@ -189,14 +192,14 @@ impl AtInstant<'_> {
     /// at zero is at most `μ_s |F_n|` (`docs/physics.md#stop`).
     pub(in crate::dynamics) fn can_hold(&self, contact: usize, closed: &ClosedContact) -> bool {
         let track = &self.world.contacts[contact];
-        let (home, sides, _) = self.since(contact, &self.now.since);
-        let action = contact_force::act_in(&home, closed, &closed.mode, &sides[0], &sides[1]);
+        let (geometry, sides, _) = self.since(contact, &self.now.since);
+        let action = contact_force::act_in(&geometry, closed, &closed.mode, &sides[0], &sides[1]);
         let (acceleration, _) = self.relative_acceleration(contact, &action.here);
         let mut mobility = DMat2::ZERO;
         for (which, arm) in [action.node_arm, action.face_arm].into_iter().enumerate() {
             if let Some(slot) = track.slots[which] {
                 let body = &self.world.model.bodies[self.world.bodies[slot].body];
-                let axes = action.tangents(&home, &sides[1]);
+                let axes = action.tangents(&geometry, &sides[1]);
                 let here = self.side(contact, which, &self.now.frames);
                 let along = |axis: DVec3| {
                     let there = body.acceleration(Point { section: track.sections[which], frame: &here, arm }, axis);
@@ -267,7 +270,7 @@ mod tests {
 
     /// A girder at a wall at this displacement and velocity along x, under a constant push along y, all nodes in slip
     /// under a law that stops at 1e-6 m/s in two directions.
-    fn pressed(kind: Kind, [x, u]: [f64; 2], push: f64) -> (World, EventInstant) {
+    fn pressed(kind: Kind, [x, u]: [f64; 2], push: f64) -> (World, EventBodies) {
         let mut scene = wall();
         (scene.kind, scene.gravity) = (kind, 0.0);
         scene.girders[0].held = vec![Direction::Roll, Direction::Pitch, Direction::Yaw];
@@ -284,7 +287,7 @@ mod tests {
         let body = &world.model.bodies[0];
         let (mut state, base) = (body.initial(), body.placed());
         (state[0], state[body.positions()]) = (x, u);
-        let now = EventInstant::of(&world, vec![0], vec![base], vec![state], 0.0);
+        let now = EventBodies::of(&world, vec![0], vec![base], vec![state], 0.0);
         (world, now)
     }
 
@@ -296,7 +299,7 @@ mod tests {
     fn accelerations_are_those_of_the_springs_and_the_push() {
         let push = 3.0;
         let (world, now) = pressed(Kind::Planar, [DEPTH, 0.0], push);
-        let at = AtInstant { world: &world, now: &now };
+        let at = EventContacts { world: &world, now: &now };
         let (.., here) = at.since(0, &now.since);
         assert!((here.penetration() - DEPTH).abs() < 1e-15, "{} m in", here.penetration());
         let (tangential, normal) = at.relative_acceleration(0, &here);
@@ -312,7 +315,7 @@ mod tests {
         let limit = state(&world, 0).law.mu_s * STIFFNESS * DEPTH;
         for (part, holds) in [(0.0, true), (0.999, true), (-0.999, true), (1.001, false), (-1.001, false)] {
             let (world, now) = pressed(Kind::Spatial, [DEPTH, 0.0], part * limit);
-            let at = AtInstant { world: &world, now: &now };
+            let at = EventContacts { world: &world, now: &now };
             assert_eq!(at.can_hold(0, &state(&world, 0)), holds, "{part} of the limit");
         }
     }
@@ -322,7 +325,7 @@ mod tests {
         let omega = (STIFFNESS / MASS).sqrt();
         let length = |at: [f64; 2], law: fn(&mut Law)| {
             let (world, now) = pressed(Kind::Planar, at, 0.0);
-            let at = AtInstant { world: &world, now: &now };
+            let at = EventContacts { world: &world, now: &now };
             let (.., here) = at.since(0, &now.since);
             let mut chosen = Law { friction: FrictionLaw::ReturnMapping, mu_k: 0.4, ..state(&world, 0).law };
             law(&mut chosen);
@@ -345,8 +348,8 @@ mod tests {
     #[test]
     fn the_placed_pose_is_told_from_any_other() {
         let (world, now) = pressed(Kind::Planar, [0.0, SPEED], 0.0);
-        assert!(AtInstant { world: &world, now: &now }.is_as_placed(&now.frames[0]), "whatever its velocity");
+        assert!(EventContacts { world: &world, now: &now }.is_as_placed(&now.frames[0]), "whatever its velocity");
         let (world, now) = pressed(Kind::Planar, [1e-300, 0.0], 0.0);
-        assert!(!AtInstant { world: &world, now: &now }.is_as_placed(&now.frames[0]), "displaced");
+        assert!(!EventContacts { world: &world, now: &now }.is_as_placed(&now.frames[0]), "displaced");
     }
 }

@@ -11,7 +11,7 @@ use crate::scene::{self, Device as Placed};
 
 /// A law between the two points of a device.
 #[derive(Clone, Debug)]
-pub struct Law {
+pub struct PlacedLaw {
     /// What its name has beyond that of its device.
     pub suffix: &'static str,
     /// Axes that it sees its motion in, in the columns, in the world as placed.
@@ -24,28 +24,28 @@ pub struct Law {
 
 /// The laws of a device between points as placed: a stopper has one a side. None where the scene was not checked and its numbers
 /// make no law.
-pub fn laws(device: &Placed, joint: &Joint) -> Vec<Law> {
+pub fn laws(device: &Placed, joint: &Joint) -> Vec<PlacedLaw> {
     match device {
-        Placed::Restrainer(restrainer) => cable(restrainer, joint).into_iter().collect(),
-        Placed::Bumper(bumper) => rubber(bumper, joint).into_iter().collect(),
-        Placed::Damper(damper) => vec![viscous(damper)],
-        Placed::Stopper(stopper) => key(stopper, joint),
+        Placed::Restrainer(placed) => restrainer(placed, joint).into_iter().collect(),
+        Placed::Bumper(placed) => bumper(placed, joint).into_iter().collect(),
+        Placed::Damper(placed) => vec![damper(placed)],
+        Placed::Stopper(placed) => stopper(placed, joint),
     }
 }
 
 /// Along the line between the points.
-fn along_the_line(device: impl Device + 'static) -> Law {
-    Law { suffix: "", axes: DMat3::IDENTITY, kinematics: Kinematics::Points, device: Arc::new(device) }
+fn along_the_line(device: impl Device + 'static) -> PlacedLaw {
+    PlacedLaw { suffix: "", axes: DMat3::IDENTITY, kinematics: Kinematics::Points, device: Arc::new(device) }
 }
 
 /// Along a direction that turns with the second body.
-fn along(direction: DVec3, suffix: &'static str, device: impl Device + 'static) -> Law {
+fn along(direction: DVec3, suffix: &'static str, device: impl Device + 'static) -> PlacedLaw {
     let level = DVec3::Z.cross(direction).try_normalize().unwrap_or(DVec3::X);
     let axes = DMat3::from_cols(direction, level, direction.cross(level));
-    Law { suffix, axes, kinematics: Kinematics::Carried, device: Arc::new(device) }
+    PlacedLaw { suffix, axes, kinematics: Kinematics::Carried, device: Arc::new(device) }
 }
 
-fn cable(placed: &scene::Restrainer, joint: &Joint) -> Option<Law> {
+fn restrainer(placed: &scene::Restrainer, joint: &Joint) -> Option<PlacedLaw> {
     let stiffness = placed.stiffness(joint)?;
     let after = placed.post_yield_stiffness.unwrap_or(0.0);
     Some(along_the_line(Restrainer {
@@ -57,14 +57,14 @@ fn cable(placed: &scene::Restrainer, joint: &Joint) -> Option<Law> {
     }))
 }
 
-fn rubber(placed: &scene::Bumper, joint: &Joint) -> Option<Law> {
+fn bumper(placed: &scene::Bumper, joint: &Joint) -> Option<PlacedLaw> {
     let normal = placed.normal(joint)?;
     let [gap, distance] = placed.gaps(joint)?;
     let law = Bumper::new(gap - distance, &placed.depths_and_forces(), placed.damping)?;
     Some(along(normal, "", law))
 }
 
-fn viscous(placed: &scene::Damper) -> Law {
+fn damper(placed: &scene::Damper) -> PlacedLaw {
     let scene::Damper { coefficient, exponent, regularisation, .. } = *placed;
     match placed.brace_stiffness {
         Some(stiffness) => along_the_line(MaxwellDamper { coefficient, exponent, stiffness }),
@@ -72,7 +72,7 @@ fn viscous(placed: &scene::Damper) -> Law {
     }
 }
 
-fn key(placed: &scene::Stopper, joint: &Joint) -> Vec<Law> {
+fn stopper(placed: &scene::Stopper, joint: &Joint) -> Vec<PlacedLaw> {
     let Some(direction) = placed.direction(joint) else { return Vec::new() };
     let failure = match (placed.break_force, placed.yield_force) {
         (Some(force), _) => Failure::Brittle { force },
