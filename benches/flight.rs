@@ -103,7 +103,7 @@ impl Case {
         let (state, bound) = self.system.state_and_bounds(&self.flight, t, 1.0);
         let (site, body) = (&self.model.contacts[0], &self.model.bodies[0]);
         let wall = girderbench::contact::Frame::fixed(site.fixed);
-        let here = locate(&site.home, &body.planar_frame(&state), &wall);
+        let here = locate(&site.geometry, &body.planar_frame(&state), &wall);
         let curvature = bound.acceleration + (bound.spin_rate + bound.spin * bound.spin) * body.radius;
         BoundedGap { gap: here.gap, rate: here.gap_rate, curvature, window: bound.window, out_of_reach: false }
     }

@@ -24,7 +24,7 @@ pub(super) fn search(
 ) -> (Option<f64>, Option<f64>) {
     let times = samples.times;
     let [t, until] = [times[0], times[times.len() - 1]];
-    let site = &world.model.contacts[world.contacts[contact].site];
+    let site = world.site(contact);
     let Some(edge) = site.edge.as_deref().filter(|_| until > t) else { return (None, None) };
     let ends_at = |samples: &mut StepSamples, i: usize| samples.edge_ends(world, (contact, edge), i);
     if edge.is_of_met() && !edge.may_belong(samples.sides(world, contact, 0), samples.turned(world)) {
@@ -63,7 +63,7 @@ fn with_sense(
 ) -> (Option<f64>, Option<f64>) {
     let times = samples.times;
     let [t, until] = [times[0], times[times.len() - 1]];
-    let Some(edge) = world.model.contacts[world.contacts[contact].site].edge.as_deref() else { return (None, None) };
+    let Some(edge) = world.edge(contact) else { return (None, None) };
     let ends_at = |samples: &mut StepSamples, i: usize| samples.edge_ends(world, (contact, edge), i);
     let before = ends_at(samples, 0);
     let slots = world.contacts[contact].slots;
@@ -149,7 +149,7 @@ fn sample((edge, sense): (&Edge, f64), here: &EdgeEnds, t: f64) -> GapSample {
 /// Whether a contact begins where the lines of the edges meet: at a contact point, with a gap of this sign, and with a
 /// distance of the lines that falls.
 fn begins(world: &World, contact: usize, sense: f64, t: f64) -> bool {
-    let Some(edge) = world.model.contacts[world.contacts[contact].site].edge.as_deref() else { return false };
+    let Some(edge) = world.edge(contact) else { return false };
     let [node, face] = poses_at(world, contact, t);
     let ends = edge.ends(&node, &face);
     let crossing = contact_points::crossing(world, contact, &|other| poses_at(world, other, t));
@@ -159,7 +159,7 @@ fn begins(world: &World, contact: usize, sense: f64, t: f64) -> bool {
 
 /// Bounds on the distances of the ends of a contact's edge from G of its own body and of the face's \[m\].
 fn levers(world: &World, contact: usize, samples: &StepSamples) -> [f64; 2] {
-    let site = &world.model.contacts[world.contacts[contact].site];
+    let site = world.site(contact);
     let [own, apart] = site.levers(&samples.local(world, contact, 0));
     [own, apart + site.half_edge()]
 }

@@ -3,7 +3,7 @@
 use crate::dynamics::world::World;
 use crate::dynamics::world::tracks::Trajectory;
 
-/// Result of a search for the next closing of a pair.
+/// Result of a search for the next closing of a pair, or for the next beginning of a link's force.
 #[derive(Clone, Copy, Debug)]
 pub(in crate::dynamics) struct NextClosing {
     /// Time of the closing or of the end of the search; infinite without either \[s\].

@@ -5,6 +5,7 @@
 
 use crate::dynamics::connection::SeparationBounds;
 use crate::dynamics::model::motion_bounds::MotionBounds;
+use crate::dynamics::model::motion_bounds::gap_acceleration;
 use crate::dynamics::world::World;
 use crate::dynamics::world::tracks::Trajectory;
 
@@ -35,16 +36,12 @@ impl GapCurvature {
     }
 
     /// Bound on `|g̈|` of a node of side `node` \[m/s²\] over an interval of length `stretch` \[s\]; `arms` are the
-    /// distances of the node from its own G and from the other side's at the start \[m\]. With r from the face's G to
-    /// the node and n fixed to the face, `g = n·r` and `g̈ = n·r̈ + 2 ṅ·ṙ + n̈·r`.
+    /// distances of the node from its own G and from the other side's at the start \[m\].
     pub(in crate::dynamics) fn curvature(&self, node: usize, [arm, apart]: [f64; 2], stretch: f64) -> f64 {
         let (face, node) = (&self.sides[1 - node], &self.sides[node]);
         let speed = self.speed + node.spin * arm;
-        let apart = apart + speed * stretch;
-        self.acceleration
-            + (node.spin_rate + node.spin * node.spin) * arm
-            + (face.spin_rate + face.spin * face.spin) * apart
-            + 2.0 * face.spin * speed
+        let relative = [self.speed, self.acceleration];
+        gap_acceleration([node, face], relative, [arm, apart + speed * stretch])
     }
 
     /// Bound on the speed in the face's frame of a point of side `node` at `arms` from both G \[m/s\], as in
@@ -59,7 +56,7 @@ impl GapCurvature {
     pub(in crate::dynamics) fn separation(&self, arms: [f64; 2], distance: f64, stretch: f64) -> SeparationBounds {
         let sum = |of: fn(&MotionBounds) -> f64| self.sides.iter().zip(arms).map(|(b, arm)| of(b) * arm).sum::<f64>();
         let speed = self.speed + sum(|b| b.spin);
-        let acceleration = self.acceleration + sum(|b| b.spin_rate + b.spin * b.spin);
+        let acceleration = self.acceleration + sum(MotionBounds::acceleration_per_arm);
         SeparationBounds { distance: distance + speed * stretch, speed, acceleration }
     }
 

@@ -26,7 +26,9 @@ pub(in crate::dynamics) fn search(world: &mut World, pair: usize, [t, until]: [f
     let corners_stay = cannot_close(world, pair, samples);
     // Where the crossing of an edge reaches the plane of the face, one end of the edge, a corner, is behind that plane.
     let edges_stay = corners_stay
-        && contacts.clone().all(|c| is_edge(world, c) || world.contacts[c].state == Contact::Open { armed: true });
+        && contacts
+            .clone()
+            .all(|c| world.edge(c).is_some() || world.contacts[c].state == Contact::Open { armed: true });
     if corners_stay && edges_stay {
         return f64::INFINITY;
     }
@@ -34,7 +36,7 @@ pub(in crate::dynamics) fn search(world: &mut World, pair: usize, [t, until]: [f
     let edges_stay = edges_stay || faces_look_elsewhere(world, pair, samples);
     let mut first = f64::INFINITY;
     for contact in contacts {
-        let edge = world.model.contacts[world.contacts[contact].site].edge.as_deref();
+        let edge = world.edge(contact);
         let is_edge = edge.is_some();
         let stays = edge.map_or(corners_stay, |edge| edges_stay || edge.stays_clear(moved));
         if stays {
@@ -63,7 +65,7 @@ pub(in crate::dynamics) fn search(world: &mut World, pair: usize, [t, until]: [f
 fn edges_moved(world: &World, pair: usize, samples: &StepSamples) -> [f64; 2] {
     let PairTrack { slots, contacts, .. } = &world.pairs[pair];
     let lever = |c: usize| world.contacts[c].geometry.arm.max(world.contacts[c].geometry.lever);
-    let arm = contacts.clone().filter(|&c| is_edge(world, c)).map(lever).fold(0.0, f64::max);
+    let arm = contacts.clone().filter(|&c| world.edge(c).is_some()).map(lever).fold(0.0, f64::max);
     let bodies = || slots.iter().flatten().copied();
     let moved: f64 = bodies().map(|slot| samples.side(Some(slot), 0).moved(arm)).sum();
     let turned: f64 = bodies().map(|slot| samples.side(Some(slot), 0).chord()).sum();
@@ -77,16 +79,10 @@ fn edges_moved(world: &World, pair: usize, samples: &StepSamples) -> [f64; 2] {
 /// each other.
 fn faces_look_elsewhere(world: &World, pair: usize, samples: &StepSamples) -> bool {
     let contacts = world.pairs[pair].contacts.clone();
-    let Some((last, edge)) =
-        contacts.last().and_then(|last| Some((last, world.model.contacts[world.contacts[last].site].edge.as_deref()?)))
-    else {
+    let Some((last, edge)) = contacts.last().and_then(|last| Some((last, world.edge(last)?))) else {
         return false;
     };
     edge.looks_elsewhere(samples.sides(world, last, 0), samples.turned(world))
-}
-
-fn is_edge(world: &World, contact: usize) -> bool {
-    world.model.contacts[world.contacts[contact].site].edge.is_some()
 }
 
 /// Whether the distance of every open corner before its plane, or behind it where the contact is disarmed, exceeds the
@@ -97,7 +93,7 @@ fn cannot_close(world: &World, pair: usize, samples: &mut StepSamples) -> bool {
     for contact in world.pairs[pair].contacts.clone() {
         let track = &world.contacts[contact];
         let Contact::Open { armed } = track.state else { continue };
-        if is_edge(world, contact) {
+        if world.edge(contact).is_some() {
             continue;
         }
         let here = samples.corner(world, contact, 0);
@@ -131,7 +127,7 @@ fn open(world: &mut World, contact: usize, t: f64) -> Option<bool> {
     if armed {
         return Some(true);
     }
-    let [gap, rate] = if let Some(edge) = &world.model.contacts[world.contacts[contact].site].edge {
+    let [gap, rate] = if let Some(edge) = world.edge(contact) {
         let ends = edge.ends(&world.side(contact, 0, t), &world.side(contact, 1, t));
         edge.gap(&ends, ends.sense())
     } else {

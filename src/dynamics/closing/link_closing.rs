@@ -89,7 +89,7 @@ fn bounded_gap(world: &World, link: usize, t: f64, until: f64) -> BoundedGap {
     let bounds = SeparationBounds {
         distance: motion.placed.length() + between.reach + sum(|bound| bound.turn),
         speed: between.speed + sum(|bound| bound.spin),
-        acceleration: between.acceleration + sum(|bound| bound.spin_rate + bound.spin * bound.spin),
+        acceleration: between.acceleration + sum(MotionBounds::acceleration_per_arm),
     };
     let bounds = match link.kinematics {
         Kinematics::Carried => bounds.carried(sample.bounds[1].spin, sample.bounds[1].spin_rate),

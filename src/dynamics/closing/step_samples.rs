@@ -148,7 +148,7 @@ impl StepSamples {
     }
 
     pub(super) fn local(&self, world: &World, contact: usize, i: usize) -> Local {
-        let (site, [node, face]) = (&world.model.contacts[world.contacts[contact].site], self.sides(world, contact, i));
+        let (site, [node, face]) = (world.site(contact), self.sides(world, contact, i));
         locate(&site.geometry, node, face)
     }
 
@@ -183,7 +183,7 @@ impl StepSamples {
 
     /// Gap and rate of a contact at sample `i`.
     pub(super) fn gap(&self, world: &World, contact: usize, i: usize) -> GapSample {
-        let (site, [node, face]) = (&world.model.contacts[world.contacts[contact].site], self.sides(world, contact, i));
+        let (site, [node, face]) = (world.site(contact), self.sides(world, contact, i));
         let [gap, rate] = gap(&site.geometry, node, face);
         GapSample { t: self.times[i], gap, rate }
     }

@@ -14,7 +14,7 @@ pub(in crate::dynamics) fn of(world: &mut World, contact: usize, now: &EventBodi
         let (sharers, nodes) = sharers(EventContacts { world, now }, number);
         for (contact, nodes) in world.pairs[number].contacts.clone().zip(nodes) {
             let here = EventContacts { world, now }.local(contact).at;
-            let face = &world.model.contacts[world.contacts[contact].site].face;
+            let face = &world.site(contact).face;
             let has_part = world.model.kind == Kind::Planar && parameters::is_over(face, here);
             let track = &mut world.contacts[contact];
             (track.divisor, track.has_part) = ((sharers * nodes) as f64, has_part);
@@ -33,8 +33,7 @@ fn sharers(at: EventContacts<'_>, pair: usize) -> (usize, Vec<usize>) {
     match (world.model.pairs[track.pair].contact.sharing, world.model.kind) {
         (Sharing::PerNode, _) => (1, alone),
         (Sharing::Tributary, Kind::Planar) => {
-            let node =
-                |contact: usize| (&world.model.contacts[world.contacts[contact].site].face, at.local(contact).at);
+            let node = |contact: usize| (&world.site(contact).face, at.local(contact).at);
             (parameters::sharers(track.contacts.clone().map(node)), alone)
         }
         (Sharing::Tributary, Kind::Spatial) => contact_points::sharers(world, pair, &|contact| at.sides(contact)),

@@ -111,7 +111,7 @@ impl ContactStates<'_> {
 
     /// The site of a contact in the model.
     pub(super) fn site(&self, contact: usize) -> &ContactSite {
-        &self.world.model.contacts[self.world.contacts[contact].site]
+        self.world.site(contact)
     }
 
     /// Node relative to face, from the reference poses.

@@ -62,7 +62,7 @@ pub(in crate::dynamics) fn earliest_change(world: &World, island: &Island, horiz
 fn changes(world: &World, island: &Island) -> Vec<Change> {
     let states = (0..island.system.active.len())
         .flat_map(|number| reasons(island, number).map(move |reason| Change::State(number, reason)));
-    let is_corner = |contact: usize| world.model.contacts[world.contacts[contact].site].edge.is_none();
+    let is_corner = |contact: usize| world.edge(contact).is_none();
     let open = |contact: &usize| world.contacts[*contact].state == Contact::Open { armed: true } && is_corner(*contact);
     let pairs = world.pairs_of(&island.slots).into_iter();
     let closings = pairs.flat_map(|pair| world.pairs[pair].contacts.clone()).filter(open).map(Change::Closing);

@@ -104,7 +104,7 @@ pub(in crate::dynamics) struct EventContacts<'a> {
 impl<'a> EventContacts<'a> {
     /// The edge of an edge node.
     pub(in crate::dynamics) fn edge(&self, contact: usize) -> Option<&'a Edge> {
-        self.world.model.contacts[self.world.contacts[contact].site].edge.as_deref()
+        self.world.edge(contact)
     }
 }
 
@@ -149,13 +149,13 @@ impl EventContacts<'_> {
             return contact_points::crossing(self.world, contact, &|contact| self.sides(contact)).is_some();
         }
         let here = self.local(contact);
-        let face = &self.world.model.contacts[self.world.contacts[contact].site].face;
+        let face = &self.world.site(contact).face;
         is_over(face, here.at) && self.is_opposed_most(contact) && !self.touches_elsewhere(contact)
     }
 
     /// Whether of the faces that meet in the node that of its pair is the most opposed to the face before it.
     pub(in crate::dynamics) fn is_opposed_most(&self, contact: usize) -> bool {
-        let Some(corner) = &self.world.model.contacts[self.world.contacts[contact].site].corner else { return true };
+        let Some(corner) = &self.world.site(contact).corner else { return true };
         let node = self.side(contact, 0, &self.now.frames);
         corner.is_opposed_most(|own| node.turn(own), self.normal(contact))
     }
@@ -247,7 +247,7 @@ impl EventContacts<'_> {
         let (sliding, speed) = here.relative_velocity(DVec2::ZERO);
         let (_, acceleration) = self.relative_acceleration(contact, here);
         let depth = (speed.abs() * radian).max(acceleration.abs() * radian * radian).max(here.penetration());
-        let size = self.world.model.contacts[self.world.contacts[contact].site].reach();
+        let size = self.world.site(contact).reach();
         let eased = law.mu_k.max(REGULARISATION_FRICTION) * law.normal.length(depth, law.k_t);
         // At least the round-off of a stretch, below which its direction is undefined, and the way that is travelled
         // within the round-off of the time.

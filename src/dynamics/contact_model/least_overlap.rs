@@ -234,7 +234,7 @@ impl EventContacts<'_> {
     }
 
     fn site(&self, contact: usize) -> &ContactSite {
-        &self.world.model.contacts[self.world.contacts[contact].site]
+        self.world.site(contact)
     }
 
     /// The face of a contact.

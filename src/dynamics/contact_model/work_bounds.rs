@@ -28,7 +28,7 @@ pub(super) struct Spent {
 
 /// The bound that a run has exceeded.
 #[derive(Clone, Copy, Debug, PartialEq)]
-enum Excess {
+enum ExceededBound {
     /// Of its work.
     Work(usize),
     /// Of its memory, and the bound \[bytes\].
@@ -37,14 +37,24 @@ enum Excess {
     Pace(f64, usize, f64),
 }
 
+/// A state of a run from which its pace is measured.
+#[derive(Clone, Copy, Debug, Default)]
+struct PaceMark {
+    work: usize,
+    /// \[s\].
+    t: f64,
+    events: usize,
+}
+
 /// The bounds of the run of one group of bodies.
 #[derive(Debug, Default)]
 pub(super) struct WorkBounds {
     /// Work at which the bounds are looked at next.
     due: usize,
-    /// Work, time \[s\] and events from which the pace is measured.
-    mark: (usize, f64, usize),
-    excess: Option<Excess>,
+    /// From where the pace is measured.
+    pace: PaceMark,
+    /// The bound that is exceeded.
+    exceeded: Option<ExceededBound>,
 }
 
 impl WorkBounds {
@@ -59,45 +69,45 @@ impl WorkBounds {
         self.due = (spent.work + WORK_BETWEEN_LOOKS).min(most + 1);
         let [own, all] = spent.bodies;
         let memory = (spent.memory / all.max(1)).saturating_mul(own).max(spent.memory / MEMORY_SHARE_OF_GROUP);
-        self.excess = if spent.work > most {
-            Some(Excess::Work(spent.work))
+        self.exceeded = if spent.work > most {
+            Some(ExceededBound::Work(spent.work))
         } else if spent.bytes > memory {
-            Some(Excess::Memory(spent.bytes, memory))
+            Some(ExceededBound::Memory(spent.bytes, memory))
         } else {
             self.hopeless(spent, most)
         };
-        self.excess.is_some()
+        self.exceeded.is_some()
     }
 
     /// The work that is expected until the end, where a run that keeps its pace exceeds its bound by far, or, without contact, comes
     /// near it.
-    fn hopeless(&mut self, spent: &Spent, most: usize) -> Option<Excess> {
-        let (work, from, events) = self.mark;
-        let done = spent.work - work;
+    fn hopeless(&mut self, spent: &Spent, most: usize) -> Option<ExceededBound> {
+        let from = self.pace;
+        let done = spent.work - from.work;
         if done < most / PACE_SHARE {
             return None;
         }
-        self.mark = (spent.work, spent.t, spent.events);
-        let bound = if spent.touches || spent.events > events { HOPELESS_FACTOR } else { STEADY };
-        let expected = done as f64 / (spent.t - from) * (spent.duration - spent.t);
-        (expected > bound * most as f64).then_some(Excess::Pace(from, done, expected))
+        self.pace = PaceMark { work: spent.work, t: spent.t, events: spent.events };
+        let bound = if spent.touches || spent.events > from.events { HOPELESS_FACTOR } else { STEADY };
+        let expected = done as f64 / (spent.t - from.t) * (spent.duration - spent.t);
+        (expected > bound * most as f64).then_some(ExceededBound::Pace(from.t, done, expected))
     }
 
     /// Which bound is exceeded, and what would avoid it.
     pub(super) fn reason(&self) -> Message {
-        let spent = match self.excess {
-            Some(Excess::Memory(bytes, most)) => {
+        let spent = match self.exceeded {
+            Some(ExceededBound::Memory(bytes, most)) => {
                 let [bytes, most] = [bytes, most].map(|bytes| format!("{:.0}", bytes as f64 / f64::from(1 << 20)));
                 message!("stop-memory", "bytes" => bytes, "most" => most)
             }
-            Some(Excess::Pace(at, done, expected)) if expected.is_infinite() => {
+            Some(ExceededBound::Pace(at, done, expected)) if expected.is_infinite() => {
                 message!("stop-stands", "done" => done, "at" => format!("{at:e}"))
             }
-            Some(Excess::Pace(from, done, expected)) => {
+            Some(ExceededBound::Pace(from, done, expected)) => {
                 let [from, expected] = [format!("{from:e}"), format!("{expected:.0e}")];
                 message!("stop-pace", "done" => done, "from" => from, "expected" => expected)
             }
-            Some(Excess::Work(work)) => message!("stop-work", "work" => work),
+            Some(ExceededBound::Work(work)) => message!("stop-work", "work" => work),
             None => Text::new("stop-bound").into(),
         };
         message!("stop-too-fast", "spent" => spent)

@@ -153,24 +153,23 @@ impl Model {
             self.pairs.iter().map(|pair| pair.bodies).collect::<Vec<_>>(),
             self.links.iter().map(|link| link.bodies).collect(),
         ];
-        self.groups = groups(count, pairs.iter().chain(&links));
+        let between = |bodies: &[Option<usize>; 2]| Some([bodies[0]?, bodies[1]?]);
+        self.groups = components(count, pairs.iter().chain(&links).filter_map(between));
         self.group_pairs = members(count, &self.groups, &pairs);
         self.group_links = members(count, &self.groups, &links);
     }
 }
 
-/// Connected groups of bodies, by union over connections with these bodies.
-fn groups<'a>(count: usize, connections: impl Iterator<Item = &'a [Option<usize>; 2]>) -> Vec<Vec<usize>> {
+/// Connected components of the numbers below `count` that `edges` join: each ascending, in the order of their least.
+pub(in crate::dynamics) fn components(count: usize, edges: impl Iterator<Item = [usize; 2]>) -> Vec<Vec<usize>> {
     let mut root: Vec<usize> = (0..count).collect();
-    for bodies in connections {
-        if let [Some(a), Some(b)] = *bodies {
-            let (a, b) = (root_of(&mut root, a), root_of(&mut root, b));
-            root[a.max(b)] = a.min(b);
-        }
+    for [a, b] in edges {
+        let (a, b) = (root_of(&mut root, a), root_of(&mut root, b));
+        root[a.max(b)] = a.min(b);
     }
     let mut groups: Vec<Vec<usize>> = vec![Vec::new(); count];
-    for body in 0..count {
-        groups[root_of(&mut root, body)].push(body);
+    for i in 0..count {
+        groups[root_of(&mut root, i)].push(i);
     }
     groups.retain(|group| !group.is_empty());
     groups
@@ -195,7 +194,7 @@ fn members(count: usize, groups: &[Vec<usize>], connections: &[[Option<usize>; 2
 }
 
 /// The least number that `i` is joined to, in a forest of joined numbers.
-pub(in crate::dynamics) fn root_of(root: &mut [usize], mut i: usize) -> usize {
+fn root_of(root: &mut [usize], mut i: usize) -> usize {
     while root[i] != i {
         root[i] = root[root[i]];
         i = root[i];
@@ -208,9 +207,19 @@ mod tests {
     use super::*;
 
     #[test]
+    fn components_are_those_of_the_graph_whatever_the_order_of_its_edges() {
+        let edges = [[4, 1], [2, 3], [1, 4], [3, 0]];
+        let expected = vec![vec![0, 2, 3], vec![1, 4], vec![5]];
+        assert_eq!(components(6, edges.into_iter()), expected);
+        assert_eq!(components(6, edges.into_iter().rev()), expected);
+        assert_eq!(components(2, std::iter::empty()), [[0], [1]], "alone");
+    }
+
+    #[test]
     fn a_chain_of_connections_is_one_group_and_the_ground_joins_nothing() {
         let joined = [[Some(0), Some(2)], [Some(2), Some(3)], [Some(1), None], [None, Some(4)]];
-        let groups = groups(5, joined.iter());
+        let between = |ends: &[Option<usize>; 2]| Some([ends[0]?, ends[1]?]);
+        let groups = components(5, joined.iter().filter_map(between));
         assert_eq!(groups, [vec![0, 2, 3], vec![1], vec![4]]);
         assert_eq!(members(5, &groups, &joined), [vec![0, 1], vec![2], vec![3]]);
     }

@@ -77,7 +77,7 @@ fn excursion(model: &Model, island: &Island, active: &ActiveLink) -> Excursion {
         let bounds = island.bound(model, body);
         within.way += island.excursion(model, body, arm, island.step.from);
         // Of a point at this arm: G's, tangential, towards the axis.
-        let acceleration = bounds.acceleration + arm * (bounds.spin_rate + bounds.spin * bounds.spin);
+        let acceleration = bounds.acceleration + arm * bounds.acceleration_per_arm();
         within.rate += acceleration * (island.step.until - island.step.from);
     }
     within

@@ -5,9 +5,9 @@ use std::sync::Arc;
 
 use crate::dynamics::Model;
 use crate::dynamics::free_flight::body_motion::BodyMotion;
+use crate::dynamics::model::groups::components;
 use crate::dynamics::model::linear_block::{BlockMember, Joint, LinearBlock};
 use crate::dynamics::world::World;
-use crate::dynamics::world::connectivity::components;
 use crate::dynamics::world::constants::MOST_BLOCK_COORDINATES;
 use crate::dynamics::world::tracks::LinkTrack;
 

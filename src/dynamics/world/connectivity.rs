@@ -2,7 +2,7 @@
 
 use std::ops::Range;
 
-use crate::dynamics::model::groups::root_of;
+use crate::dynamics::model::groups::components;
 use crate::dynamics::world::World;
 use crate::dynamics::world::tracks::LinkTrack;
 
@@ -82,36 +82,11 @@ impl World {
     }
 }
 
-/// Connected components of the numbers below `count` that `edges` join: each ascending, in the order of their least.
-pub(super) fn components(count: usize, edges: impl Iterator<Item = [usize; 2]>) -> Vec<Vec<usize>> {
-    let mut root: Vec<usize> = (0..count).collect();
-    for [a, b] in edges {
-        let (a, b) = (root_of(&mut root, a), root_of(&mut root, b));
-        root[a.max(b)] = a.min(b);
-    }
-    let mut groups: Vec<Vec<usize>> = vec![Vec::new(); count];
-    for i in 0..count {
-        groups[root_of(&mut root, i)].push(i);
-    }
-    groups.retain(|g| !g.is_empty());
-    groups
-}
-
 #[cfg(test)]
 mod tests {
-    use super::*;
     use crate::dynamics::penalty3d::contact_state::Contact;
     use crate::dynamics::penalty3d::example::row;
     use crate::dynamics::world::example::planned;
-
-    #[test]
-    fn components_are_those_of_the_graph_whatever_the_order_of_its_edges() {
-        let edges = [[4, 1], [2, 3], [1, 4], [3, 0]];
-        let expected = vec![vec![0, 2, 3], vec![1, 4], vec![5]];
-        assert_eq!(components(6, edges.into_iter()), expected);
-        assert_eq!(components(6, edges.into_iter().rev()), expected);
-        assert_eq!(components(2, std::iter::empty()), [[0], [1]], "alone");
-    }
 
     #[test]
     fn bodies_are_joined_while_a_contact_between_them_is_closed() {

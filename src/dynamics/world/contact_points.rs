@@ -5,7 +5,7 @@ use glam::{DVec2, DVec3};
 
 use crate::contact::parameters::edge_slack;
 use crate::contact::{Frame, locate};
-use crate::dynamics::model::edge_node::Crossing;
+use crate::dynamics::model::edge_node::{Crossing, Edge};
 use crate::dynamics::world::World;
 
 /// Distance of two vertices below which they are one, per size of the face \[–\]. Tuned: above the round-off of ends
@@ -23,7 +23,7 @@ pub(in crate::dynamics) fn crossing(world: &World, contact: usize, poses: Poses<
 
 /// The crossing of an edge node of bodies that have met, where the edges belong to the two faces; also of edges that bound a sliver.
 pub(in crate::dynamics) fn crossing_of_met(world: &World, contact: usize, poses: Poses<'_>) -> Option<Crossing> {
-    let edge = world.model.contacts[world.contacts[contact].site].edge.as_deref().filter(|edge| edge.is_of_met())?;
+    let edge = world.edge(contact).filter(|edge| edge.is_of_met())?;
     let [node, face] = poses(contact);
     edge.crossing([&node, &face], edge.tolerance).filter(|crossing| edge.is_between_faces(crossing, [&node, &face]))
 }
@@ -71,9 +71,10 @@ pub(in crate::dynamics) fn at_vertex_of(
 ) -> [Vec<usize>; 2] {
     let pair = world.contacts[contact].pair;
     let (left, other) = (place(world, contact, poses), other_of_crossing(world, contact));
-    let near = one_vertex(world, pair) + extra + if is_edge(world, contact) { slide(world, contact) } else { 0.0 };
+    let near =
+        one_vertex(world, pair) + extra + if world.edge(contact).is_some() { slide(world, contact) } else { 0.0 };
     let here = |c: usize| {
-        let at = if is_edge(world, c) {
+        let at = if world.edge(c).is_some() {
             edge_vertex(world, c, poses, beyond).map(|(_, at)| at).filter(|&at| is_free(world, c, at, poses, 0.0))
         } else {
             corner_vertex(world, c, poses, beyond)
@@ -89,7 +90,7 @@ pub(in crate::dynamics) fn at_vertex_of(
     let counts = |&(c, distance): &(usize, f64)| (extra == 0.0 || distance == nearest).then_some(c);
     let nodes: Vec<usize> = all.iter().filter_map(counts).collect();
     let gone = |&c: &usize| {
-        let near = near + if is_edge(world, c) { slide(world, c) } else { 0.0 };
+        let near = near + if world.edge(c).is_some() { slide(world, c) } else { 0.0 };
         let is_closed = world.contacts[c].state.closed().is_some();
         is_closed && !nodes.contains(&c) && (other == Some(c) || (place(world, c, poses) - left).length() <= near)
     };
@@ -102,7 +103,7 @@ pub(in crate::dynamics) fn at_vertex_of(
 pub(in crate::dynamics) fn is_held(world: &World, contact: usize, apart: f64, poses: Poses<'_>) -> bool {
     let pair = world.contacts[contact].pair;
     let Some(at) = corner_vertex(world, contact, poses, slack(world, contact)) else { return false };
-    let near = |c: usize| one_vertex(world, pair) + apart + if is_edge(world, c) { slide(world, c) } else { 0.0 };
+    let near = |c: usize| one_vertex(world, pair) + apart + if world.edge(c).is_some() { slide(world, c) } else { 0.0 };
     let mut contacts = world.pairs[pair].contacts.clone().filter(|&c| c != contact);
     contacts.any(|c| world.contacts[c].state.closed().is_some() && (place(world, c, poses) - at).length() <= near(c))
 }
@@ -138,7 +139,7 @@ fn on_second_face(world: &World, contact: usize, point: DVec3) -> DVec2 {
 
 /// Largest distance of an edge node from its crossing \[m\].
 fn slide(world: &World, contact: usize) -> f64 {
-    world.model.contacts[world.contacts[contact].site].edge.as_ref().map_or(0.0, |edge| edge.slide)
+    world.edge(contact).map_or(0.0, |edge| edge.slide)
 }
 
 /// A vertex with its nodes.
@@ -167,16 +168,12 @@ fn one_vertex(world: &World, pair: usize) -> f64 {
 
 /// Distance beyond the ends of edges and beside faces that is round-off \[m\].
 fn slack(world: &World, contact: usize) -> f64 {
-    edge_slack(&world.model.contacts[world.contacts[contact].site].face)
-}
-
-fn is_edge(world: &World, contact: usize) -> bool {
-    world.model.contacts[world.contacts[contact].site].edge.is_some()
+    edge_slack(&world.site(contact).face)
 }
 
 /// Whether an edge node is one of two at its crossing.
 fn is_shared(world: &World, contact: usize) -> bool {
-    world.model.contacts[world.contacts[contact].site].edge.as_ref().is_some_and(|edge| edge.is_shared())
+    world.edge(contact).is_some_and(Edge::is_shared)
 }
 
 /// Whether a node is of the pair's first side, against the face of the second.
@@ -188,7 +185,7 @@ fn is_of_first(world: &World, contact: usize) -> bool {
 /// Place on the second side's face of a corner that is inside the facing polygon or up to `beyond` beside it \[m\];
 /// `None` for an edge node and for a corner farther beside it.
 fn corner_vertex(world: &World, contact: usize, poses: Poses<'_>, beyond: f64) -> Option<DVec2> {
-    let site = &world.model.contacts[world.contacts[contact].site];
+    let site = world.site(contact);
     if site.edge.is_some() {
         return None;
     }
@@ -203,7 +200,7 @@ fn corner_vertex(world: &World, contact: usize, poses: Poses<'_>, beyond: f64) -
 /// The crossing of an edge node up to `beyond` beyond the ends of the edges \[m\], and its place on the second side's face \[m\]; `None`
 /// for a corner and for a crossing beside the edges.
 fn edge_vertex(world: &World, contact: usize, poses: Poses<'_>, beyond: f64) -> Option<(Crossing, DVec2)> {
-    let site = &world.model.contacts[world.contacts[contact].site];
+    let site = world.site(contact);
     let edge = site.edge.as_deref()?;
     let [node, face] = poses(contact);
     let crossing = edge.crossing([&node, &face], beyond)?;

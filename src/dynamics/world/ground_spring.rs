@@ -49,22 +49,4 @@ impl World {
         let flies = |slot: usize| matches!(self.bodies[slot].now, Trajectory::Flight(_));
         self.links[link].slots[0].is_some_and(flies) && self.link_acts(link)
     }
-
-    /// End of the stretch of a body's flight from `t` on within which it swings by about a radian at most \[s\].
-    pub(in crate::dynamics) fn window_end(&self, slot: usize, t: f64) -> f64 {
-        match (&self.bodies[slot].now, &self.bodies[slot].free_motion) {
-            (Trajectory::Flight(flight), Some(free_motion)) => free_motion.window_end(flight, t),
-            _ => f64::INFINITY,
-        }
-    }
-
-    /// Least and greatest value of the one coordinate of a body in flight over an interval without a kink \[m\]; all values where
-    /// that is not known.
-    pub(in crate::dynamics) fn flight_range(&self, slot: usize, span: [f64; 2]) -> [f64; 2] {
-        let range = match (&self.bodies[slot].now, &self.bodies[slot].free_motion) {
-            (Trajectory::Flight(flight), Some(free_motion)) => free_motion.range(flight, span),
-            _ => None,
-        };
-        range.unwrap_or([f64::NEG_INFINITY, f64::INFINITY])
-    }
 }

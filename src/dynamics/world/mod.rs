@@ -19,8 +19,9 @@ pub(in crate::dynamics) mod tracks;
 
 use std::sync::Arc;
 
-use crate::dynamics::Model;
+use crate::dynamics::model::edge_node::Edge;
 use crate::dynamics::penalty3d::island::Island;
+use crate::dynamics::{ContactSite, Model};
 use tracks::{BodyTrack, ContactTrack, LinkTrack, PairTrack};
 
 /// Bodies, pairs, contacts, links and islands of one group.
@@ -40,4 +41,16 @@ pub(in crate::dynamics) struct World {
     pub blocks: Vec<Vec<usize>>,
     /// Bodies that are integrated together; `None` at a vacant number.
     pub islands: Vec<Option<Box<Island>>>,
+}
+
+impl World {
+    /// The site of a contact in the model.
+    pub(in crate::dynamics) fn site(&self, contact: usize) -> &ContactSite {
+        &self.model.contacts[self.contacts[contact].site]
+    }
+
+    /// The edge of an edge node; `None` for a corner.
+    pub(in crate::dynamics) fn edge(&self, contact: usize) -> Option<&Edge> {
+        self.site(contact).edge.as_deref()
+    }
 }

@@ -56,7 +56,7 @@ impl World {
 
     /// Position and velocity of a corner relative to its face at `t`.
     pub(in crate::dynamics) fn local(&self, contact: usize, t: f64) -> Local {
-        let site = &self.model.contacts[self.contacts[contact].site];
+        let site = self.site(contact);
         locate(&site.geometry, &self.side(contact, 0, t), &self.side(contact, 1, t))
     }
 
@@ -67,5 +67,23 @@ impl World {
             Some(slot) => self.frame(slot, track.sections[side], t),
             None => self.model.contacts[track.site].stand,
         }
+    }
+
+    /// End of the stretch of a body's flight from `t` on within which it swings by about a radian at most \[s\].
+    pub(in crate::dynamics) fn window_end(&self, slot: usize, t: f64) -> f64 {
+        match (&self.bodies[slot].now, &self.bodies[slot].free_motion) {
+            (Trajectory::Flight(flight), Some(free_motion)) => free_motion.window_end(flight, t),
+            _ => f64::INFINITY,
+        }
+    }
+
+    /// Least and greatest value of the one coordinate of a body in flight over an interval without a kink \[m\]; all values where
+    /// that is not known.
+    pub(in crate::dynamics) fn flight_range(&self, slot: usize, span: [f64; 2]) -> [f64; 2] {
+        let range = match (&self.bodies[slot].now, &self.bodies[slot].free_motion) {
+            (Trajectory::Flight(flight), Some(free_motion)) => free_motion.range(flight, span),
+            _ => None,
+        };
+        range.unwrap_or([f64::NEG_INFINITY, f64::INFINITY])
     }
 }

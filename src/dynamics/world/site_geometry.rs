@@ -6,6 +6,7 @@ use crate::dynamics::Model;
 use crate::dynamics::free_flight::relative_bounds::RelativeBounds;
 use crate::dynamics::locate::advancement::BoundedGap;
 use crate::dynamics::model::motion_bounds::MotionBounds;
+use crate::dynamics::model::motion_bounds::gap_acceleration;
 
 /// Geometry of a contact site as placed.
 #[derive(Clone, Copy, Debug)]
@@ -41,12 +42,8 @@ impl SiteGeometry {
         between: &RelativeBounds,
     ) -> BoundedGap {
         let apart = self.lever + between.reach + node.turn * self.arm;
-        let turn = |spin: f64, spin_rate: f64, arm: f64| (spin_rate + spin * spin) * arm;
-        // g = n·r, r from the face's G to the node, n fixed to the face: g̈ = n·r̈ + 2 ṅ·ṙ + n̈·r.
-        let curvature = between.acceleration
-            + turn(node.spin, node.spin_rate, self.arm)
-            + turn(face.spin, face.spin_rate, apart)
-            + 2.0 * face.spin * (between.speed + node.spin * self.arm);
+        let relative = [between.speed, between.acceleration];
+        let curvature = gap_acceleration([node, face], relative, [self.arm, apart]);
         let moved = between.reach + node.turn * self.arm + face.turn * apart;
         let out_of_reach = self.home_gap > moved || (self.of_met && -self.home_gap > moved);
         let window = between.window;

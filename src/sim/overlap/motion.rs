@@ -44,7 +44,7 @@ pub(super) fn bound(history: &History, body: usize, radius: f64, t: f64) -> Boun
     let acceleration = if history.flexible(body).is_some() {
         f64::INFINITY
     } else {
-        bounds.acceleration + radius * (bounds.spin_rate + bounds.spin * bounds.spin)
+        bounds.acceleration + radius * bounds.acceleration_per_arm()
     };
     Bound { until: end.min(t + bounds.window), speed: bounds.speed + bounds.spin * radius, acceleration }
 }

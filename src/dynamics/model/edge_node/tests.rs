@@ -64,7 +64,7 @@ fn the_node_at_a_crossing_is_on_the_side_with_the_distance_as_its_gap() {
     let (edge, middle, [node, face]) = across(-0.01, 0.7);
     let crossing = edge.crossing([&node, &face], edge.tolerance).expect("they cross");
     let place = edge.place(&crossing);
-    let here = locate(&edge.home(&middle, &place), &node, &face);
+    let here = locate(&edge.geometry(&middle, &place), &node, &face);
     let distance = edge.distance(&node, &face).expect("they cross");
     assert!((here.gap - distance).abs() < 1e-15 && here.at.y.abs() < 1e-15, "{here:?}");
     assert!(edge.left(&place, here.at) < 0.0 && !edge.has_slid(here.at), "on the side, not slid");
