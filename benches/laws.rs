@@ -26,8 +26,8 @@ fn touching() -> (ContactSite, [Frame; 2]) {
         Frame { shift, ..body.planar_frame(&[0.0, 0.0, 1e-4, 0.1, 0.05, 0.2]) }
     };
     let face = at(site.face_body, DVec3::ZERO);
-    let gap = locate(&site.home, &at(site.node_body, DVec3::ZERO), &face).gap;
-    let inwards = -face.turn(site.home.axes.z_axis) * (gap + 1e-6);
+    let gap = locate(&site.geometry, &at(site.node_body, DVec3::ZERO), &face).gap;
+    let inwards = -face.turn(site.geometry.axes.z_axis) * (gap + 1e-6);
     let node = at(site.node_body, inwards);
     (site, [node, face])
 }
@@ -43,13 +43,13 @@ const SLIP: Mode = Mode::Slip { direction: DVec2::X };
 #[divan::bench]
 fn node_against_face(bencher: Bencher<'_, '_>) {
     let (site, [node, face]) = touching();
-    bencher.bench(|| locate(black_box(&site.home), black_box(&node), black_box(&face)));
+    bencher.bench(|| locate(black_box(&site.geometry), black_box(&node), black_box(&face)));
 }
 
 #[divan::bench(args = ["paper, stick", "paper, slip", "return mapping, stick", "return mapping, slip"])]
 fn forces(bencher: Bencher<'_, '_>, case: &str) {
     let (site, [node, face]) = touching();
-    let here: Local = locate(&site.home, &node, &face);
+    let here: Local = locate(&site.geometry, &node, &face);
     let law = law(if case.starts_with("paper") { FrictionLaw::Paper } else { FrictionLaw::ReturnMapping });
     let mode = if case.ends_with("stick") { STICK } else { SLIP };
     bencher.bench(|| black_box(&law).forces(black_box(&mode), black_box(&here)));

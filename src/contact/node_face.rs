@@ -120,7 +120,7 @@ pub struct ContactGeometry {
 
 impl ContactGeometry {
     /// Gap as placed \[m\].
-    pub fn gap(&self) -> f64 {
+    pub fn placed_gap(&self) -> f64 {
         self.at.z
     }
 

@@ -1,5 +1,7 @@
 //! What is done to the samples of a record: baselines, tapers, padding.
 
+use glam::{DMat3, DVec3};
+
 /// Takes off the mean.
 pub fn remove_mean(samples: &mut [f64]) {
     let mean = samples.iter().sum::<f64>() / samples.len().max(1) as f64;
@@ -48,25 +50,10 @@ pub fn remove_velocity_parabola(samples: &mut [f64]) {
             (0..3).for_each(|j| matrix[i][j] += shapes[i] * shapes[j]);
         }
     }
-    let coefficients = solve(matrix, right);
+    let coefficients = (DMat3::from_cols_array_2d(&matrix).inverse() * DVec3::from(right)).to_array();
     for (n, a) in samples.iter_mut().enumerate() {
         *a -= powers(n).iter().zip(coefficients).map(|(power, c)| power * c).sum::<f64>();
     }
-}
-
-/// Solves three equations with a positive definite matrix by elimination.
-fn solve(mut m: [[f64; 3]; 3], mut b: [f64; 3]) -> [f64; 3] {
-    for i in 0..3 {
-        for row in i + 1..3 {
-            let part = m[row][i] / m[i][i];
-            (i..3).for_each(|column| m[row][column] -= part * m[i][column]);
-            b[row] -= part * b[i];
-        }
-    }
-    for i in (0..3).rev() {
-        b[i] = (b[i] - (i + 1..3).map(|j| m[i][j] * b[j]).sum::<f64>()) / m[i][i];
-    }
-    b
 }
 
 /// Multiplies by `½ (1 − cos(π t / length))` within `length` \[s\] of the start, and likewise before the end.

@@ -1,4 +1,4 @@
-//! Contacts and their forces: state glyphs, arrows, friction cones (design: "Drawing honestly").
+//! Contacts and their forces: state glyphs, arrows, friction cones.
 //!
 //! Every arrow is the force on the body that owns the node, in one fixed scale.
 

@@ -62,7 +62,8 @@ fn what_is_placed_on_a_face_is_on_it() {
     let quad = [(0.0, -1.0, -1.0), (0.0, 1.0, -1.0), (0.0, 1.0, 1.0), (0.0, -1.0, 1.0)];
     let face = Face::new(quad.map(|(x, y, z)| DVec3::new(0.3 + x, y, z)), 1.0).expect("a square");
     let axes = DMat3::IDENTITY;
-    let gap = |x: f64| ContactGeometry::of(DVec3::X * 0.2, (DVec3::X * x, axes), &face, (DVec3::ZERO, axes)).gap();
+    let gap =
+        |x: f64| ContactGeometry::of(DVec3::X * 0.2, (DVec3::X * x, axes), &face, (DVec3::ZERO, axes)).placed_gap();
     assert_ne!(0.1 + 0.2, 0.3, "rounding is there");
     assert_eq!(gap(0.1), 0.0, "and is no gap");
     assert!((gap(0.1 + 1e-14) - 1e-14).abs() < 1e-16, "a small gap is one: {:e}", gap(0.1 + 1e-14));

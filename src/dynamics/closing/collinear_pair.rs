@@ -100,8 +100,8 @@ impl<'a> CollinearPair<'a> {
     }
 
     fn gap(&self, [a, b]: [[f64; 2]; 2]) -> [f64; 2] {
-        let AxialGap { rest, towards, .. } = self.pair;
-        [rest + towards * (a[0] - b[0]), towards * (a[1] - b[1])]
+        let AxialGap { placed_gap, towards, .. } = self.pair;
+        [placed_gap + towards * (a[0] - b[0]), towards * (a[1] - b[1])]
     }
 
     /// Closing from `t` to `until` where at least one side is in a planned step \[s\].
@@ -181,7 +181,7 @@ impl<'a> CollinearPair<'a> {
             (_, Side::Flight { dof, push, .. }) => dof.limits(free(b), self.drive, *push, horizon),
             _ => [0.0; 3],
         };
-        BoundedGap { gap, rate, curvature, window: horizon, out_of_reach: self.pair.rest > reach }
+        BoundedGap { gap, rate, curvature, window: horizon, out_of_reach: self.pair.placed_gap > reach }
     }
 }
 

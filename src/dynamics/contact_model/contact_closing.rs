@@ -42,7 +42,7 @@ impl ContactClosing<'_, '_> {
     /// Closing of a contact in stick or slip (`docs/physics.md#closing`); of bodies that have met, by the face of their least
     /// overlap.
     pub(in crate::dynamics) fn close(&mut self, contact: usize) {
-        let by = self.states.at().entered_by(contact);
+        let by = self.states.at().contact_to_close(contact);
         if by == Some(contact) {
             self.close_at_face(contact);
             return;
@@ -158,7 +158,7 @@ impl ContactClosing<'_, '_> {
         for contact in 0..self.states.world.contacts.len() {
             let ContactTrack { slots, sections, geometry, .. } = &self.states.world.contacts[contact];
             let mut sides = slots.iter().zip(sections).filter_map(|(slot, &own)| Some(((*slot)?, own)));
-            if geometry.home_gap >= 0.0
+            if geometry.placed_gap >= 0.0
                 && sides.all(|(slot, own)| now.section(slot, own).is_some_and(|section| as_placed[section]))
             {
                 continue;

@@ -91,7 +91,7 @@ pub(in crate::dynamics) fn assemble(
             let sides = ends.map(|i| bases.get(i?));
             let home = reference_pose::seen_from(&world.model.contacts[track.site], &closed.place, sides);
             let active = ActiveContact::new(track.site, ends, closed, home);
-            Some((contact, ActiveContact { granted: track.granted, ..active }))
+            Some((contact, ActiveContact { tolerated: track.tolerated, ..active }))
         })
         .collect();
     let bodies = members.iter().map(|&slot| world.bodies[slot].body).collect();

@@ -36,9 +36,9 @@ pub(in crate::dynamics) struct LeastOverlap {
 #[derive(Clone, Copy, Debug)]
 pub(in crate::dynamics) struct ShortestWay {
     /// Overlap along it \[m\].
-    pub least: f64,
-    /// Overlap that counts \[m\].
-    pub counts: f64,
+    pub overlap: f64,
+    /// Overlap that need not be carried \[m\].
+    pub tolerated: f64,
     /// The contact along whose normal it is, where there is one that is as deep.
     pub contact: Option<usize>,
 }
@@ -47,7 +47,7 @@ impl EventContacts<'_> {
     /// The overlaps of a contact's two bodies, which have met, by the faces of both, the least first.
     fn overlaps(&self, contact: usize) -> Vec<LeastOverlap> {
         let mut faces: Vec<(Side, LeastOverlap)> = Vec::new();
-        for contact in self.between(contact).filter(|&c| self.site(c).edge.is_none()) {
+        for contact in self.contacts_of_both_bodies(contact).filter(|&c| self.site(c).edge.is_none()) {
             let face = self.face_of(contact);
             let here = LeastOverlap { contact, depth: self.local(contact).penetration() };
             match faces.iter_mut().find(|(known, _)| *known == face) {
@@ -69,18 +69,18 @@ impl EventContacts<'_> {
     /// contact between them.
     fn least_depth(&self, contact: usize, by_faces: f64) -> f64 {
         let edges = self
-            .between(contact)
+            .contacts_of_both_bodies(contact)
             .filter(|&c| self.site(c).edge.is_some() && self.world.contacts[c].state.closed().is_some());
-        edges.filter_map(|c| self.along_normal(c)).fold(by_faces, f64::min)
+        edges.filter_map(|c| self.overlap_along_normal(c)).fold(by_faces, f64::min)
     }
 
     /// Overlap of the two bodies of a contact along its normal \[m\]; `None` where they have not met in space.
-    fn along_normal(&self, contact: usize) -> Option<f64> {
-        self.along(contact, self.normal(contact))
+    fn overlap_along_normal(&self, contact: usize) -> Option<f64> {
+        self.overlap_along(contact, self.normal(contact))
     }
 
     /// Overlap of the two bodies of a contact along a unit vector outward of its face's body \[m\].
-    fn along(&self, contact: usize, normal: DVec3) -> Option<f64> {
+    fn overlap_along(&self, contact: usize, normal: DVec3) -> Option<f64> {
         let track = &self.world.contacts[contact];
         let pair = &self.world.pairs[track.pair];
         let meeting = &self.world.model.meetings[pair.meeting?];
@@ -102,13 +102,13 @@ impl EventContacts<'_> {
     /// along it by at most [`DEPTH_RATIO`] times that.
     pub(in crate::dynamics) fn parts_along(&self, contact: usize, place: &NodePlace, depth: f64) -> bool {
         let rounding = self.edge(contact).map_or(0.0, |edge| edge.tolerance);
-        let overlap = self.along(contact, self.sides(contact)[1].turn(place.normal));
+        let overlap = self.overlap_along(contact, self.sides(contact)[1].turn(place.normal));
         overlap.is_none_or(|overlap| overlap <= DEPTH_RATIO * depth + rounding)
     }
 
     /// The least overlap of a contact's two bodies along the common perpendicular of two edges that are across each other without a
     /// contact.
-    fn across_edges(&self, contact: usize) -> Option<LeastOverlap> {
+    fn least_across_edges(&self, contact: usize) -> Option<LeastOverlap> {
         let across = |c: usize| {
             let edge = self.edge(c)?;
             let is_open = self.world.contacts[c].state.closed().is_none();
@@ -116,13 +116,13 @@ impl EventContacts<'_> {
             let place = edge.place(&crossing);
             let [node, face] = self.sides(c);
             let penetration = -edge.distance(&node, &face)?;
-            let depth = self.along(c, face.turn(place.normal))?;
+            let depth = self.overlap_along(c, face.turn(place.normal))?;
             let least_side =
                 self.world.model.meetings[self.world.pairs[self.world.contacts[c].pair].meeting?].least_side;
             // Elsewhere the bodies are deeper along that normal than the edges: they do not part there.
             (depth <= penetration + UNCARRIED * least_side).then_some(LeastOverlap { contact: c, depth })
         };
-        let all = self.between(contact).filter_map(across).filter(|across| across.depth > 0.0);
+        let all = self.contacts_of_both_bodies(contact).filter_map(across).filter(|across| across.depth > 0.0);
         all.min_by(|a, b| a.depth.total_cmp(&b.depth))
     }
 
@@ -132,12 +132,12 @@ impl EventContacts<'_> {
         // The contact may be of ends that face each other as placed.
         let ids = self.world.model.pairs[pair.pair].solids();
         let meeting = self.world.model.meetings.iter().find(|meeting| meeting.ids == ids)?;
-        let least = meeting.least_overlap(&self.poses(contact, meeting));
-        let counts = UNCARRIED * meeting.least_side;
+        let overlap = meeting.least_overlap(&self.poses(contact, meeting));
+        let tolerated = UNCARRIED * meeting.least_side;
         let by_face = self.overlaps(contact).first().copied();
-        let all = by_face.into_iter().chain(self.across_edges(contact));
-        let way = all.filter(|way| way.depth <= least + counts).min_by(|a, b| a.depth.total_cmp(&b.depth));
-        Some(ShortestWay { least, counts, contact: way.map(|way| way.contact) })
+        let all = by_face.into_iter().chain(self.least_across_edges(contact));
+        let way = all.filter(|way| way.depth <= overlap + tolerated).min_by(|a, b| a.depth.total_cmp(&b.depth));
+        Some(ShortestWay { overlap, tolerated, contact: way.map(|way| way.contact) })
     }
 
     /// Contact in which a node that crosses a plane of another body closes; `None` where other contacts carry the overlap of the bodies.
@@ -146,7 +146,7 @@ impl EventContacts<'_> {
     /// or where the bodies did not overlap. Otherwise, unless another contact carries the overlap, which this node takes over when that one
     /// leaves, the contact of the same node with that nearest face, where the penetration there is at most [`DEPTH_RATIO`] times the least
     /// depth; without one, the contact with the crossed face.
-    pub(in crate::dynamics) fn entered_by(&self, contact: usize) -> Option<usize> {
+    pub(in crate::dynamics) fn contact_to_close(&self, contact: usize) -> Option<usize> {
         if self.site(contact).around.is_none() {
             return Some(contact);
         }
@@ -162,7 +162,7 @@ impl EventContacts<'_> {
         let Some(nearest) = nearest.filter(|o| cosine(o.contact) > cosine(contact) + COSINE_ROUNDING) else {
             return Some(contact);
         };
-        let from_beside = self.of_node(contact, nearest.contact);
+        let from_beside = self.same_node_on_face_of(contact, nearest.contact);
         let depth = |other: &usize| self.local(*other).penetration();
         let least = self.least_depth(contact, least.depth);
         let is_alike = |other: &usize| depth(other) > 0.0 && depth(other) <= DEPTH_RATIO * least;
@@ -179,13 +179,13 @@ impl EventContacts<'_> {
         }
         let least = self.overlaps(contact).first().map_or(0.0, |least| least.depth);
         let alike = self.local(contact).penetration() <= DEPTH_RATIO * least;
-        alike && (is_edge || self.entered_by(contact) == Some(contact))
+        alike && (is_edge || self.contact_to_close(contact) == Some(contact))
     }
 
     /// The contact that takes over where a node leaves its face over an edge while the two bodies overlap and no other contact
     /// carries that: of the least overlap, the node's own one included, or of one of at most [`DEPTH_RATIO`] times that depth whose node
     /// is inside its face. In space that can be along the common perpendicular of two edges.
-    pub(in crate::dynamics) fn takes_over(&self, contact: usize) -> Option<LeastOverlap> {
+    pub(in crate::dynamics) fn contact_taking_over(&self, contact: usize) -> Option<LeastOverlap> {
         if self.site(contact).around.is_none() && !self.edge(contact).is_some_and(Edge::is_of_met) {
             return None;
         }
@@ -194,7 +194,7 @@ impl EventContacts<'_> {
         if self.is_carried_beside(contact, self.least_depth(contact, least.depth)) {
             return None;
         }
-        if let Some(across) = self.across_edges(contact).filter(|across| across.depth < least.depth) {
+        if let Some(across) = self.least_across_edges(contact).filter(|across| across.depth < least.depth) {
             return (!self.is_carried_beside(contact, across.depth)).then_some(across);
         }
         let inside = |other: &&LeastOverlap| {
@@ -205,9 +205,9 @@ impl EventContacts<'_> {
     }
 
     /// The contact of the same node with the face of `other`, by that face of the node's body which is the most opposed.
-    fn of_node(&self, contact: usize, other: usize) -> Option<usize> {
+    fn same_node_on_face_of(&self, contact: usize, other: usize) -> Option<usize> {
         let (node, face) = (&self.site(contact).node, self.face_of(other));
-        self.between(contact)
+        self.contacts_of_both_bodies(contact)
             .find(|&c| self.site(c).node == *node && self.face_of(c) == face && self.is_opposed_most(c))
     }
 
@@ -216,11 +216,11 @@ impl EventContacts<'_> {
         let carries = |c: usize| {
             self.world.contacts[c].state.closed().is_some() && DEPTH_RATIO * self.local(c).penetration() >= depth
         };
-        self.between(contact).any(|c| c != contact && carries(c))
+        self.contacts_of_both_bodies(contact).any(|c| c != contact && carries(c))
     }
 
     /// All contacts between the two bodies of a contact.
-    fn between(&self, contact: usize) -> impl Iterator<Item = usize> + '_ {
+    fn contacts_of_both_bodies(&self, contact: usize) -> impl Iterator<Item = usize> + '_ {
         let solids = |pair: usize| -> [SolidId; 2] {
             let pair = &self.world.model.pairs[self.world.pairs[pair].pair];
             [pair.first.solid(), pair.second.solid()]

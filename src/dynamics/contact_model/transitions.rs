@@ -66,7 +66,7 @@ impl<'a> Transitions<'_, 'a> {
     /// A node leaves its face over an edge. Where the two bodies have met, still overlap, and no other contact carries that, the
     /// contact of their least overlap takes over: another one, or this one beyond the edge, for as much again.
     fn leave(&mut self, contact: usize, mut closed: ClosedContact) {
-        let Some(least) = self.states.at().takes_over(contact) else {
+        let Some(least) = self.states.at().contact_taking_over(contact) else {
             self.open(contact, &closed, EventKind::LeftFace);
             return;
         };
@@ -89,12 +89,12 @@ impl<'a> Transitions<'_, 'a> {
     /// takes over, at the same depth. Where there is none, or it is closed already, the overlap that is tolerated is doubled.
     fn hand_over(&mut self, contact: usize, closed: &ClosedContact) {
         let here = self.states.at().local(contact).penetration();
-        let Some(ShortestWay { least, counts, contact: to }) = self.states.at().shortest_way(contact) else {
-            self.states.world.contacts[contact].granted = f64::INFINITY;
+        let Some(ShortestWay { overlap, tolerated, contact: to }) = self.states.at().shortest_way(contact) else {
+            self.states.world.contacts[contact].tolerated = f64::INFINITY;
             return;
         };
         let Some(to) = to.filter(|&to| self.states.world.contacts[to].state.closed().is_none()) else {
-            self.states.world.contacts[contact].granted = 2.0 * (least - here).max(counts);
+            self.states.world.contacts[contact].tolerated = 2.0 * (overlap - here).max(tolerated);
             return;
         };
         // Not to the nodes at its vertex, which are no deeper: the other one of the same crossing goes with it.
@@ -111,7 +111,7 @@ impl<'a> Transitions<'_, 'a> {
             }
         }
         if self.states.world.contacts[to].state.closed().is_none() {
-            self.closing().close_in_place_of(&left, to, 2.0 * least);
+            self.closing().close_in_place_of(&left, to, 2.0 * overlap);
         }
     }
 
@@ -119,7 +119,7 @@ impl<'a> Transitions<'_, 'a> {
     fn release(&mut self, contact: usize, closed: &ClosedContact, kind: EventKind) {
         self.states.world.contacts[contact].place = closed.place;
         let released = self.states.strain(contact, closed);
-        self.states.world.contacts[contact].granted = 0.0;
+        self.states.world.contacts[contact].tolerated = 0.0;
         let armed = kind == EventKind::Opened && !self.is_displaced_behind(contact);
         self.states.log(contact, Contact::Open { armed }, kind, released);
     }

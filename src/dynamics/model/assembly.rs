@@ -12,7 +12,7 @@ use crate::dynamics::model::moving_ground::MovingGround;
 use crate::dynamics::model::pair::{ContactSite, Pair};
 use crate::dynamics::model::rate_bounds::RateBounds;
 use crate::dynamics::model::rotation;
-use crate::dynamics::model::single_axis;
+use crate::dynamics::model::single_axis::keeps_to_axis;
 use crate::dynamics::model::{backwall, contact_sites, edge_sites, flexible, pier, supports};
 use crate::scene::facing::{Facing, SolidId};
 use crate::scene::{Between, Direction, Girder, Kind, MovingSupports, Scene, SceneErrors, StandsOn, facing, placed};
@@ -39,7 +39,7 @@ impl Model {
     pub fn of(scene: &Scene, facings: Vec<Facing>) -> Result<Self, SceneErrors> {
         let ground = compiled(&scene.motion);
         let straight = |mut body: Body| {
-            body.straight = [0, 1].map(|axis| single_axis::is_decoupled(&body, &ground, axis));
+            body.keeps_to_axis = [0, 1].map(|axis| keeps_to_axis(&body, &ground, axis));
             body
         };
         let moving = MovingGround::of(scene, &ground);
@@ -145,15 +145,12 @@ fn body(scene: &Scene, girder: &Girder, moving: Option<&MovingSupports>) -> Body
     let free = free_directions(scene.kind, &girder.held);
     // A held direction keeps its place but has no speed.
     let rate = |direction: usize, v: f64| if free[direction] { v } else { 0.0 };
-    let radius = prism.radius();
+    let coordinates = match scene.kind {
+        Kind::Planar => BodyCoordinates::Planar,
+        Kind::Spatial => BodyCoordinates::Spatial,
+    };
     Body {
-        rate_bounds: RateBounds::of(&prism, girder.mass, [radius, gyration2], free, &bearings),
-        name: girder.name.clone(),
-        coordinates: match scene.kind {
-            Kind::Planar => BodyCoordinates::Planar,
-            Kind::Spatial => BodyCoordinates::Spatial,
-        },
-        home: girder.position.into(),
+        rate_bounds: RateBounds::of(&prism, girder.mass, [prism.radius(), gyration2], free, &bearings),
         mass: girder.mass,
         planar: PlanarBearings::gather(&bearings, axes),
         push: girder.push.force.into(),
@@ -161,14 +158,12 @@ fn body(scene: &Scene, girder: &Girder, moving: Option<&MovingSupports>) -> Body
         start: [x, y, z, roll, pitch, yaw],
         start_rate: [rate(0, vx), rate(1, vy), rate(2, vz), rate(3, spin.x), rate(4, spin.y), rate(5, spin.z)],
         free,
-        straight: [false; 2],
         inertia: [inertia, inertia.inverse()],
-        radius,
-        prism,
         axes,
         gyration2,
         bearings,
         unbalanced,
+        ..Body::immovable(girder.name.clone(), coordinates, prism, girder.position.into())
     }
 }
 

@@ -7,7 +7,6 @@ use glam::{DMat3, DVec3};
 
 use crate::dynamics::connection::{Device, Kinematics, Link};
 use crate::dynamics::devices::{Backfill, ElastoPlastic, Envelope, Failure, Hysteresis, Stopper};
-use crate::dynamics::model::bearing::{PlanarBearings, UnbalancedWeight};
 use crate::dynamics::model::body::{Body, BodyCoordinates};
 use crate::dynamics::model::compiled_model::Backwall;
 use crate::dynamics::model::coordinates::given_motion::GivenMotion;
@@ -98,33 +97,19 @@ impl WallFrame {
     /// face's first corner.
     fn body(&self, abutment: &Abutment, soil: &ResolvedBackfill, below: Option<GivenMotion>) -> Body {
         let (prism, own) = (self.block(soil.thickness), Guided { along: self.inward });
-        let radius = prism.radius();
-        let free = [true, true, false, false, false, false];
         let per_mass = prism.inertia_per_mass();
         let inertia = per_mass * soil.mass;
+        let coordinates = BodyCoordinates::Custom(match below {
+            None => Arc::new(own),
+            Some(ground) => Arc::new(GuidedOnGround { own, ground }),
+        });
         Body {
-            name: abutment.name.clone(),
-            coordinates: BodyCoordinates::Custom(match below {
-                None => Arc::new(own),
-                Some(ground) => Arc::new(GuidedOnGround { own, ground }),
-            }),
-            home: self.corner,
-            axes: DMat3::IDENTITY,
             mass: soil.mass,
             gyration2: per_mass.z_axis.z,
             inertia: [inertia, inertia.inverse()],
             rate_bounds: RateBounds { mobility: 1.0 / soil.mass, stiffest: 0.0, modal: ModalRates::default() },
-            radius,
-            prism,
-            bearings: Vec::new(),
-            unbalanced: UnbalancedWeight::default(),
-            planar: PlanarBearings::gather(&[], DMat3::IDENTITY),
-            free,
-            push: DVec3::ZERO,
-            moment: DVec3::ZERO,
-            straight: [false; 2],
-            start: [0.0; 6],
-            start_rate: [0.0; 6],
+            free: [true, true, false, false, false, false],
+            ..Body::immovable(abutment.name.clone(), coordinates, prism, self.corner)
         }
     }
 

@@ -16,7 +16,7 @@ use crate::dynamics::model::closed_form::ClosedForm;
 use crate::dynamics::model::ground_now::GroundNow;
 use crate::dynamics::model::linear_block::part::LinearPart;
 use crate::dynamics::model::motion_bounds::MotionBounds;
-use crate::dynamics::model::rate_bounds::RateBounds;
+use crate::dynamics::model::rate_bounds::{ModalRates, RateBounds};
 use crate::dynamics::model::reference_pose::ReferencePose;
 use crate::dynamics::model::wrench::Wrench;
 use crate::geometry::End;
@@ -60,7 +60,7 @@ pub struct Body {
     /// Constant moment about the world's axes \[N·m\].
     pub moment: DVec3,
     /// For the world's x and y: whether nothing but a touch can drive it off that axis once it moves along it.
-    pub straight: [bool; 2],
+    pub keeps_to_axis: [bool; 2],
     /// Displacement at the start: x, y, z \[m\], roll, pitch, yaw \[rad\].
     pub start: [f64; 6],
     /// Velocity and angular velocity at the start, world axes \[m/s, rad/s\].
@@ -68,6 +68,32 @@ pub struct Body {
 }
 
 impl Body {
+    /// A body of this shape that no force moves, at rest with G at `home` \[m\] and its axes those of the world: the ground, and what
+    /// others begin from.
+    pub(super) fn immovable(name: String, coordinates: BodyCoordinates, prism: Prism, home: DVec3) -> Self {
+        Self {
+            name,
+            coordinates,
+            home,
+            axes: DMat3::IDENTITY,
+            mass: f64::INFINITY,
+            gyration2: 1.0,
+            inertia: [DMat3::IDENTITY, DMat3::ZERO],
+            radius: prism.radius(),
+            prism,
+            rate_bounds: RateBounds { mobility: 0.0, stiffest: 0.0, modal: ModalRates::default() },
+            bearings: Vec::new(),
+            unbalanced: UnbalancedWeight::default(),
+            planar: PlanarBearings::gather(&[], DMat3::IDENTITY),
+            free: [false; 6],
+            push: DVec3::ZERO,
+            moment: DVec3::ZERO,
+            keeps_to_axis: [false; 2],
+            start: [0.0; 6],
+            start_rate: [0.0; 6],
+        }
+    }
+
     /// (3), (4) of the girder in its own axes.
     pub fn quantities(&self) -> BearingQuantities {
         BearingQuantities::of(&self.bearings, self.mass, self.gyration2)

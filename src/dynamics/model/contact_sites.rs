@@ -288,10 +288,10 @@ mod tests {
             let normal = site.face_body.map_or(site.face.normal, |b| model.bodies[b].axes * site.face.normal);
             let gap = normal.dot(node - corner);
             assert!(
-                (site.geometry.gap() - gap).abs() < 1e-14 && gap > 0.0,
+                (site.geometry.placed_gap() - gap).abs() < 1e-14 && gap > 0.0,
                 "{}: {} for {gap}",
                 site.node,
-                site.geometry.gap()
+                site.geometry.placed_gap()
             );
             assert!((normal.x.abs() - normal.y.abs()).abs() < 1e-12, "{}: 45°, not {normal}", site.node);
             assert_eq!(site.pair, 0, "{}", site.node);
@@ -300,7 +300,7 @@ mod tests {
         let of_deck = model.contacts.iter().filter(|site| site.node_body == Some(0)).count();
         assert_eq!(of_deck, 2, "both corners of the end that faces the wall");
         let [shortest, longest] = [f64::min, f64::max]
-            .map(|pick| model.contacts.iter().map(|site| site.geometry.gap()).reduce(pick).unwrap_or(f64::NAN));
+            .map(|pick| model.contacts.iter().map(|site| site.geometry.placed_gap()).reduce(pick).unwrap_or(f64::NAN));
         assert!(longest - shortest < 1e-12, "parallel faces: {shortest} to {longest}");
     }
 }

@@ -99,7 +99,7 @@ fn one(scene: &Scene, elastic: &Elastic, (number, facings): (usize, &[Facing]), 
         }
         (body.rate_bounds.mobility, body.rate_bounds.modal) = (made.mobility(), made.modal_rates());
         // No closed form of motion along an axis in space.
-        body.straight = body.straight.map(|straight| straight && matches!(made, ElasticBody::Plan(_)));
+        body.keeps_to_axis = body.keeps_to_axis.map(|straight| straight && matches!(made, ElasticBody::Plan(_)));
         body.coordinates = made.coordinates();
     }
     Flexible { beam, space, section, softness, tolerance: elastic.tolerance, girder: made }

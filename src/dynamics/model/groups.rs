@@ -74,7 +74,7 @@ impl Model {
         for (end, body) in link.bodies.into_iter().enumerate() {
             let Some(body) = body else { continue };
             // A device can lead its bodies off an axis.
-            self.bodies[body].straight = [false; 2];
+            self.bodies[body].keeps_to_axis = [false; 2];
             link.sections[end] = self.section_of_link(body, link.arms[end], of);
         }
         self.links.push(link);

@@ -3,13 +3,11 @@
 
 use std::sync::Arc;
 
-use glam::{DMat3, DVec3};
+use glam::DVec3;
 
-use crate::dynamics::model::bearing::{PlanarBearings, UnbalancedWeight};
 use crate::dynamics::model::body::{Body, BodyCoordinates};
 use crate::dynamics::model::coordinates::given_motion::GivenMotion;
 use crate::dynamics::model::ground::compiled;
-use crate::dynamics::model::rate_bounds::{ModalRates, RateBounds};
 use crate::geometry::Prism;
 use crate::motion::Ground;
 use crate::motion::support::{GroundPath, RelativeMotion, SupportMotion};
@@ -67,26 +65,6 @@ impl MovingGround {
     /// What moves as the ground under a support does, a block of this size, of a mass that no force moves; its frame stands at `home`
     /// \[m\].
     pub(super) fn body(&self, name: String, prism: Prism, home: DVec3, own: SupportMotion) -> Body {
-        Body {
-            name,
-            coordinates: BodyCoordinates::Custom(Arc::new(self.given(own))),
-            home,
-            axes: DMat3::IDENTITY,
-            mass: f64::INFINITY,
-            gyration2: 1.0,
-            inertia: [DMat3::IDENTITY, DMat3::ZERO],
-            radius: prism.radius(),
-            prism,
-            rate_bounds: RateBounds { mobility: 0.0, stiffest: 0.0, modal: ModalRates::default() },
-            bearings: Vec::new(),
-            unbalanced: UnbalancedWeight::default(),
-            planar: PlanarBearings::gather(&[], DMat3::IDENTITY),
-            free: [false; 6],
-            push: DVec3::ZERO,
-            moment: DVec3::ZERO,
-            straight: [false; 2],
-            start: [0.0; 6],
-            start_rate: [0.0; 6],
-        }
+        Body::immovable(name, BodyCoordinates::Custom(Arc::new(self.given(own))), prism, home)
     }
 }

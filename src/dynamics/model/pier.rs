@@ -7,7 +7,7 @@ use glam::DVec3;
 
 use crate::dynamics::connection::{Device, Kinematics, Link};
 use crate::dynamics::devices::{ElastoPlastic, Hysteresis, LinearBearing};
-use crate::dynamics::model::bearing::{Bearing, PlanarBearings, UnbalancedWeight};
+use crate::dynamics::model::bearing::{Bearing, PlanarBearings};
 use crate::dynamics::model::body::{Body, BodyCoordinates};
 use crate::dynamics::model::compiled_model::{Model, Pier};
 use crate::dynamics::model::coordinates::section_forces::LinkOf;
@@ -26,32 +26,21 @@ pub(super) fn bodies(scene: &Scene, moving: Option<&MovingSupports>) -> Vec<Body
 fn body(name: &str, pier: &ResolvedPier, linked: bool) -> Body {
     let [length, width, thickness] = pier.cap;
     let prism = Prism { length, width, thickness, skew: std::f64::consts::FRAC_PI_2 };
-    let radius = prism.radius();
     let gyration2 = pier.inertia / pier.mass;
     let mut inertia = prism.inertia_per_mass() * pier.mass;
     inertia.z_axis.z = pier.inertia;
     let free = [true, true, false, false, false, pier.turn_stiffness.is_some()];
     let bearings = if linked { Vec::new() } else { column(pier) };
     Body {
-        name: name.to_owned(),
-        coordinates: BodyCoordinates::Planar,
-        rate_bounds: RateBounds::of(&prism, pier.mass, [radius, gyration2], free, &bearings),
+        rate_bounds: RateBounds::of(&prism, pier.mass, [prism.radius(), gyration2], free, &bearings),
         planar: PlanarBearings::gather(&bearings, pier.axes),
-        home: pier.top,
         axes: pier.axes,
         mass: pier.mass,
         gyration2,
         inertia: [inertia, inertia.inverse()],
-        radius,
-        prism,
         bearings,
-        unbalanced: UnbalancedWeight::default(),
         free,
-        push: DVec3::ZERO,
-        moment: DVec3::ZERO,
-        straight: [false; 2],
-        start: [0.0; 6],
-        start_rate: [0.0; 6],
+        ..Body::immovable(name.to_owned(), BodyCoordinates::Planar, prism, pier.top)
     }
 }
 

@@ -30,8 +30,8 @@ pub(in crate::dynamics) struct ActiveContact {
     /// Penetration at which the bounds of stiffness and damping are evaluated \[m\]; a law that stiffens can exceed
     /// it.
     pub depth: f64,
-    /// Overlap of its two bodies beyond the deepest penetration between them that no contact can carry, and that is granted \[m\].
-    pub granted: f64,
+    /// Overlap of its two bodies beyond the deepest penetration between them that no contact can carry, and that is tolerated \[m\].
+    pub tolerated: f64,
 }
 
 impl ActiveContact {
@@ -42,7 +42,7 @@ impl ActiveContact {
         closed: ClosedContact,
         geometry: ContactGeometry,
     ) -> Self {
-        Self { site, node, face, sections: [0; 2], closed, geometry, angle: None, depth: 0.0, granted: 0.0 }
+        Self { site, node, face, sections: [0; 2], closed, geometry, angle: None, depth: 0.0, tolerated: 0.0 }
     }
 
     /// Position and velocity of the node relative to the face, with poses `frames` of the island's bodies relative to

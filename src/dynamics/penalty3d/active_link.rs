@@ -34,11 +34,12 @@ pub(in crate::dynamics) struct ActiveLink {
 impl ActiveLink {
     /// Finds its sections among those of the island's bodies.
     pub(in crate::dynamics) fn find_sections(&mut self, model: &Model, layout: &StateLayout) {
-        let own = self.of(model).sections;
+        let own = self.link(model).sections;
         self.sections = [0, 1].map(|end| self.ends[end].map_or(0, |i| layout.sections(i).start + own[end]));
     }
 
-    pub(in crate::dynamics) fn of<'a>(&self, model: &'a Model) -> &'a Link {
+    /// The link in the model.
+    pub(in crate::dynamics) fn link<'a>(&self, model: &'a Model) -> &'a Link {
         &model.links[self.number]
     }
 
@@ -50,7 +51,7 @@ impl ActiveLink {
         bases: &[ReferencePose],
         frames: &[Frame],
     ) -> (Separation, [DVec3; 2]) {
-        let link = self.of(model);
+        let link = self.link(model);
         if let ([Some(body), None], Kinematics::Linear) = (self.ends, link.kinematics) {
             // Of a planar bearing: no rotation matrix.
             let frame = &frames[self.sections[0]];
@@ -95,7 +96,7 @@ impl ActiveLink {
         frames: &[Frame],
         wrenches: &mut [Wrench],
     ) -> Option<(usize, Evolution)> {
-        let (link, (motion, arms), phase) = (self.of(model), self.motion(model, bases, frames), self.phase_in(y));
+        let (link, (motion, arms), phase) = (self.link(model), self.motion(model, bases, frames), self.phase_in(y));
         let (force, evolution) = match self.evolving {
             Some(_) => link.device.force_and_evolution(&phase, &motion),
             None => (link.device.force(&phase, &motion), Evolution::default()),
@@ -117,7 +118,7 @@ impl ActiveLink {
         frames: &[Frame],
         vector: DVec3,
     ) -> DVec3 {
-        let link = self.of(model);
+        let link = self.link(model);
         match self.ends[1] {
             Some(body) => {
                 let second = bases[body].whole(&frames[self.sections[1]]);
@@ -131,7 +132,7 @@ impl ActiveLink {
     /// distance p beyond the corners' r has at most `(p/r)²` times their mobility: `1 + p²/i² ≤ (1 + r²/i²) (p/r)²`. Ground of given
     /// motion, whose r is 0 under a bearing, no force moves.
     pub(in crate::dynamics) fn mobility(&self, model: &Model) -> f64 {
-        let link = self.of(model);
+        let link = self.link(model);
         let moved = |(body, arm): (&Option<usize>, DVec3)| {
             let body = &model.bodies[(*body)?];
             (body.rate_bounds.mobility > 0.0).then_some((body, arm))

@@ -24,8 +24,8 @@ pub(in crate::dynamics) struct MetContacts {
     sides: [(Option<usize>, Frame); 2],
     /// Numbers of the contacts in the island.
     contacts: Vec<usize>,
-    /// Overlap beyond the deepest penetration that is granted \[m\].
-    granted: f64,
+    /// Overlap beyond the deepest penetration that is tolerated \[m\].
+    tolerated: f64,
 }
 
 /// The bodies of an island at an instant.
@@ -64,7 +64,7 @@ impl BodiesAt<'_> {
 /// What no contact carries.
 #[derive(Clone, Copy, Debug)]
 pub(in crate::dynamics) struct Excess {
-    /// Least overlap less the deepest penetration and what is granted \[m\].
+    /// Least overlap less the deepest penetration and what is tolerated \[m\].
     pub value: f64,
     /// Number in the island of the deepest contact.
     pub deepest: usize,
@@ -82,16 +82,16 @@ impl MetContacts {
             let pair = &model.pairs[site.pair];
             let ids = [pair.first.solid(), pair.second.solid()];
             let Some(meeting) = model.meetings.iter().position(|meeting| meeting.ids == ids) else { continue };
-            let own = contact.granted.max(UNCARRIED * model.meetings[meeting].least_side);
+            let own = contact.tolerated.max(UNCARRIED * model.meetings[meeting].least_side);
             if let Some(known) = all.iter_mut().find(|known| known.meeting == meeting) {
                 known.contacts.push(number);
-                known.granted = known.granted.max(own);
+                known.tolerated = known.tolerated.max(own);
                 continue;
             }
             let side = |body: Option<usize>| {
                 (body.and_then(|body| bodies.iter().position(|&other| other == body)), site.stand)
             };
-            all.push(Self { meeting, sides: pair.bodies.map(side), contacts: vec![number], granted: own });
+            all.push(Self { meeting, sides: pair.bodies.map(side), contacts: vec![number], tolerated: own });
         }
         all
     }
@@ -100,7 +100,7 @@ impl MetContacts {
     pub(in crate::dynamics) fn excess(&self, model: &Model, bodies: BodiesAt<'_>) -> Excess {
         let (deepest, penetration) = self.deepest(model, bodies);
         let overlap = model.meetings[self.meeting].least_overlap(&self.poses(model, bodies));
-        Excess { value: overlap - penetration - self.granted, deepest }
+        Excess { value: overlap - penetration - self.tolerated, deepest }
     }
 
     /// Whether the deepest contact carries the overlap along its own normal, which is not less than the least.
@@ -110,7 +110,7 @@ impl MetContacts {
         let out = usize::from(contact.face != self.sides[0].0);
         let normal = contact.normal(model, bodies.frames);
         let along = model.meetings[self.meeting].overlap_along(normal, out, &self.poses(model, bodies));
-        along - penetration - self.granted < 0.0
+        along - penetration - self.tolerated < 0.0
     }
 
     /// Number of the deepest contact, and what it carries \[m\].

@@ -23,7 +23,7 @@ use crate::dynamics::penalty3d::coupled_system::CoupledSystem;
 
 /// A section of a body of the island.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
-struct Side {
+struct BodySection {
     /// Index of the body in the island.
     body: usize,
     /// Number of the section among the body's own.
@@ -34,18 +34,18 @@ struct Side {
 #[derive(Clone, Copy, Debug, PartialEq)]
 struct Joint {
     /// The node's and the face's section of the first contact; `None` for an abutment.
-    sides: [Option<Side>; 2],
+    sides: [Option<BodySection>; 2],
     /// The face's normal along the axis, ±1.
     normal: f64,
     /// `g` as placed \[m\].
-    rest: f64,
+    placed_gap: f64,
     /// Normal law of its contacts in parallel; `None` where the normal force is held at 0.
     law: Option<Normal>,
 }
 
 /// A body of the island.
 #[derive(Clone, Debug, PartialEq)]
-struct Line {
+struct AxialBody {
     /// Its components in the island's vector.
     range: Range<usize>,
     /// Of these, displacement and velocity of G along the axis, counted in the island's vector.
@@ -58,7 +58,7 @@ struct Line {
 #[derive(Clone, Debug, PartialEq)]
 pub(in crate::dynamics) struct CollinearIsland {
     axis: usize,
-    lines: Vec<Line>,
+    lines: Vec<AxialBody>,
     /// Whether a body bends.
     bends: bool,
     joints: Vec<Joint>,
@@ -67,10 +67,10 @@ pub(in crate::dynamics) struct CollinearIsland {
 }
 
 /// Quantities of a contact on the axis.
-struct Touch {
-    sides: [Option<Side>; 2],
+struct AxialContact {
+    sides: [Option<BodySection>; 2],
     normal: f64,
-    rest: f64,
+    placed_gap: f64,
     law: Option<Normal>,
     /// Levers of its force across the axis from G of either side \[m\].
     levers: [f64; 2],
@@ -85,12 +85,12 @@ impl CollinearIsland {
         if active.is_empty() || !links.is_empty() {
             return None;
         }
-        let lines = |axis: usize| -> Option<Vec<Line>> {
+        let lines = |axis: usize| -> Option<Vec<AxialBody>> {
             let along = |(i, (&b, base)): (usize, (&usize, &ReferencePose))| {
                 let AxialMotion { components, modes } =
                     model.bodies[b].along(axis).filter(|_| planar::is_base_along(base, axis))?;
                 let range = layout.range(i);
-                Some(Line { components: components.map(|component| range.start + component), range, modes })
+                Some(AxialBody { components: components.map(|component| range.start + component), range, modes })
             };
             bodies.iter().zip(bases).enumerate().map(along).collect()
         };
@@ -100,18 +100,19 @@ impl CollinearIsland {
     fn across(
         model: &Model,
         bodies: &[usize],
-        lines: Vec<Line>,
+        lines: Vec<AxialBody>,
         active: &[ActiveContact],
         axis: usize,
     ) -> Option<Self> {
-        let touches: Option<Vec<Touch>> = active.iter().map(|a| Touch::of(model, bodies, a, axis)).collect();
+        let touches: Option<Vec<AxialContact>> =
+            active.iter().map(|a| AxialContact::of(model, bodies, a, axis)).collect();
         let touches = touches?;
         let first: Vec<usize> =
             touches.iter().map(|touch| touches.iter().position(|other| touch.joins(other)).unwrap_or(0)).collect();
         let mut joints = Vec::new();
         for number in (0..touches.len()).filter(|&number| first[number] == number) {
             let members = || (number..touches.len()).filter(|&n| first[n] == number).map(|n| &touches[n]);
-            joints.push(Touch::together(&touches[number], members)?);
+            joints.push(AxialContact::together(&touches[number], members)?);
         }
         let bends = lines.iter().any(|line| line.modes.is_some());
         Some(Self { axis, lines, bends, joints, first })
@@ -161,11 +162,11 @@ impl CollinearIsland {
         out.fill(0.0);
         for joint in &self.joints {
             let [node, face] = joint.sides.map(|side| side.map_or([0.0; 2], |side| self.moved(side, y)));
-            let gap = joint.rest + joint.normal * (node[0] - face[0]);
+            let gap = joint.placed_gap + joint.normal * (node[0] - face[0]);
             let rate = joint.normal * (node[1] - face[1]);
             let force = joint.law.map_or(0.0, |law| joint.normal * (law.elastic(-gap) + law.damping(-gap, rate)));
             for (side, force) in joint.sides.into_iter().zip([force, -force]) {
-                let Some(Side { body, section }) = side else { continue };
+                let Some(BodySection { body, section }) = side else { continue };
                 let line = &self.lines[body];
                 out[line.components[1]] += force;
                 if let Some(modes) = &line.modes {
@@ -189,7 +190,7 @@ impl CollinearIsland {
 
     /// Displacement of a section along the axis and its rate, counted from the reference pose of its body.
     #[inline]
-    fn moved(&self, Side { body, section }: Side, y: &[f64]) -> [f64; 2] {
+    fn moved(&self, BodySection { body, section }: BodySection, y: &[f64]) -> [f64; 2] {
         let line = &self.lines[body];
         let [place, speed] = line.components.map(|component| y[component]);
         line.modes.as_ref().map_or([place, speed], |modes| {
@@ -199,7 +200,7 @@ impl CollinearIsland {
     }
 }
 
-impl Touch {
+impl AxialContact {
     fn of(model: &Model, bodies: &[usize], active: &ActiveContact, axis: usize) -> Option<Self> {
         let site = &model.contacts[active.site];
         let frame = |side: Option<usize>| side.map_or(site.stand, |i| Frame::fixed(model.bodies[bodies[i]].home));
@@ -213,11 +214,11 @@ impl Touch {
             Mode::Slip { .. } => law.mu_k == 0.0 && law.friction == FrictionLaw::ReturnMapping && law.v_stick == 0.0,
         };
         let sections = model.sections(active.site);
-        let side = |i: usize, body: Option<usize>| body.map(|body| Side { body, section: sections[i] });
+        let side = |i: usize, body: Option<usize>| body.map(|body| BodySection { body, section: sections[i] });
         (square && still && active.angle.is_none()).then(|| Self {
             sides: [side(0, active.node), side(1, active.face)],
             normal: normal[axis],
-            rest: here.gap,
+            placed_gap: here.gap,
             law: (!closed.held_at_zero).then_some(law.normal),
             levers: [arm[1 - axis], lever[1 - axis]],
             reach: site.reach(),
@@ -233,8 +234,9 @@ impl Touch {
     /// The joint of contacts between the same sides; `None` where their penetrations differ or their moments do not
     /// cancel.
     fn together<'a, I: Iterator<Item = &'a Self>>(first: &Self, members: impl Fn() -> I) -> Option<Joint> {
-        let level = members().all(|m| m.law == first.law && (m.rest - first.rest).abs() <= LEVEL_ROUNDING * m.reach);
-        let lever = |side: Option<Side>, m: &Self| if m.sides[0] == side { m.levers[0] } else { m.levers[1] };
+        let level = members()
+            .all(|m| m.law == first.law && (m.placed_gap - first.placed_gap).abs() <= LEVEL_ROUNDING * m.reach);
+        let lever = |side: Option<BodySection>, m: &Self| if m.sides[0] == side { m.levers[0] } else { m.levers[1] };
         let balanced = first.sides.into_iter().all(|side| {
             let (sum, size) = members().fold((0.0, 0.0f64), |(sum, size), m| {
                 let lever = lever(side, m);
@@ -243,9 +245,9 @@ impl Touch {
             side.is_none() || f64::abs(sum) <= LEVEL_ROUNDING * size
         });
         let count = members().count() as f64;
-        let rest = members().map(|m| m.rest).sum::<f64>() / count;
+        let placed_gap = members().map(|m| m.placed_gap).sum::<f64>() / count;
         let law = first.law.map(|of_one| of_one.times(count));
-        (level && balanced).then_some(Joint { sides: first.sides, normal: first.normal, rest, law })
+        (level && balanced).then_some(Joint { sides: first.sides, normal: first.normal, placed_gap, law })
     }
 }
 

@@ -21,7 +21,7 @@ pub(in crate::dynamics) fn fastest(
     links: &[ActiveLink],
 ) -> f64 {
     let contacts = active.iter().map(|a| a.stiffness_bound(&a.closed.mode) * mobility(model, a));
-    let links = links.iter().map(|link| link.of(model).device.stiffness_bound(&link.phase) * link.mobility(model));
+    let links = links.iter().map(|link| link.link(model).device.stiffness_bound(&link.phase) * link.mobility(model));
     let bearings = bodies.iter().map(|&b| model.bodies[b].rate_bounds.stiffest);
     contacts.chain(links).chain(bearings).fold(LEAST_SQUARED_FREQUENCY, f64::max).sqrt()
 }
@@ -30,7 +30,7 @@ pub(in crate::dynamics) fn fastest(
 /// \[1/s\].
 pub(in crate::dynamics) fn largest_decay_rate(model: &Model, active: &[ActiveContact], links: &[ActiveLink]) -> f64 {
     let contacts = active.iter().map(|a| a.damping_bound(&a.closed.mode) * mobility(model, a));
-    let links = links.iter().map(|link| link.of(model).device.damping_bound(&link.phase) * link.mobility(model));
+    let links = links.iter().map(|link| link.link(model).device.damping_bound(&link.phase) * link.mobility(model));
     contacts.chain(links).fold(0.0, f64::max)
 }
 
@@ -59,7 +59,7 @@ pub(in crate::dynamics) fn decay(
         }
     }
     for link in links {
-        let device = &link.of(model).device;
+        let device = &link.link(model).device;
         let rate = device.damping_bound(&link.phase) * link.mobility(model);
         link.ends.into_iter().flatten().for_each(|i| sums[i] += rate);
     }

@@ -54,7 +54,7 @@ impl CoupledSystem {
                 y.push(angle);
             }
         }
-        for link in links.iter_mut().filter(|link| link.of(model).device.evolves(&link.phase)) {
+        for link in links.iter_mut().filter(|link| link.link(model).device.evolves(&link.phase)) {
             link.evolving = Some(y.len());
             y.push(link.phase.memory[0]);
         }
@@ -128,7 +128,7 @@ impl CoupledSystem {
     /// Devices but supports that are lost: the link of one takes away what the girder's bearing has, and together they have no
     /// force and no energy, however far the girder has gone.
     pub(in crate::dynamics) fn acting(&self, model: &Model) -> impl Iterator<Item = &ActiveLink> {
-        self.links.iter().filter(|link| !link.of(model).device.is_lost(&link.phase))
+        self.links.iter().filter(|link| !link.link(model).device.is_lost(&link.phase))
     }
 
     /// Devices whose memory is a state, in the order of their components.

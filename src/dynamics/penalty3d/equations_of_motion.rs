@@ -24,15 +24,8 @@ pub(in crate::dynamics) struct ErrorScale {
     pub speed: f64,
     /// Largest circular frequency \[rad/s\].
     pub omega: f64,
-    /// Size of the moving bodies \[m\].
-    pub place: f64,
-    /// Fastest relaxation of what the law of a device remembers \[1/s\].
-    pub relaxation: f64,
-    /// Least [`smooth_within`](crate::dynamics::connection::Device::smooth_within) of the devices \[m/s\].
-    pub smooth_within: f64,
-    /// Least time to the opening of a contact whose force is no power series there, of those whose forces change a speed by more than the
-    /// allowed error until then \[s\].
-    pub opening: f64,
+    /// Largest distance of a point of the moving bodies from their reference poses \[m\].
+    pub size: f64,
 }
 
 /// Right-hand side of an island.
@@ -76,7 +69,7 @@ impl EquationsOfMotion<'_> {
             self.model.bodies[body].push_frames(&y[self.system.layout.range(i)], &mut frames);
         }
         let (motion, arms) = link.motion(self.model, &self.system.bases, &frames);
-        let Evolution { force, drive, .. } = link.of(self.model).device.evolution(&link.phase_in(y), &motion);
+        let Evolution { force, drive, .. } = link.link(self.model).device.evolution(&link.phase_in(y), &motion);
         let n = input.len() / 2;
         for (axis, along) in [force, drive].into_iter().enumerate() {
             let along = link.in_world(self.model, &self.system.bases, &frames, along.normalize_or_zero());
@@ -217,7 +210,7 @@ impl ImplicitSystem for EquationsOfMotion<'_> {
     fn increment_scale(&self, i: usize, y: f64) -> f64 {
         let Some((index, component)) = self.system.layout.body_of(i) else { return 1.0 };
         let body = &self.model.bodies[self.system.bodies[index]];
-        y.abs().max(body.increment_scale(component, self.scale.place, self.scale.omega))
+        y.abs().max(body.increment_scale(component, self.scale.size, self.scale.omega))
     }
 }
 
@@ -253,7 +246,7 @@ mod tests {
     #[test]
     fn an_error_of_the_allowed_speed_has_norm_one() {
         let (model, active) = closed(&wall(), stick);
-        let scale = ErrorScale { speed: 1e-6, omega: 500.0, place: 1.0, ..ErrorScale::default() };
+        let scale = ErrorScale { speed: 1e-6, omega: 500.0, size: 1.0 };
         let norm = |y: [f64; WIDTH]| size2(&model, &active, &y, scale);
         assert!((norm([0.0, 0.0, 0.0, 1e-6, 0.0, 0.0]) - 1.0).abs() < 1e-14, "of velocity");
         assert!((norm([0.0, 1e-6 / 500.0, 0.0, 0.0, 0.0, 0.0]) - 1.0).abs() < 1e-14, "of position, by ω");

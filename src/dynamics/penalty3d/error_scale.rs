@@ -18,99 +18,167 @@ use crate::dynamics::penalty3d::island::Island;
 use crate::motion::Ground;
 use crate::scene::FINEST_TOLERANCE;
 
+/// What the length of a step is bounded by, beside its error.
+#[derive(Clone, Copy, Debug)]
+pub(in crate::dynamics) struct StepLengthBounds {
+    /// Fastest relaxation of what the law of a device remembers \[1/s\].
+    relaxation: f64,
+    /// Least [`smooth_within`](crate::dynamics::connection::Device::smooth_within) of the devices \[m/s\].
+    smooth_within: f64,
+    /// Least time to the opening of a contact whose force is no power series there, of those whose forces change a speed by more than the
+    /// allowed error until then \[s\].
+    opening: f64,
+}
+
+/// What the bodies of an island add to its error scale.
+#[derive(Default)]
+struct BodyScale {
+    /// Square of the largest speed, rotation included \[m²/s²\].
+    speed2: f64,
+    /// Largest distance of a point from its reference pose \[m\].
+    size: f64,
+    /// Speed whose relative rounding is that of the positions and velocities of the corners \[m/s\].
+    roundoff: f64,
+    /// Largest acceleration by what the bearings leave of the weight, and by constant pushes \[m/s²\].
+    weight: f64,
+    pushed: f64,
+    /// Largest acceleration, of bodies without contact \[m/s²\].
+    acceleration: f64,
+}
+
+/// What its contacts add.
+struct ContactScale {
+    /// Square of the largest speed `√((ω g)² + ġ²)` of a normal or tangential spring \[m²/s²\].
+    speed2: f64,
+    /// Of contacts that open under a law that is no power series there: [`opening`].
+    openings: SmallVec<[[f64; 2]; 4]>,
+    /// Stretch of each contact whose slip angle is a state \[m\].
+    stretches: SmallVec<[f64; 4]>,
+}
+
+/// What its devices add.
+struct DeviceScale {
+    /// Square of the largest speed of a device's points against each other \[m²/s²\].
+    speed2: f64,
+    /// Displacement that changes the force as much as a unit of the memory does, of each memory that is a state \[m per its unit\].
+    memories: SmallVec<[f64; 8]>,
+    relaxation: f64,
+    smooth_within: f64,
+}
+
 impl Island {
     /// Error scale of the next step: the tolerance times the largest speed `√((ω g)² + ġ²)` of normal and tangential
     /// springs, or, without contact, times the largest speed of a body; at least round-off. The speed of sliding
     /// bodies does not enter, since the force of a pressed contact is as exact as its penetration.
-    pub(in crate::dynamics) fn scale(&mut self, model: &Model) -> ErrorScale {
-        let (mut speed2, mut place, mut roundoff) = (0.0f64, 0.0f64, 0.0f64);
-        let (mut weight, mut pushed, mut acceleration) = (0.0f64, 0.0f64, 0.0f64);
-        let (turns, free) =
-            (self.system.active.iter().any(|active| active.angle.is_some()), self.system.is_free(model));
+    pub(in crate::dynamics) fn scale(&mut self, model: &Model) -> (ErrorScale, StepLengthBounds) {
+        let free = self.system.is_free(model);
+        let bodies = self.bodies_scale(model, free);
+        let omega = if free { self.system.omega.max(self.largest_spin()) } else { self.system.omega };
+        let contacts = self.contacts_scale(model, omega);
+        let devices = self.devices_scale(model, omega);
+        let speed2 = if free { bodies.speed2 } else { 0.0 }.max(contacts.speed2).max(devices.speed2);
+        // From rest: speed acceleration in one radian from ground motion, weight and constant push.
+        let rest = (model.ground.peak() + bodies.weight + bodies.pushed + LEAST_ACCELERATION) / omega;
+        let largest = speed2.sqrt().max(REST_SPEED * rest).max(REVERSAL_SPEED * bodies.acceleration / omega);
+        // Round-off of a step: that of the displacement of a corner times the frequency, plus that of the speed of
+        // the corner.
+        let rounding = if self.stepper.state().stiff { IMPLICIT_ROUNDING } else { EXPLICIT_ROUNDING };
+        let speed = self.step_tolerance(model, free) * largest + rounding * (bodies.roundoff + rest);
+        self.angles.clear();
+        // Error of a slip angle as displacement of the anchor: stretch times angle.
+        let angle = |stretch: &f64| (speed / (omega * stretch)).min(model.tolerance.sqrt());
+        self.angles.extend(contacts.stretches.iter().map(angle));
+        self.angles.extend(devices.memories.iter().map(|length| speed / (omega * length)));
+        let felt = contacts.openings.iter().filter(|[_, impulse]| *impulse > speed).map(|[time, _]| *time);
+        let opening = felt.fold(f64::INFINITY, f64::min);
+        let DeviceScale { relaxation, smooth_within, .. } = devices;
+        (ErrorScale { speed, omega, size: bodies.size }, StepLengthBounds { relaxation, smooth_within, opening })
+    }
+
+    /// Tolerance of the next step \[–\]: that of the scene, less in a long run.
+    fn step_tolerance(&self, model: &Model, free: bool) -> f64 {
+        let (long_run, finest) =
+            if free { (LONG_RUN_FREE, FINEST_TOLERANCE_FREE) } else { (LONG_RUN_CONTACT, FINEST_TOLERANCE) };
+        let demanded = model.tolerance * (long_run / self.taken as f64).min(1.0);
+        demanded.max(model.tolerance.min(finest))
+    }
+
+    /// Poses of all sections at the start of the next step in the workspace, the displacement of each body since it was placed, and what
+    /// the bodies add to the error scale.
+    fn bodies_scale(&mut self, model: &Model, free: bool) -> BodyScale {
+        let turns = self.system.active.iter().any(|active| active.angle.is_some());
         let floor = if turns { ROUNDING_FLOOR_TURNING } else { ROUNDING_FLOOR };
+        let mut scale = BodyScale::default();
         self.workspace.frames.clear();
         for (i, &b) in self.system.bodies.iter().enumerate() {
-            let body = &model.bodies[b];
+            let (body, radius) = (&model.bodies[b], self.system.radii[i]);
             body.push_frames(&self.y[self.system.layout.range(i)], &mut self.workspace.frames);
             let here = &self.workspace.frames[self.system.layout.sections(i).start];
-            let spin = here.spin.length() * model.bodies[b].gyration2.sqrt();
-            speed2 = speed2.max(here.velocity.length_squared() + spin * spin);
-            place = place.max(here.shift.length() + self.system.radii[i]);
-            let since = here.moved(self.system.radii[i]);
-            self.moved[i] = self.system.bases[i].pose().moved(self.system.radii[i]) + since;
+            let spin = here.spin.length() * body.gyration2.sqrt();
+            scale.speed2 = scale.speed2.max(here.velocity.length_squared() + spin * spin);
+            scale.size = scale.size.max(here.shift.length() + radius);
+            let since = here.moved(radius);
+            self.moved[i] = self.system.bases[i].pose().moved(radius) + since;
             let known = since.max(floor * self.moved[i]);
             // Round-off of a position acts through the frequency of the connections, however fast the body rotates.
-            roundoff = roundoff.max(self.system.omega * known + here.speed(self.system.radii[i]));
-            pushed = pushed.max((body.push.length() + turning_push(body)) / body.mass);
+            scale.roundoff = scale.roundoff.max(self.system.omega * known + here.speed(radius));
+            scale.pushed = scale.pushed.max((body.push.length() + turning_push(body)) / body.mass);
             if body.free[2] {
-                weight = weight.max(body.unbalanced.force.abs() / body.mass);
+                scale.weight = scale.weight.max(body.unbalanced.force.abs() / body.mass);
             }
             if free {
-                acceleration = acceleration.max(self.acceleration(model, i));
+                scale.acceleration = scale.acceleration.max(self.acceleration(model, i));
             }
         }
-        let omega = if free { self.system.omega.max(self.largest_spin()) } else { self.system.omega };
-        let mut openings: SmallVec<[[f64; 2]; 4]> = SmallVec::new();
-        self.angles.clear();
-        if !free {
-            speed2 = 0.0;
-        }
+        scale
+    }
+
+    /// What the closed contacts add to the error scale, at the poses in the workspace.
+    fn contacts_scale(&self, model: &Model, omega: f64) -> ContactScale {
+        let mut scale = ContactScale { speed2: 0.0, openings: SmallVec::new(), stretches: SmallVec::new() };
         for number in self.kind.distinct(self.system.active.len()) {
             let active = &self.system.active[number];
             let here = active.look(model, &self.workspace.frames);
-            speed2 = speed2.max((omega * here.gap).powi(2) + here.gap_rate.powi(2));
+            scale.speed2 = scale.speed2.max((omega * here.gap).powi(2) + here.gap_rate.powi(2));
             if let Mode::Stick { anchor } = active.closed.mode {
-                speed2 = speed2.max((omega * (here.way - anchor)).length_squared() + here.rate.length_squared());
+                let stretch2 = (omega * (here.way - anchor)).length_squared();
+                scale.speed2 = scale.speed2.max(stretch2 + here.rate.length_squared());
             }
-            openings.extend(opening(model, active, &here));
+            scale.openings.extend(opening(model, active, &here));
             if active.angle.is_some() {
                 // Stretch at the largest depth of the remaining touch: towards its end the direction acts on a
                 // vanishing force.
                 let inwards = (-here.gap_rate).max(0.0);
                 let law = &active.closed.law;
-                self.angles.push(law.mu_k * law.normal.length(here.gap.abs() + inwards / omega, law.k_t));
+                scale.stretches.push(law.mu_k * law.normal.length(here.gap.abs() + inwards / omega, law.k_t));
             }
         }
-        let mut memories = Vec::new();
-        let (mut relaxation, mut smooth_within) = (0.0f64, f64::INFINITY);
+        scale
+    }
+
+    /// What the acting devices add to the error scale, at the poses in the workspace.
+    fn devices_scale(&self, model: &Model, omega: f64) -> DeviceScale {
+        let mut scale =
+            DeviceScale { speed2: 0.0, memories: SmallVec::new(), relaxation: 0.0, smooth_within: f64::INFINITY };
         for link in self.system.acting(model) {
             let (motion, _) = link.motion(model, &self.system.bases, &self.workspace.frames);
-            let device = &link.of(model).device;
+            let device = &link.link(model).device;
             let phase = link.phase_in(&self.y);
             let [_, rate] = device.gap(&phase, &motion);
             // A device gives its bodies no more speed than by the energy that it has stored, however far its points have gone, and
             // swings them no faster than by its own stiffness, however fast the contacts beside it are.
             let stiffness = device.stiffness_bound(&phase);
             let mobility = link.mobility(model).min(omega * omega / stiffness);
-            speed2 = speed2.max(2.0 * device.stored_energy(&phase, &motion).max(0.0) * mobility + rate * rate);
+            let stored = device.stored_energy(&phase, &motion).max(0.0);
+            scale.speed2 = scale.speed2.max(2.0 * stored * mobility + rate * rate);
             if link.evolving.is_some() {
-                // Displacement that changes the force as much as a unit of the memory does.
                 let evolution = device.evolution(&phase, &motion);
-                memories.push(evolution.force.length() / stiffness);
-                relaxation = relaxation.max(-evolution.decay);
+                scale.memories.push(evolution.force.length() / stiffness);
+                scale.relaxation = scale.relaxation.max(-evolution.decay);
             }
-            smooth_within = smooth_within.min(device.smooth_within(&phase, &motion));
+            scale.smooth_within = scale.smooth_within.min(device.smooth_within(&phase, &motion));
         }
-        // From rest: speed acceleration in one radian from ground motion, weight and constant push.
-        let rest = (model.ground.peak() + weight + pushed + LEAST_ACCELERATION) / omega;
-        let speed = speed2.sqrt().max(REST_SPEED * rest).max(REVERSAL_SPEED * acceleration / omega);
-        // Round-off of a step: that of the displacement of a corner times the frequency, plus that of the speed of
-        // the corner.
-        let pace = self.stepper.state();
-        let rounding = if pace.stiff { IMPLICIT_ROUNDING } else { EXPLICIT_ROUNDING };
-        let (long_run, finest) =
-            if free { (LONG_RUN_FREE, FINEST_TOLERANCE_FREE) } else { (LONG_RUN_CONTACT, FINEST_TOLERANCE) };
-        let demanded = model.tolerance * (long_run / self.taken as f64).min(1.0);
-        let tolerance = demanded.max(model.tolerance.min(finest));
-        let speed = tolerance * speed + rounding * (roundoff + rest);
-        // Error of a slip angle as displacement of the anchor: stretch times angle.
-        for stretch in &mut self.angles {
-            *stretch = (speed / (omega * *stretch)).min(model.tolerance.sqrt());
-        }
-        self.angles.extend(memories.iter().map(|length| speed / (omega * length)));
-        let felt = openings.iter().filter(|[_, impulse]| *impulse > speed).map(|[time, _]| *time);
-        let opening = felt.fold(f64::INFINITY, f64::min);
-        ErrorScale { speed, omega, place, relaxation, smooth_within, opening }
+        scale
     }
 
     /// Largest angular speed of a body \[rad/s\]. A body that rotates without contact and bearings has no other frequency, and
@@ -140,15 +208,15 @@ impl Island {
         }
     }
 
-    /// Longest next step, of this error scale \[s\]: no longer than its error estimate can judge.
-    pub(in crate::dynamics) fn longest(&mut self, model: &Model, scale: &ErrorScale) -> f64 {
+    /// Longest next step within these bounds \[s\]: no longer than its error estimate can judge.
+    pub(in crate::dynamics) fn longest(&mut self, model: &Model, bounds: &StepLengthBounds) -> f64 {
         let explicit = if self.stepper.state().stiff {
             f64::INFINITY
         } else {
-            self.decay_time(model).min(RESOLVED_RELAXATION / scale.relaxation)
+            self.decay_time(model).min(RESOLVED_RELAXATION / bounds.relaxation)
         };
-        let explicit = explicit.min(RESOLVED_CHANGE * scale.opening);
-        if scale.smooth_within < f64::INFINITY { explicit.min(self.smooth_time(model)) } else { explicit }
+        let explicit = explicit.min(RESOLVED_CHANGE * bounds.opening);
+        if bounds.smooth_within < f64::INFINITY { explicit.min(self.smooth_time(model)) } else { explicit }
     }
 
     /// Time within which relative velocities change by [`RESOLVED_CHANGE`] of what the series of devices' forces converge up to, with
@@ -159,7 +227,7 @@ impl Island {
         let time = |link: &ActiveLink| {
             let [now, then] =
                 [&self.workspace.frames, &frames].map(|frames| link.motion(model, &self.system.bases, frames).0);
-            let within = link.of(model).device.smooth_within(&link.phase_in(&self.y), &now);
+            let within = link.link(model).device.smooth_within(&link.phase_in(&self.y), &now);
             RESOLVED_CHANGE * within * dt / (then.rate - now.rate).length()
         };
         self.system.acting(model).map(time).fold(f64::INFINITY, f64::min)
@@ -216,7 +284,7 @@ mod tests {
         model.tolerance = tolerance;
         let mut island = island(&model, active, &[state]);
         island.taken = taken;
-        island.scale(&model)
+        island.scale(&model).0
     }
 
     #[test]

@@ -9,6 +9,7 @@ use crate::dynamics::Model;
 use crate::dynamics::locate::first_rise::{EarliestEvent, Resolution, first_rise};
 use crate::dynamics::locate::root::root;
 use crate::dynamics::locate::sample_times::sample_times;
+use crate::dynamics::penalty3d::carried_overlap::MetContacts;
 use crate::dynamics::penalty3d::constants::{
     CLOCK_ROUNDING, ENTRY_ROUNDING, FREE_RETRIES, PARTING_BAND, POSITION_ROUNDING, RETRY_DOUBLINGS, SAMPLES_EXPLICIT,
     SAMPLES_IMPLICIT, SAMPLES_MEDIUM, SHORT_PHASES, SPEED_ROUNDING_PHASE, ZERO_BAND,
@@ -103,48 +104,18 @@ fn first_among<const N: usize>(model: &Model, island: &Island, simultaneity: f64
         let samples: [Local; N] =
             std::array::from_fn(|i| island.system.active[number].look(model, &frames[i * sections..]));
         for reason in reasons(island, number) {
-            if reason == Reason::Edge && is_inside(model, island, number, &samples[0]) {
-                continue;
-            }
             let first = EarliestEvent { at: earliest, together: simultaneity };
-            let band =
-                dead_band(model, island, number, reason, &samples[0]) + retry_band(island, number, reason, &samples);
-            let values: [f64; N] = std::array::from_fn(|i| {
-                switching_function(model, island, number, reason, &samples[i], times[i]) - band
-            });
-            let value_at = |t: f64| {
-                switching_function(model, island, number, reason, &local_at(model, island, number, t), t) - band
-            };
-            let passing = reason == Reason::Switching && island.system.active[number].closed.solver.passing_stop;
-            let entering = is_entering(model, island, number, &samples[0]);
-            let rounding = POSITION_ROUNDING * island.reach(model, number);
-            let zero = match reason {
-                _ if entering => f64::INFINITY,
-                Reason::Switching if is_sticking(island, number) => {
-                    ZERO_BAND * switching_scale(island, number, reason, &samples) + rounding
-                }
-                _ => ZERO_BAND * switching_scale(island, number, reason, &samples),
-            };
-            let first = if entering { EarliestEvent::UNKNOWN } else { first };
-            if let Some(t) = first_rise([&times, &values], Resolution::at_start(zero), passing, first, value_at) {
-                let t = if entering && reason == Reason::Opening { reversal(model, island, number, t) } else { t };
-                found.push((t, Due { index: number, reason }));
+            let due = Due { index: number, reason };
+            if let Some(t) = contact_event(model, island, due, (&times, &samples), first) {
+                found.push((t, due));
                 earliest = earliest.min(t);
             }
         }
     }
     for met in &island.system.met {
-        let at = |i: usize| island.system.at(&frames[i * sections..]);
-        if (0..N).all(|i| met.is_carried(model, at(i))) {
-            continue;
-        }
-        let excess = |frames: &[Frame]| met.excess(model, island.system.at(frames));
-        let values: [f64; N] = std::array::from_fn(|i| met.excess(model, at(i)).value);
-        let value_at = |t: f64| excess(&island.frames_since(model, &[t])).value;
         let first = EarliestEvent { at: earliest, together: simultaneity };
-        if let Some(t) = first_rise([&times, &values], Resolution::at_start(0.0), false, first, value_at) {
-            let number = excess(&island.frames_since(model, &[t])).deepest;
-            found.push((t, Due { index: number, reason: Reason::Overlap }));
+        if let Some((t, due)) = uncarried_overlap(model, island, met, (&times, &frames), first) {
+            found.push((t, due));
             earliest = earliest.min(t);
         }
     }
@@ -160,6 +131,57 @@ fn first_among<const N: usize>(model: &Model, island: &Island, simultaneity: f64
     also_due(model, island, earliest + simultaneity, &mut due);
     due.dedup_by_key(|d| d.index);
     Some((earliest, due))
+}
+
+/// Time of the first event of this kind of a contact, from its samples \[s\]; of those later than the first of all events only what is due
+/// with it.
+fn contact_event<const N: usize>(
+    model: &Model,
+    island: &Island,
+    Due { index: number, reason }: Due,
+    (times, samples): (&[f64; N], &[Local; N]),
+    first: EarliestEvent,
+) -> Option<f64> {
+    if reason == Reason::Edge && is_inside(model, island, number, &samples[0]) {
+        return None;
+    }
+    let band = dead_band(model, island, number, reason, &samples[0]) + retry_band(island, number, reason, samples);
+    let values: [f64; N] =
+        std::array::from_fn(|i| switching_function(model, island, number, reason, &samples[i], times[i]) - band);
+    let value_at =
+        |t: f64| switching_function(model, island, number, reason, &local_at(model, island, number, t), t) - band;
+    let passing = reason == Reason::Switching && island.system.active[number].closed.solver.passing_stop;
+    let entering = is_entering(model, island, number, &samples[0]);
+    let zero = match reason {
+        _ if entering => f64::INFINITY,
+        Reason::Switching if is_sticking(island, number) => {
+            let rounding = POSITION_ROUNDING * island.reach(model, number);
+            ZERO_BAND * switching_scale(island, number, reason, samples) + rounding
+        }
+        _ => ZERO_BAND * switching_scale(island, number, reason, samples),
+    };
+    let first = if entering { EarliestEvent::UNKNOWN } else { first };
+    let t = first_rise([times, &values], Resolution::at_start(zero), passing, first, value_at)?;
+    Some(if entering && reason == Reason::Opening { reversal(model, island, number, t) } else { t })
+}
+
+/// Time at which the overlap of two bodies that have met first exceeds what their deepest contact carries \[s\], and that contact.
+fn uncarried_overlap<const N: usize>(
+    model: &Model,
+    island: &Island,
+    met: &MetContacts,
+    (times, frames): (&[f64; N], &[Frame]),
+    first: EarliestEvent,
+) -> Option<(f64, Due)> {
+    let sections = island.system.layout.section_count();
+    let at = |i: usize| island.system.at(&frames[i * sections..]);
+    if (0..N).all(|i| met.is_carried(model, at(i))) {
+        return None;
+    }
+    let excess_at = |t: f64| met.excess(model, island.system.at(&island.frames_since(model, &[t])));
+    let values: [f64; N] = std::array::from_fn(|i| met.excess(model, at(i)).value);
+    let t = first_rise([times, &values], Resolution::at_start(0.0), false, first, |t| excess_at(t).value)?;
+    Some((t, Due { index: excess_at(t).deepest, reason: Reason::Overlap }))
 }
 
 /// Whether a node stays inside its polygon for the whole step, by bounds on the excursions of both bodies.

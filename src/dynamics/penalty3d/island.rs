@@ -147,7 +147,7 @@ impl Island {
         let t = self.step.until;
         self.step.from = t;
         self.taken += 1;
-        let scale = self.scale(model);
+        let (scale, bounds) = self.scale(model);
         self.step.allowed = Allowed { place: scale.speed / scale.omega, speed: scale.speed };
         let number = model.ground.piece_number(t);
         let piece = model.ground.piece(number);
@@ -161,7 +161,7 @@ impl Island {
         let largest_decay_rate = if self.stepper.state().step > 0.0 { 0.0 } else { self.system.largest_decay_rate };
         let first =
             FIRST_PHASE * together / scale.omega.max(largest_decay_rate) * (model.tolerance / 1e-10).powf(0.125);
-        let longest = self.longest(model, &scale);
+        let longest = self.longest(model, &bounds);
         let kink = self.limiting_kink(model, t);
         let cap = self.drive_cap(model, cap);
         let limits = StepLimits { cap, kink, first, longest, soon, smallest: SMALLEST_PHASE / scale.omega };
@@ -181,7 +181,7 @@ impl Island {
     /// Where a kink of the ground limits steps rather than a method \[s\]: between bodies joined by devices that change their law, whose
     /// forces are smooth in between, and where every support has kinks of its own.
     fn limiting_kink(&self, model: &Model, t: f64) -> f64 {
-        let changes = |link: &ActiveLink| !link.of(model).device.is_linear();
+        let changes = |link: &ActiveLink| !link.link(model).device.is_linear();
         let limits = model.moving.is_some() || self.system.links.iter().any(changes);
         if limits { model.next_kink(t) } else { f64::INFINITY }
     }

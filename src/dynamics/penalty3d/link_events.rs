@@ -14,7 +14,7 @@ use crate::dynamics::penalty3d::island::Island;
 
 /// The first end of a phase of the island's devices within its planned step, and its time \[s\]; `None` without one.
 pub(in crate::dynamics) fn first_phase_end(model: &Model, island: &Island) -> Option<(f64, LinkDue)> {
-    if island.system.links.iter().all(|active| active.of(model).device.switches(&active.phase) == 0) {
+    if island.system.links.iter().all(|active| active.link(model).device.switches(&active.phase) == 0) {
         return None;
     }
     let sections = island.system.layout.section_count();
@@ -23,7 +23,7 @@ pub(in crate::dynamics) fn first_phase_end(model: &Model, island: &Island) -> Op
     let mut frames = island.frames_since(model, &times);
     let mut found: Option<(f64, LinkDue)> = None;
     for (index, active) in island.system.links.iter().enumerate() {
-        let link = active.of(model);
+        let link = active.link(model);
         let begins = active.motion(model, &island.system.bases, &frames).0;
         let within = excursion(model, island, active);
         let phase = island.phase_at(index, island.step.from);
@@ -67,7 +67,7 @@ pub(in crate::dynamics) fn first_phase_end(model: &Model, island: &Island) -> Op
 /// How far the motion of a link's first point against the second departs within the planned step from what it is at its start, in the
 /// link's axes; infinitely where these turn.
 fn excursion(model: &Model, island: &Island, active: &ActiveLink) -> Excursion {
-    let link = active.of(model);
+    let link = active.link(model);
     if link.kinematics == Kinematics::Carried && active.ends[1].is_some() {
         return Excursion { way: f64::INFINITY, rate: f64::INFINITY };
     }

@@ -11,7 +11,7 @@ pub(in crate::dynamics) struct AxialGap {
     /// Axis: 0 for x, 1 for y.
     pub axis: usize,
     /// Gap `g₀` as placed \[m\].
-    pub rest: f64,
+    pub placed_gap: f64,
     /// Derivative of the gap by the displacement of the pair's first side along the axis, ±1 \[–\].
     pub towards: f64,
     /// Size of the contact geometry, to which round-off of positions is proportional \[m\].
@@ -28,13 +28,19 @@ impl AxialGap {
             let normal = site.geometry.axes.z_axis;
             let square = site.face.is_upright() && normal[axis].abs() == 1.0 && normal[1 - axis] == 0.0;
             let side = if site.node_body == first { 1.0 } else { -1.0 };
-            square.then(|| Self { axis, rest: geometry.home_gap, towards: side * normal[axis], size: geometry.size })
+            square.then(|| Self {
+                axis,
+                placed_gap: geometry.placed_gap,
+                towards: side * normal[axis],
+                size: geometry.size,
+            })
         };
         let all = |axis: usize| {
             let whole = one(sites.first()?, axis)?;
             let like = |site: &(usize, SiteGeometry)| {
                 one(site, axis).is_some_and(|other| {
-                    other.towards == whole.towards && (other.rest - whole.rest).abs() <= AXIAL_GAP_ROUNDING * whole.size
+                    other.towards == whole.towards
+                        && (other.placed_gap - whole.placed_gap).abs() <= AXIAL_GAP_ROUNDING * whole.size
                 })
             };
             sites.iter().all(like).then_some(whole)

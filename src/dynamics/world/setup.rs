@@ -139,7 +139,7 @@ impl World {
             closing: None,
             rearmed_at: None,
             log: ContactLog::default(),
-            granted: 0.0,
+            tolerated: 0.0,
             changes: ChangeCount::default(),
         });
     }

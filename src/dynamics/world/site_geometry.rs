@@ -12,7 +12,7 @@ use crate::dynamics::model::motion_bounds::gap_acceleration;
 #[derive(Clone, Copy, Debug)]
 pub(in crate::dynamics) struct SiteGeometry {
     /// Gap as placed \[m\].
-    pub home_gap: f64,
+    pub placed_gap: f64,
     /// Distance of the node from G of its own body, of an edge node at most \[m\].
     pub arm: f64,
     /// Distance of the node from G of the face's body as placed \[m\].
@@ -29,7 +29,7 @@ impl SiteGeometry {
         let half = site.half_edge();
         let (arm, lever) = (site.geometry.arm.length() + half, site.geometry.lever.length() + half);
         let of_met = site.corner.is_some();
-        Self { home_gap: site.geometry.gap(), arm, lever, size: arm + lever + site.face.size(), of_met }
+        Self { placed_gap: site.geometry.placed_gap(), arm, lever, size: arm + lever + site.face.size(), of_met }
     }
 
     /// The gap `here` with a bound on `|g̈|` from bounds on the motion of both bodies and on their relative motion,
@@ -45,7 +45,7 @@ impl SiteGeometry {
         let relative = [between.speed, between.acceleration];
         let curvature = gap_acceleration([node, face], relative, [self.arm, apart]);
         let moved = between.reach + node.turn * self.arm + face.turn * apart;
-        let out_of_reach = self.home_gap > moved || (self.of_met && -self.home_gap > moved);
+        let out_of_reach = self.placed_gap > moved || (self.of_met && -self.placed_gap > moved);
         let window = between.window;
         BoundedGap { gap: here.gap, rate: here.gap_rate, curvature, window, out_of_reach }
     }

@@ -158,9 +158,9 @@ pub(in crate::dynamics) struct ContactTrack {
     pub rearmed_at: Option<f64>,
     /// States since t = 0.
     pub log: ContactLog,
-    /// Overlap of its two bodies beyond the deepest penetration between them that no contact can carry, and that is granted while it is
+    /// Overlap of its two bodies beyond the deepest penetration between them that no contact can carry, and that is tolerated while it is
     /// closed \[m\].
-    pub granted: f64,
+    pub tolerated: f64,
     /// Changes of state, counted.
     pub changes: ChangeCount,
 }

@@ -143,8 +143,13 @@ impl PairMotion {
         let bend2 = face[2] + face[1] * face[1];
         let curvature = r2 + bend2 * r + 2.0 * face[1] * r1;
         let moved = relative[0] + node[0] * spot.arm + face[0] * r;
-        let bounded_gap =
-            BoundedGap { gap: gap + depth, rate, curvature, window: self.window, out_of_reach: spot.home_gap > moved };
+        let bounded_gap = BoundedGap {
+            gap: gap + depth,
+            rate,
+            curvature,
+            window: self.window,
+            out_of_reach: spot.placed_gap > moved,
+        };
         let Some(accelerations) = self.accelerations else { return (bounded_gap, None) };
         let third = |turn: [f64; 4]| turn[3] + turn[1] * (3.0 * turn[2] + turn[1] * turn[1]);
         let jerk = relative[3] + third(node) * spot.arm + third(face) * r + 3.0 * (bend2 * r1 + face[1] * r2);

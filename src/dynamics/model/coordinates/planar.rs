@@ -247,7 +247,7 @@ impl Coordinates for Planar {
     }
 
     fn along(&self, body: &Body, axis: usize) -> Option<AxialMotion> {
-        body.straight[axis].then_some(AxialMotion { components: [axis, RATES + axis], modes: None })
+        body.keeps_to_axis[axis].then_some(AxialMotion { components: [axis, RATES + axis], modes: None })
     }
 
     fn linear_part(&self, body: &Body) -> Option<LinearPart> {

@@ -308,7 +308,7 @@ impl Coordinates for ElasticGirder {
     }
 
     fn along(&self, body: &Body, axis: usize) -> Option<AxialMotion> {
-        let modes = self.axial[axis].clone().filter(|_| body.straight[axis])?;
+        let modes = self.axial[axis].clone().filter(|_| body.keeps_to_axis[axis])?;
         Some(AxialMotion { components: [axis, self.places() + axis], modes: Some(modes) })
     }
 
