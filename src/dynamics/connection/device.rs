@@ -2,25 +2,12 @@
 
 use glam::DVec3;
 
-use crate::dynamics::connection::{Connection, Excursion, Separation, SeparationBounds};
-use crate::language::Text;
-
-/// State of a device: which branch of its law is in force, and what that branch remembers.
-#[derive(Clone, Copy, Debug, Default, PartialEq)]
-pub struct Phase {
-    /// Number of the branch in force, by the device's own count.
-    pub branch: u32,
-    /// What the branch remembers: a plastic displacement, an elongation at rupture (units of the device).
-    pub memory: [f64; 3],
-}
-
-/// The state of a device that has no force any more.
-pub const IS_BROKEN: Text = Text::new("state-broken");
+use crate::dynamics::connection::{DeviceReadings, Excursion, Phase, Separation, SeparationBounds};
 
 /// A connection with phases. While no force acts, its bodies are integrated without each other, and the search for the
 /// beginning of the force uses [`gap`](Device::gap) and [`gap_curvature`](Device::gap_curvature); while the force acts, its
 /// bodies are one island, and the end of the phase is a zero of a switching function on their dense output.
-pub trait Device: Connection<State = Phase, Motion = Separation> + std::fmt::Debug + Send + Sync {
+pub trait Device: DeviceReadings + std::fmt::Debug + Send + Sync {
     /// Phase at the start of a run.
     fn initial(&self, motion: &Separation) -> Phase;
 
@@ -45,35 +32,9 @@ pub trait Device: Connection<State = Phase, Motion = Separation> + std::fmt::Deb
         self.is_linear()
     }
 
-    /// The phase in a word.
-    fn state(&self, phase: &Phase) -> Text {
-        Text::new(if self.acts(phase) { "state-acts" } else { "state-open" })
-    }
-
-    /// Force of the whole bearing that the device is a part of, on its first point \[N\]; of a device by itself its own force.
-    fn reaction(&self, phase: &Phase, motion: &Separation) -> DVec3 {
-        self.force(phase, motion)
-    }
-
-    /// Force at which it first yields, or breaks where it does not yield \[N\]; none where it does neither.
-    fn strength(&self) -> Option<f64> {
-        None
-    }
-
     /// Distance to the beginning of the force, and its rate; while the force acts, less the deformation that it is
     /// measured by \[m, m/s\]. While it is positive it changes by no more than its points are displaced against one another.
     fn gap(&self, phase: &Phase, motion: &Separation) -> [f64; 2];
-
-    /// The same distance as a length to read, where the gap is another function with the same zero; of a bearing what is left of its
-    /// travel, NaN where that has no end \[m\].
-    fn distance_left(&self, phase: &Phase, motion: &Separation) -> f64 {
-        self.gap(phase, motion)[0]
-    }
-
-    /// Whether it lets go of the first point where it would hold it down.
-    fn lifts(&self) -> bool {
-        false
-    }
 
     /// Upper bound of the second derivative of the gap while the motion keeps to `bounds` \[m/s²\].
     fn gap_curvature(&self, phase: &Phase, bounds: &SeparationBounds) -> f64;
@@ -119,12 +80,6 @@ pub trait Device: Connection<State = Phase, Motion = Separation> + std::fmt::Deb
         false
     }
 
-    /// Whether it yields in this phase.
-    fn yields(&self, phase: &Phase) -> bool {
-        let _ = phase;
-        false
-    }
-
     /// Whether the support that it is has been lost in this phase.
     fn is_lost(&self, phase: &Phase) -> bool {
         let _ = phase;
@@ -161,12 +116,6 @@ pub trait Device: Connection<State = Phase, Motion = Separation> + std::fmt::Deb
     fn next(&self, event: Switch, phase: &Phase, motion: &Separation) -> (Phase, f64) {
         let _ = (event, motion);
         (*phase, 0.0)
-    }
-
-    /// Centre line for a drawing between its points, world axes \[m\]: a straight line unless the device hangs or bends.
-    fn centre_line(&self, phase: &Phase, ends: [DVec3; 2]) -> Vec<DVec3> {
-        let _ = phase;
-        ends.to_vec()
     }
 }
 

@@ -3,17 +3,21 @@
 //! A closed contact, a bearing and a device (cable, bumper, damper, shear key) are connections. What the solver asks of any of
 //! them is the trait [`Connection`]: the force on the first point (the opposite acts on the second), the stored energy, the
 //! dissipated power, and upper bounds of stiffness and damping for its time scales. What it asks of a device, whose force may
-//! set in and end, is the trait [`Device`]: phases, switching functions, and the gap until the force sets in. A [`Link`] puts
-//! a device between two points of a model.
+//! set in and end, is the trait [`Device`]: phases, switching functions, and the gap until the force sets in; what is read of a device is
+//! the trait [`DeviceReadings`]. A [`Link`] puts a device between two points of a model.
 
 pub mod device;
+pub mod device_readings;
 pub mod link;
+pub mod phase;
 pub mod separation;
 
 use glam::DVec3;
 
-pub use device::{Device, Evolution, IS_BROKEN, Phase, Switch, SwitchUnit};
+pub use device::{Device, Evolution, Switch, SwitchUnit};
+pub use device_readings::{DeviceReadings, acts_or_open};
 pub use link::{Anchor, Link};
+pub use phase::{IS_BROKEN, Phase};
 pub use separation::{Excursion, Kinematics, Separation, SeparationBounds};
 
 /// A force between two points.

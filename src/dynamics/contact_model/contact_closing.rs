@@ -83,11 +83,11 @@ impl ContactClosing<'_, '_> {
         self.states.log(contact, Contact::Closed(closed), kind, appeared);
     }
 
-    /// Closing of a contact whose node is inside already, kept up to `kept` beyond the edges of its face \[m\]: the energy of
+    /// Closing of a contact whose node is inside already, kept up to `kept_beyond_edge` beyond the edges of its face \[m\]: the energy of
     /// its spring enters the ledger as a negative release.
-    pub(super) fn close_inside(&mut self, contact: usize, kept: f64) {
+    pub(super) fn close_inside(&mut self, contact: usize, kept_beyond_edge: f64) {
         let mut closed = self.closed_inside(contact);
-        closed.solver.kept_beyond_edge = kept;
+        closed.solver.kept_beyond_edge = kept_beyond_edge;
         let here = self.states.here(contact);
         let kind = match closed.mode {
             Mode::Stick { .. } => EventKind::OpenToStick,
@@ -100,8 +100,8 @@ impl ContactClosing<'_, '_> {
 
     /// Closing of a contact whose node is inside already, and of the other node of its crossing, in place of contacts `left` of the same two
     /// bodies, which were in these states. The energy of the normal springs is at most that of those before: where it would be more, the
-    /// parts of K and C are the smaller. They are kept up to `kept` beyond the edges of their faces \[m\].
-    pub(super) fn close_in_place_of(&mut self, left: &[(usize, ClosedContact)], contact: usize, kept: f64) {
+    /// parts of K and C are the smaller. They are kept up to `kept_beyond_edge` beyond the edges of their faces \[m\].
+    pub(super) fn close_in_place_of(&mut self, left: &[(usize, ClosedContact)], contact: usize, kept_beyond_edge: f64) {
         let other = contact_points::other_of_crossing(self.states.world, contact).filter(|&other| {
             let poses = |c: usize| self.states.at().sides(c);
             self.states.world.contacts[other].state.closed().is_none()
@@ -129,7 +129,7 @@ impl ContactClosing<'_, '_> {
             if energy > 0.0 && whole > energy {
                 track.divisor *= whole / energy;
             }
-            self.close_inside(node, kept);
+            self.close_inside(node, kept_beyond_edge);
         }
     }
 

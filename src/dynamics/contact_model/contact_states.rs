@@ -89,8 +89,8 @@ impl ContactStates<'_> {
         track.changes.count(t);
         let ChangeCount { of_touch: touch, at_instant: same, .. } = track.changes;
         if same > CONTACT_EVENTS_PER_INSTANT || touch > CONTACT_EVENTS_PER_TOUCH {
-            let place = self.world.model.contacts[track.site].node.clone();
-            self.schedule.give_up(t, place, message!("stop-alternates", "touch" => touch, "same" => same));
+            let node = self.world.model.contacts[track.site].node.clone();
+            self.schedule.give_up(t, node, message!("stop-alternates", "touch" => touch, "same" => same));
         }
     }
 
@@ -116,7 +116,7 @@ impl ContactStates<'_> {
 
     /// Node relative to face, from the reference poses.
     pub(super) fn here(&self, contact: usize) -> Local {
-        self.at().since(contact, &self.now.since).2
+        self.at().relative(contact, &self.now.since).local
     }
 
     /// Strain energy in the springs of a contact in state `closed` \[J\].

@@ -92,6 +92,16 @@ fn layout(world: &World, slots: &[usize]) -> StateLayout {
     StateLayout::of(slots.iter().map(|&slot| &world.model.bodies[world.bodies[slot].body]))
 }
 
+/// A contact counted from the reference poses of its bodies: the formulation of a closed contact.
+pub(in crate::dynamics) struct RelativeContact {
+    /// Geometry at the reference poses.
+    pub geometry: ContactGeometry,
+    /// Poses of the node's and the face's body relative to the reference poses.
+    pub poses: [Frame; 2],
+    /// The node relative to its face.
+    pub local: Local,
+}
+
 /// Contacts of a group of bodies at the time of an event.
 #[derive(Clone, Copy)]
 pub(in crate::dynamics) struct EventContacts<'a> {
@@ -131,14 +141,13 @@ impl EventContacts<'_> {
         locate(&geometry, &node, &face)
     }
 
-    /// Contact geometry at the reference poses, the poses in `frames` of node's and face's body relative to them, and
-    /// the node relative to its face: the formulation of a closed contact.
-    pub(in crate::dynamics) fn since(&self, contact: usize, frames: &[Frame]) -> (ContactGeometry, [Frame; 2], Local) {
+    /// A contact from the reference poses of its bodies, with all sections at `frames` relative to them.
+    pub(in crate::dynamics) fn relative(&self, contact: usize, frames: &[Frame]) -> RelativeContact {
         let track = &self.world.contacts[contact];
         let bases = track.slots.map(|slot| self.now.base(slot));
-        let geometry = reference_pose::seen_from(&self.world.model.contacts[track.site], &track.place, bases);
-        let sides = [0, 1].map(|which| self.side(contact, which, frames));
-        (geometry, sides, locate(&geometry, &sides[0], &sides[1]))
+        let geometry = reference_pose::seen_from(self.world.site(contact), &track.place, bases);
+        let poses = [0, 1].map(|which| self.side(contact, which, frames));
+        RelativeContact { geometry, poses, local: locate(&geometry, &poses[0], &poses[1]) }
     }
 
     /// Whether the projection of a node is inside its face's polygon, the face by which it is in the pair is the most opposed
@@ -192,14 +201,14 @@ impl EventContacts<'_> {
     /// at zero is at most `μ_s |F_n|` (`docs/physics.md#stop`).
     pub(in crate::dynamics) fn can_hold(&self, contact: usize, closed: &ClosedContact) -> bool {
         let track = &self.world.contacts[contact];
-        let (geometry, sides, _) = self.since(contact, &self.now.since);
-        let action = contact_force::act_in(&geometry, closed, &closed.mode, &sides[0], &sides[1]);
+        let RelativeContact { geometry, poses, .. } = self.relative(contact, &self.now.since);
+        let action = contact_force::act_in(&geometry, closed, &closed.mode, &poses[0], &poses[1]);
         let (acceleration, _) = self.relative_acceleration(contact, &action.here);
         let mut mobility = DMat2::ZERO;
         for (which, arm) in [action.node_arm, action.face_arm].into_iter().enumerate() {
             if let Some(slot) = track.slots[which] {
                 let body = &self.world.model.bodies[self.world.bodies[slot].body];
-                let axes = action.tangents(&geometry, &sides[1]);
+                let axes = action.tangents(&geometry, &poses[1]);
                 let here = self.side(contact, which, &self.now.frames);
                 let along = |axis: DVec3| {
                     let there = body.acceleration(Point { section: track.sections[which], frame: &here, arm }, axis);
@@ -231,7 +240,7 @@ impl EventContacts<'_> {
             self.now.t,
             ControllerState::default(),
         );
-        let (.., next) = self.since(contact, &island.frames_after(&self.world.model, dt));
+        let next = self.relative(contact, &island.frames_after(&self.world.model, dt)).local;
         ((next.rate - here.rate) / dt, (next.gap_rate - here.gap_rate) / dt)
     }
 
@@ -300,7 +309,7 @@ mod tests {
         let push = 3.0;
         let (world, now) = pressed(Kind::Planar, [DEPTH, 0.0], push);
         let at = EventContacts { world: &world, now: &now };
-        let (.., here) = at.since(0, &now.since);
+        let here = at.relative(0, &now.since).local;
         assert!((here.penetration() - DEPTH).abs() < 1e-15, "{} m in", here.penetration());
         let (tangential, normal) = at.relative_acceleration(0, &here);
         let out = STIFFNESS * DEPTH / MASS;
@@ -326,7 +335,7 @@ mod tests {
         let length = |at: [f64; 2], law: fn(&mut Law)| {
             let (world, now) = pressed(Kind::Planar, at, 0.0);
             let at = EventContacts { world: &world, now: &now };
-            let (.., here) = at.since(0, &now.since);
+            let here = at.relative(0, &now.since).local;
             let mut chosen = Law { friction: FrictionLaw::ReturnMapping, mu_k: 0.4, ..state(&world, 0).law };
             law(&mut chosen);
             at.regularisation_length(0, &chosen, &here)

@@ -8,6 +8,7 @@ use crate::dynamics::model::coordinates::state_layout::StateLayout;
 use crate::dynamics::model::reference_pose::{self, ReferencePose};
 use crate::dynamics::penalty3d::active_contact::ActiveContact;
 use crate::dynamics::penalty3d::active_link::ActiveLink;
+use crate::dynamics::penalty3d::coupled_system::Members;
 use crate::dynamics::penalty3d::island::Island;
 use crate::dynamics::world::World;
 use crate::dynamics::world::tracks::{LinkTrack, Trajectory};
@@ -73,15 +74,15 @@ impl IslandStock {
 /// The island of bodies with the closed contacts and acting devices between them.
 pub(in crate::dynamics) fn assemble(
     world: &World,
-    members: &[usize],
+    slots: &[usize],
     bases: Vec<ReferencePose>,
     y: Vec<f64>,
     t: f64,
     pace: ControllerState,
 ) -> Island {
-    let index = |slot: Option<usize>| slot.and_then(|s| members.binary_search(&s).ok());
-    let active: Vec<(usize, ActiveContact)> = world
-        .pairs_of(members)
+    let index = |slot: Option<usize>| slot.and_then(|s| slots.binary_search(&s).ok());
+    let (contacts, active) = world
+        .pairs_of(slots)
         .into_iter()
         .flat_map(|pair| world.pairs[pair].contacts.clone())
         .filter_map(|contact| {
@@ -93,24 +94,17 @@ pub(in crate::dynamics) fn assemble(
             let active = ActiveContact::new(track.site, ends, closed, home);
             Some((contact, ActiveContact { tolerated: track.tolerated, ..active }))
         })
-        .collect();
-    let bodies = members.iter().map(|&slot| world.bodies[slot].body).collect();
-    let mut island = Island::new(
-        &world.model,
-        members.to_vec(),
-        (bodies, bases),
-        (active, acting_links(world, members)),
-        y,
-        t,
-        pace,
-    );
-    island.taken = members.iter().map(|&slot| world.bodies[slot].path.len()).max().unwrap_or(0);
+        .unzip();
+    let bodies = slots.iter().map(|&slot| world.bodies[slot].body).collect();
+    let members = Members { bodies, bases, active, links: acting_links(world, slots) };
+    let mut island = Island::new(&world.model, slots.to_vec(), members, contacts, y, t, pace);
+    island.taken = slots.iter().map(|&slot| world.bodies[slot].path.len()).max().unwrap_or(0);
     island
 }
 
 /// Links of these bodies whose force acts.
-fn acting_links(world: &World, members: &[usize]) -> Vec<ActiveLink> {
-    let index = |slot: Option<usize>| slot.and_then(|s| members.binary_search(&s).ok());
+fn acting_links(world: &World, slots: &[usize]) -> Vec<ActiveLink> {
+    let index = |slot: Option<usize>| slot.and_then(|s| slots.binary_search(&s).ok());
     let active = |track: usize| {
         let LinkTrack { link, slots, phase, .. } = &world.links[track];
         let placed = world.model.links[*link].placed();
@@ -124,7 +118,7 @@ fn acting_links(world: &World, members: &[usize]) -> Vec<ActiveLink> {
             evolving: None,
         }
     };
-    world.links_of(members).into_iter().filter(|&link| world.link_acts(link)).map(active).collect()
+    world.links_of(slots).into_iter().filter(|&link| world.link_acts(link)).map(active).collect()
 }
 
 /// Writes the flight of a body into its path, as far as `t`.

@@ -105,8 +105,9 @@ mod tests {
     use glam::{DMat3, DVec3};
 
     use crate::dynamics::Model;
-    use crate::dynamics::connection::{Anchor, Connection, Device, SeparationBounds};
+    use crate::dynamics::connection::{Anchor, Connection, Device, DeviceReadings, SeparationBounds, acts_or_open};
     use crate::dynamics::penalty3d::example::wall;
+    use crate::language::Text;
 
     /// A device without force that changes its law at every event and releases energy \[J\].
     #[derive(Debug)]
@@ -166,6 +167,16 @@ mod tests {
 
         fn next(&self, _: Switch, phase: &Phase, _: &Separation) -> (Phase, f64) {
             (Phase { branch: phase.branch + 1, ..*phase }, RELEASED)
+        }
+    }
+
+    impl DeviceReadings for Ratchet {
+        fn state(&self, phase: &Phase) -> Text {
+            acts_or_open(self.acts(phase))
+        }
+
+        fn distance_left(&self, phase: &Phase, motion: &Separation) -> f64 {
+            self.gap(phase, motion)[0]
         }
     }
 

@@ -26,8 +26,18 @@ struct Carried {
     depth: f64,
     /// Length of the tangential stretch in stick \[m\].
     stretch: f64,
-    /// Distance beside its face up to which a corner is kept \[m\].
-    kept: f64,
+    /// Distance beyond the edges of its face up to which a corner is kept \[m\].
+    kept_beyond_edge: f64,
+}
+
+/// A node at a vertex.
+#[derive(Clone, Copy)]
+struct NodeAtVertex {
+    place: NodePlace,
+    /// Penetration \[m\].
+    depth: f64,
+    /// Tangential stretch in stick \[m\].
+    stretch: DVec2,
 }
 
 /// Nodes of the vertices of a touch.
@@ -54,7 +64,8 @@ impl VertexNodes<'_, '_> {
             return false;
         }
         let before = self.states.strain(contact, &closed);
-        self.enter(contact, (closed, EventKind::Moved), (place, depth, stretch(&closed, &here)), before);
+        let node = NodeAtVertex { place, depth, stretch: stretch(&closed, &here) };
+        self.enter(contact, EventKind::Moved, closed, node, before);
         true
     }
 
@@ -110,7 +121,7 @@ impl VertexNodes<'_, '_> {
             (Sharing::PerNode, _) => sharers,
         };
         // Where a node is beside its face, it may go on as far again.
-        let carried = Carried { kept: 2.0 * beside, ..self.carried(&before, count / divisor) };
+        let carried = Carried { kept_beyond_edge: 2.0 * beside, ..self.carried(&before, count / divisor) };
         // No contact at a penetration of at least the depth of the face's body.
         if nodes.iter().any(|&node| self.states.site(node).face.depth <= carried.depth) {
             return false;
@@ -131,7 +142,7 @@ impl VertexNodes<'_, '_> {
                 self.states.forget_sharers_of_open(other);
             }
             (self.states.world.contacts[node].divisor, self.states.world.contacts[node].has_part) = (divisor, true);
-            self.carry(node, (contact, closed), &carried);
+            self.carry(node, contact, closed, &carried);
         }
         true
     }
@@ -193,19 +204,20 @@ impl VertexNodes<'_, '_> {
         }
         let depth = depth / parts;
         let depth = if power == 2.0 { depth.sqrt() } else { depth.powf(power.recip()) };
-        Carried { depth, stretch: (length / parts).sqrt(), kept: 0.0 }
+        Carried { depth, stretch: (length / parts).sqrt(), kept_beyond_edge: 0.0 }
     }
 
     /// Gives a node its part of a vertex after the node `left`, which was in state `before`: a closed one its law, an
     /// open one its state too.
-    fn carry(&mut self, node: usize, (left, before): (usize, &ClosedContact), carried: &Carried) {
+    fn carry(&mut self, node: usize, left: usize, before: &ClosedContact, carried: &Carried) {
         let law = contact_law::of(self.states.world, node, self.states.now).resumed(&before.law, carried.depth);
         let at = |stretch: DVec2| stretch.normalize_or_zero() * carried.stretch;
         if let Some(own) = self.states.world.contacts[node].state.closed().copied() {
-            let (place, stretch) = (self.states.world.contacts[node].place, stretch(&own, &self.states.here(node)));
+            let (place, own_stretch) = (self.states.world.contacts[node].place, stretch(&own, &self.states.here(node)));
             let energy = self.states.strain(node, &own);
             let closed = ClosedContact { law: law.resumed(&own.law, carried.depth), ..own };
-            self.enter(node, (closed, EventKind::Moved), (place, carried.depth, at(stretch)), energy);
+            let at_vertex = NodeAtVertex { place, depth: carried.depth, stretch: at(own_stretch) };
+            self.enter(node, EventKind::Moved, closed, at_vertex, energy);
             return;
         }
         let along = match before.mode {
@@ -221,23 +233,19 @@ impl VertexNodes<'_, '_> {
         };
         let regularisation = self.states.at().regularisation_length(node, &law, &self.states.here(node));
         let mut closed = ClosedContact::new(law, mode, regularisation);
-        closed.solver.kept_beyond_edge = if self.states.at().edge(node).is_some() { 0.0 } else { carried.kept };
+        closed.solver.kept_beyond_edge =
+            if self.states.at().edge(node).is_some() { 0.0 } else { carried.kept_beyond_edge };
         // It may be beside its face by as much as the faces' angle has it seen there.
-        (closed.solver.handover_distance, closed.solver.beside) = (Some(carried.kept), carried.kept);
+        (closed.solver.handover_distance, closed.solver.beside) =
+            (Some(carried.kept_beyond_edge), carried.kept_beyond_edge);
         self.states.world.contacts[node].closing = None;
         let place = self.states.world.contacts[node].place;
-        self.enter(node, (closed, kind), (place, carried.depth, at(along)), 0.0);
+        self.enter(node, kind, closed, NodeAtVertex { place, depth: carried.depth, stretch: at(along) }, 0.0);
     }
 
-    /// Enters a closed state of a node at a place, displaced along the normal to a penetration \[m\], in stick with a
-    /// stretch \[m\]; its springs had the energy `before` \[J\].
-    fn enter(
-        &mut self,
-        contact: usize,
-        (closed, kind): (ClosedContact, EventKind),
-        (place, depth, stretch): (NodePlace, f64, DVec2),
-        before: f64,
-    ) {
+    /// Enters a closed state of a node, displaced along the normal to its penetration; its springs had the energy `before` \[J\].
+    fn enter(&mut self, contact: usize, kind: EventKind, closed: ClosedContact, node: NodeAtVertex, before: f64) {
+        let NodeAtVertex { place, depth, stretch } = node;
         self.states.world.contacts[contact].place = place;
         let [node, _] = self.states.at().sides(contact);
         let outwards = self.states.at().normal(contact) * (self.states.here(contact).penetration() - depth);
@@ -266,8 +274,8 @@ impl VertexNodes<'_, '_> {
     /// the same pair in the axes of that one's face.
     fn on_face_of(&self, to: usize, vector: DVec2, of: usize) -> DVec2 {
         let world = |contact: usize, along: DVec2| {
-            let (geometry, [_, face], _) = self.states.at().since(contact, &self.states.now.since);
-            to_world(&geometry, &face, along, 0.0)
+            let here = self.states.at().relative(contact, &self.states.now.since);
+            to_world(&here.geometry, &here.poses[1], along, 0.0)
         };
         // Of a node on the other body it is the opposite.
         let is_same = self.states.world.contacts[of].slots[0] == self.states.world.contacts[to].slots[0];

@@ -7,7 +7,7 @@
 use glam::DVec3;
 
 use crate::dynamics::connection::{
-    Connection, Device, Excursion, Phase, Separation, SeparationBounds, Switch, SwitchUnit,
+    Connection, Device, DeviceReadings, Excursion, Phase, Separation, SeparationBounds, Switch, SwitchUnit,
 };
 use crate::language::Text;
 
@@ -164,19 +164,6 @@ impl Device for Backfill {
         phase.branch != ENVELOPE || self.envelope.curvature == 0.0
     }
 
-    fn state(&self, phase: &Phase) -> Text {
-        match phase.branch {
-            APART => Text::new("state-apart"),
-            ELASTIC => Text::new("state-elastic"),
-            ENVELOPE => Text::new("state-loaded"),
-            _ => Text::new("state-fails"),
-        }
-    }
-
-    fn strength(&self) -> Option<f64> {
-        Some(self.envelope.force(f64::MAX)).filter(|force| force.is_finite())
-    }
-
     fn gap(&self, phase: &Phase, motion: &Separation) -> [f64; 2] {
         [self.remaining_gap(phase) - self.push(motion), -motion.rate.x]
     }
@@ -224,6 +211,25 @@ impl Device for Backfill {
         };
         // A change is noticed a rounding of the place late.
         (next, self.stored_energy(phase, motion) - self.stored_energy(&next, motion))
+    }
+}
+
+impl DeviceReadings for Backfill {
+    fn state(&self, phase: &Phase) -> Text {
+        match phase.branch {
+            APART => Text::new("state-apart"),
+            ELASTIC => Text::new("state-elastic"),
+            ENVELOPE => Text::new("state-loaded"),
+            _ => Text::new("state-fails"),
+        }
+    }
+
+    fn distance_left(&self, phase: &Phase, motion: &Separation) -> f64 {
+        self.gap(phase, motion)[0]
+    }
+
+    fn strength(&self) -> Option<f64> {
+        Some(self.envelope.force(f64::MAX)).filter(|force| force.is_finite())
     }
 
     /// The soil is drawn behind its wall.

@@ -6,7 +6,7 @@
 
 use glam::DVec3;
 
-use crate::dynamics::connection::{Connection, Device, Phase, Separation, SeparationBounds, Switch};
+use crate::dynamics::connection::{Connection, Device, DeviceReadings, Phase, Separation, SeparationBounds, Switch};
 use crate::language::Text;
 
 /// A bumper.
@@ -136,14 +136,6 @@ impl Device for Bumper {
         phase.branch != OPEN
     }
 
-    fn state(&self, phase: &Phase) -> Text {
-        match phase.branch {
-            OPEN => Text::new("state-open"),
-            _ if Self::is_off(phase) => Text::new("state-springs-back"),
-            _ => Text::new("state-squeezed"),
-        }
-    }
-
     fn gap(&self, _: &Phase, motion: &Separation) -> [f64; 2] {
         self.depth(motion).map(|x| -x)
     }
@@ -183,6 +175,20 @@ impl Device for Bumper {
             Switch::Function(_) => Self::on_line(other, line),
         };
         (next, 0.0)
+    }
+}
+
+impl DeviceReadings for Bumper {
+    fn state(&self, phase: &Phase) -> Text {
+        match phase.branch {
+            OPEN => Text::new("state-open"),
+            _ if Self::is_off(phase) => Text::new("state-springs-back"),
+            _ => Text::new("state-squeezed"),
+        }
+    }
+
+    fn distance_left(&self, phase: &Phase, motion: &Separation) -> f64 {
+        self.gap(phase, motion)[0]
     }
 }
 

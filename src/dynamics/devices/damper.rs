@@ -10,8 +10,10 @@ use glam::DVec3;
 
 use super::line::Line;
 use crate::dynamics::connection::{
-    Connection, Device, Excursion, Phase, Separation, SeparationBounds, Switch, SwitchUnit,
+    Connection, Device, DeviceReadings, Excursion, Phase, Separation, SeparationBounds, Switch, SwitchUnit,
+    acts_or_open,
 };
+use crate::language::Text;
 
 /// A viscous damper.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -113,5 +115,15 @@ impl Device for ViscousDamper {
 
     fn next(&self, _: Switch, phase: &Phase, _: &Separation) -> (Phase, f64) {
         (Phase { branch: if phase.branch == SHORTENS { LENGTHENS } else { SHORTENS }, ..*phase }, 0.0)
+    }
+}
+
+impl DeviceReadings for ViscousDamper {
+    fn state(&self, phase: &Phase) -> Text {
+        acts_or_open(self.acts(phase))
+    }
+
+    fn distance_left(&self, phase: &Phase, motion: &Separation) -> f64 {
+        self.gap(phase, motion)[0]
     }
 }

@@ -3,7 +3,7 @@
 
 use glam::DVec3;
 
-use crate::dynamics::connection::{Connection, Device, Phase, Separation, SeparationBounds, Switch};
+use crate::dynamics::connection::{Connection, Device, DeviceReadings, Phase, Separation, SeparationBounds, Switch};
 use crate::language::Text;
 
 /// Ends the run where its point has dropped by this depth \[m\].
@@ -46,10 +46,6 @@ impl Device for DropWatch {
         false
     }
 
-    fn state(&self, phase: &Phase) -> Text {
-        if phase.branch == DROPPED { Text::new("state-dropped") } else { Text::new("state-up") }
-    }
-
     fn gap(&self, _: &Phase, motion: &Separation) -> [f64; 2] {
         [self.0 + motion.moved.z, motion.rate.z]
     }
@@ -68,6 +64,16 @@ impl Device for DropWatch {
 
     fn next(&self, _: Switch, _: &Phase, _: &Separation) -> (Phase, f64) {
         (Phase { branch: DROPPED, ..Phase::default() }, 0.0)
+    }
+}
+
+impl DeviceReadings for DropWatch {
+    fn state(&self, phase: &Phase) -> Text {
+        if phase.branch == DROPPED { Text::new("state-dropped") } else { Text::new("state-up") }
+    }
+
+    fn distance_left(&self, phase: &Phase, motion: &Separation) -> f64 {
+        self.gap(phase, motion)[0]
     }
 
     /// Nothing to draw.

@@ -7,7 +7,7 @@
 use glam::{DVec2, DVec3};
 
 use crate::dynamics::connection::{
-    Connection, Device, Evolution, Excursion, Phase, Separation, SeparationBounds, Switch, SwitchUnit,
+    Connection, Device, DeviceReadings, Evolution, Excursion, Phase, Separation, SeparationBounds, Switch, SwitchUnit,
 };
 use crate::language::Text;
 
@@ -151,25 +151,8 @@ impl Device for Hysteresis {
         true
     }
 
-    fn state(&self, phase: &Phase) -> Text {
-        if phase.branch == 0 { Text::new("state-elastic") } else { Text::new("state-yields") }
-    }
-
-    fn strength(&self) -> Option<f64> {
-        Some(self.elements().map(|element| element.force).into_iter().fold(f64::INFINITY, f64::min))
-    }
-
     fn gap(&self, _: &Phase, motion: &Separation) -> [f64; 2] {
         [-motion.moved.truncate().length(), -motion.rate.truncate().length()]
-    }
-
-    fn distance_left(&self, _: &Phase, _: &Separation) -> f64 {
-        f64::NAN
-    }
-
-    /// No line: the bearing itself is drawn.
-    fn centre_line(&self, _: &Phase, _: [DVec3; 2]) -> Vec<DVec3> {
-        Vec::new()
     }
 
     fn gap_curvature(&self, _: &Phase, bounds: &SeparationBounds) -> f64 {
@@ -261,6 +244,25 @@ impl Device for Hysteresis {
         // Yield is noticed a rounding of the place beyond Q.
         let released = self.stored_energy(phase, motion) - self.stored_energy(&next, motion);
         (next, released)
+    }
+}
+
+impl DeviceReadings for Hysteresis {
+    fn state(&self, phase: &Phase) -> Text {
+        if phase.branch == 0 { Text::new("state-elastic") } else { Text::new("state-yields") }
+    }
+
+    fn distance_left(&self, _: &Phase, _: &Separation) -> f64 {
+        f64::NAN
+    }
+
+    fn strength(&self) -> Option<f64> {
+        Some(self.elements().map(|element| element.force).into_iter().fold(f64::INFINITY, f64::min))
+    }
+
+    /// No line: the bearing itself is drawn.
+    fn centre_line(&self, _: &Phase, _: [DVec3; 2]) -> Vec<DVec3> {
+        Vec::new()
     }
 }
 

@@ -3,7 +3,10 @@
 
 use glam::DVec3;
 
-use crate::dynamics::connection::{Connection, Device, Phase, Separation, SeparationBounds};
+use crate::dynamics::connection::{
+    Connection, Device, DeviceReadings, Phase, Separation, SeparationBounds, acts_or_open,
+};
+use crate::language::Text;
 
 /// Springs and dashpots along three axes.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -59,6 +62,12 @@ impl Device for LinearBearing {
 
     fn gap_curvature(&self, _: &Phase, bounds: &SeparationBounds) -> f64 {
         bounds.acceleration
+    }
+}
+
+impl DeviceReadings for LinearBearing {
+    fn state(&self, phase: &Phase) -> Text {
+        acts_or_open(self.acts(phase))
     }
 
     fn distance_left(&self, _: &Phase, _: &Separation) -> f64 {

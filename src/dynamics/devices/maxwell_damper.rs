@@ -4,7 +4,10 @@
 use glam::DVec3;
 
 use super::line::Line;
-use crate::dynamics::connection::{Connection, Device, Evolution, Phase, Separation, SeparationBounds};
+use crate::dynamics::connection::{
+    Connection, Device, DeviceReadings, Evolution, Phase, Separation, SeparationBounds, acts_or_open,
+};
+use crate::language::Text;
 
 /// A viscous damper and a spring in series.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -80,5 +83,15 @@ impl Device for MaxwellDamper {
             force: -line.direction,
             drive: line.direction * self.stiffness,
         }
+    }
+}
+
+impl DeviceReadings for MaxwellDamper {
+    fn state(&self, phase: &Phase) -> Text {
+        acts_or_open(self.acts(phase))
+    }
+
+    fn distance_left(&self, phase: &Phase, motion: &Separation) -> f64 {
+        self.gap(phase, motion)[0]
     }
 }

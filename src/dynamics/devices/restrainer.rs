@@ -7,7 +7,7 @@ use glam::DVec3;
 
 use super::line::Line;
 use crate::dynamics::connection::{
-    Connection, Device, Excursion, IS_BROKEN, Phase, Separation, SeparationBounds, Switch, SwitchUnit,
+    Connection, Device, DeviceReadings, Excursion, IS_BROKEN, Phase, Separation, SeparationBounds, Switch, SwitchUnit,
 };
 use crate::language::Text;
 
@@ -132,25 +132,6 @@ impl Device for Restrainer {
         matches!(phase.branch, TAUT | YIELD)
     }
 
-    fn state(&self, phase: &Phase) -> Text {
-        match phase.branch {
-            SLACK => Text::new("state-slack"),
-            TAUT => Text::new("state-taut"),
-            YIELD => Text::new("state-yields"),
-            _ => IS_BROKEN,
-        }
-    }
-
-    fn strength(&self) -> Option<f64> {
-        let breaks = self.stiffness * self.break_elongation;
-        let yields = self.yielding.map_or(f64::INFINITY, |yielding| yielding.force);
-        Some(yields.min(breaks)).filter(|force| force.is_finite())
-    }
-
-    fn yields(&self, phase: &Phase) -> bool {
-        phase.branch == YIELD
-    }
-
     fn has_ended(&self, phase: &Phase) -> bool {
         phase.branch == BROKEN
     }
@@ -160,12 +141,6 @@ impl Device for Restrainer {
         let (length, vector) = (self.taut_length(phase), motion.vector());
         let left = self.distance_left(phase, motion);
         [left * (length + vector.length()) / (2.0 * length), -vector.dot(motion.rate) / length]
-    }
-
-    /// ℓ − r.
-    fn distance_left(&self, phase: &Phase, motion: &Separation) -> f64 {
-        let elongation = self.elongation(&Line::of(motion));
-        self.plastic(phase, elongation) - elongation
     }
 
     fn gap_curvature(&self, phase: &Phase, bounds: &SeparationBounds) -> f64 {
@@ -216,5 +191,32 @@ impl Device for Restrainer {
         };
         let released = if branch == BROKEN { self.stored_energy(phase, motion) } else { 0.0 };
         (Phase { branch, memory: [plastic, elongation, 0.0] }, released)
+    }
+}
+
+impl DeviceReadings for Restrainer {
+    fn state(&self, phase: &Phase) -> Text {
+        match phase.branch {
+            SLACK => Text::new("state-slack"),
+            TAUT => Text::new("state-taut"),
+            YIELD => Text::new("state-yields"),
+            _ => IS_BROKEN,
+        }
+    }
+
+    /// ℓ − r.
+    fn distance_left(&self, phase: &Phase, motion: &Separation) -> f64 {
+        let elongation = self.elongation(&Line::of(motion));
+        self.plastic(phase, elongation) - elongation
+    }
+
+    fn strength(&self) -> Option<f64> {
+        let breaks = self.stiffness * self.break_elongation;
+        let yields = self.yielding.map_or(f64::INFINITY, |yielding| yielding.force);
+        Some(yields.min(breaks)).filter(|force| force.is_finite())
+    }
+
+    fn yields(&self, phase: &Phase) -> bool {
+        phase.branch == YIELD
     }
 }

@@ -11,7 +11,7 @@
 use glam::{DVec2, DVec3};
 
 use crate::dynamics::connection::{
-    Connection, Device, Evolution, Phase, Separation, SeparationBounds, Switch, SwitchUnit,
+    Connection, Device, DeviceReadings, Evolution, Phase, Separation, SeparationBounds, Switch, SwitchUnit,
 };
 use crate::language::Text;
 
@@ -182,46 +182,12 @@ impl Device for Slider {
         }
     }
 
-    /// Of the bearing beside as well: N + D, and nothing where it is lifted.
-    fn reaction(&self, phase: &Phase, motion: &Separation) -> DVec3 {
-        if phase.branch == LIFTED {
-            return DVec3::ZERO;
-        }
-        self.horizontal(phase, motion).extend(self.normal(motion) + self.damping_force(motion))
-    }
-
     fn acts(&self, _: &Phase) -> bool {
-        true
-    }
-
-    fn state(&self, phase: &Phase) -> Text {
-        match phase.branch {
-            ELASTIC => Text::new("state-elastic"),
-            SLIDING => Text::new("state-slides"),
-            _ => Text::new("state-lifted"),
-        }
-    }
-
-    /// μP, under the load at rest.
-    fn strength(&self) -> Option<f64> {
-        Some(self.friction * self.load)
-    }
-
-    fn lifts(&self) -> bool {
         true
     }
 
     fn gap(&self, _: &Phase, motion: &Separation) -> [f64; 2] {
         [-motion.moved.length(), -motion.rate.length()]
-    }
-
-    fn distance_left(&self, _: &Phase, _: &Separation) -> f64 {
-        f64::NAN
-    }
-
-    /// No line: the bearing itself is drawn.
-    fn centre_line(&self, _: &Phase, _: [DVec3; 2]) -> Vec<DVec3> {
-        Vec::new()
     }
 
     fn gap_curvature(&self, _: &Phase, bounds: &SeparationBounds) -> f64 {
@@ -281,6 +247,42 @@ impl Device for Slider {
             _ => 0.0,
         };
         (next, released)
+    }
+}
+
+impl DeviceReadings for Slider {
+    fn state(&self, phase: &Phase) -> Text {
+        match phase.branch {
+            ELASTIC => Text::new("state-elastic"),
+            SLIDING => Text::new("state-slides"),
+            _ => Text::new("state-lifted"),
+        }
+    }
+
+    fn distance_left(&self, _: &Phase, _: &Separation) -> f64 {
+        f64::NAN
+    }
+
+    /// Of the bearing beside as well: N + D, and nothing where it is lifted.
+    fn reaction(&self, phase: &Phase, motion: &Separation) -> DVec3 {
+        if phase.branch == LIFTED {
+            return DVec3::ZERO;
+        }
+        self.horizontal(phase, motion).extend(self.normal(motion) + self.damping_force(motion))
+    }
+
+    /// μP, under the load at rest.
+    fn strength(&self) -> Option<f64> {
+        Some(self.friction * self.load)
+    }
+
+    fn lifts(&self) -> bool {
+        true
+    }
+
+    /// No line: the bearing itself is drawn.
+    fn centre_line(&self, _: &Phase, _: [DVec3; 2]) -> Vec<DVec3> {
+        Vec::new()
     }
 }
 

@@ -6,7 +6,7 @@
 use glam::DVec3;
 
 use crate::dynamics::connection::{
-    Connection, Device, Excursion, IS_BROKEN, Phase, Separation, SeparationBounds, Switch, SwitchUnit,
+    Connection, Device, DeviceReadings, Excursion, IS_BROKEN, Phase, Separation, SeparationBounds, Switch, SwitchUnit,
 };
 use crate::language::Text;
 
@@ -115,26 +115,6 @@ impl Device for Stopper {
         true
     }
 
-    fn state(&self, phase: &Phase) -> Text {
-        match phase.branch {
-            OPEN => Text::new("state-open"),
-            ON => Text::new("state-pressed"),
-            YIELD => Text::new("state-yields"),
-            _ => IS_BROKEN,
-        }
-    }
-
-    fn strength(&self) -> Option<f64> {
-        match self.failure {
-            Failure::Never => None,
-            Failure::Brittle { force } | Failure::Ductile { force, .. } => Some(force),
-        }
-    }
-
-    fn yields(&self, phase: &Phase) -> bool {
-        phase.branch == YIELD
-    }
-
     fn has_ended(&self, phase: &Phase) -> bool {
         phase.branch == BROKEN
     }
@@ -182,5 +162,31 @@ impl Device for Stopper {
         };
         let released = if branch == BROKEN { self.stored_energy(phase, motion) } else { 0.0 };
         (Phase { branch, memory: [self.plastic(phase, motion), 0.0, 0.0] }, released)
+    }
+}
+
+impl DeviceReadings for Stopper {
+    fn state(&self, phase: &Phase) -> Text {
+        match phase.branch {
+            OPEN => Text::new("state-open"),
+            ON => Text::new("state-pressed"),
+            YIELD => Text::new("state-yields"),
+            _ => IS_BROKEN,
+        }
+    }
+
+    fn distance_left(&self, phase: &Phase, motion: &Separation) -> f64 {
+        self.gap(phase, motion)[0]
+    }
+
+    fn strength(&self) -> Option<f64> {
+        match self.failure {
+            Failure::Never => None,
+            Failure::Brittle { force } | Failure::Ductile { force, .. } => Some(force),
+        }
+    }
+
+    fn yields(&self, phase: &Phase) -> bool {
+        phase.branch == YIELD
     }
 }

@@ -10,7 +10,7 @@ use glam::{DVec2, DVec3};
 
 use super::LinearBearing;
 use crate::dynamics::connection::{
-    Connection, Device, Evolution, Excursion, Phase, Separation, SeparationBounds, Switch, SwitchUnit,
+    Connection, Device, DeviceReadings, Evolution, Excursion, Phase, Separation, SeparationBounds, Switch, SwitchUnit,
 };
 use crate::language::Text;
 use crate::scene::seating::Room;
@@ -102,27 +102,6 @@ impl Device for Support {
         self.law.is_some() || phase.branch == LOST
     }
 
-    fn state(&self, phase: &Phase) -> Text {
-        match self.standing(phase) {
-            Some(law) => law.state(phase),
-            None if phase.branch == LOST => Text::new("state-lost"),
-            None => Text::new("state-stands"),
-        }
-    }
-
-    fn strength(&self) -> Option<f64> {
-        self.law.as_ref().and_then(|law| law.strength())
-    }
-
-    /// Nothing of a bearing that is lost.
-    fn reaction(&self, phase: &Phase, motion: &Separation) -> DVec3 {
-        self.standing(phase).map_or(DVec3::ZERO, |law| law.reaction(phase, motion))
-    }
-
-    fn lifts(&self) -> bool {
-        self.law.as_ref().is_some_and(|law| law.lifts())
-    }
-
     fn is_lost(&self, phase: &Phase) -> bool {
         phase.branch == LOST
     }
@@ -137,16 +116,6 @@ impl Device for Support {
         }
         let [w, rate] = self.across(motion);
         [-self.room.excess(w), -self.room.excess_rate(w, rate)]
-    }
-
-    fn distance_left(&self, _: &Phase, motion: &Separation) -> f64 {
-        let [w, _] = self.across(motion);
-        (w - self.room.from).min(self.room.to - w)
-    }
-
-    /// No line: the bearing itself is drawn.
-    fn centre_line(&self, _: &Phase, _: [DVec3; 2]) -> Vec<DVec3> {
-        Vec::new()
     }
 
     fn gap_curvature(&self, _: &Phase, bounds: &SeparationBounds) -> f64 {
@@ -206,5 +175,38 @@ impl Device for Support {
                 (Phase { branch: LOST, ..Phase::default() }, own + self.of_bearing(motion))
             }
         }
+    }
+}
+
+impl DeviceReadings for Support {
+    fn state(&self, phase: &Phase) -> Text {
+        match self.standing(phase) {
+            Some(law) => law.state(phase),
+            None if phase.branch == LOST => Text::new("state-lost"),
+            None => Text::new("state-stands"),
+        }
+    }
+
+    fn distance_left(&self, _: &Phase, motion: &Separation) -> f64 {
+        let [w, _] = self.across(motion);
+        (w - self.room.from).min(self.room.to - w)
+    }
+
+    /// Nothing of a bearing that is lost.
+    fn reaction(&self, phase: &Phase, motion: &Separation) -> DVec3 {
+        self.standing(phase).map_or(DVec3::ZERO, |law| law.reaction(phase, motion))
+    }
+
+    fn strength(&self) -> Option<f64> {
+        self.law.as_ref().and_then(|law| law.strength())
+    }
+
+    fn lifts(&self) -> bool {
+        self.law.as_ref().is_some_and(|law| law.lifts())
+    }
+
+    /// No line: the bearing itself is drawn.
+    fn centre_line(&self, _: &Phase, _: [DVec3; 2]) -> Vec<DVec3> {
+        Vec::new()
     }
 }

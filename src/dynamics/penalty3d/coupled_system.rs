@@ -10,6 +10,19 @@ use crate::dynamics::penalty3d::active_link::ActiveLink;
 use crate::dynamics::penalty3d::carried_overlap::{BodiesAt, MetContacts};
 use crate::dynamics::penalty3d::contact_rates::{decay, fastest, largest_decay_rate};
 
+/// Bodies, and the connections that act on them.
+#[derive(Debug, Default)]
+pub(in crate::dynamics) struct Members {
+    /// Numbers of the bodies in the model.
+    pub bodies: Vec<usize>,
+    /// Reference poses of their states.
+    pub bases: Vec<ReferencePose>,
+    /// Closed contacts.
+    pub active: Vec<ActiveContact>,
+    /// Devices whose force acts.
+    pub links: Vec<ActiveLink>,
+}
+
 /// Bodies joined by connections, with bounds on the rates of the connections.
 #[derive(Debug)]
 pub(in crate::dynamics) struct CoupledSystem {
@@ -44,8 +57,7 @@ impl CoupledSystem {
     /// then what the laws of devices remember and change.
     pub(in crate::dynamics) fn of(
         model: &Model,
-        (bodies, bases): (Vec<usize>, Vec<ReferencePose>),
-        (mut active, mut links): (Vec<ActiveContact>, Vec<ActiveLink>),
+        Members { bodies, bases, mut active, mut links }: Members,
         y: &mut Vec<f64>,
     ) -> Self {
         for a in &mut active {
@@ -78,7 +90,7 @@ impl CoupledSystem {
             omega: fastest(model, &bodies, &active, &links),
             largest_decay_rate: largest_decay_rate(model, &active, &links),
             modal: bodies.iter().fold(ModalRates::default(), |most, &b| most.max(model.bodies[b].rate_bounds.modal)),
-            ..Self::without_rates((bodies, layout, bases), active, links, radii)
+            ..Self::without_rates(Members { bodies, bases, active, links }, layout, radii)
         };
         for section in of_met {
             system.acted_on[section] = true;
@@ -88,9 +100,8 @@ impl CoupledSystem {
 
     /// Without bounds on rates and without the bodies that have met, which a step of known length does not need.
     pub(in crate::dynamics) fn without_rates(
-        (bodies, layout, bases): (Vec<usize>, StateLayout, Vec<ReferencePose>),
-        active: Vec<ActiveContact>,
-        links: Vec<ActiveLink>,
+        Members { bodies, bases, active, links }: Members,
+        layout: StateLayout,
         radii: Vec<f64>,
     ) -> Self {
         let mut acted_on = vec![false; layout.section_count()];
@@ -167,7 +178,7 @@ mod tests {
         let bases = model.bodies.iter().map(Body::placed).collect();
         let mut y: Vec<f64> = model.bodies.iter().flat_map(Body::initial).collect();
         let width = y.len();
-        let system = CoupledSystem::of(&model, (bodies, bases), (active, Vec::new()), &mut y);
+        let system = CoupledSystem::of(&model, Members { bodies, bases, active, ..Members::default() }, &mut y);
         assert_eq!(y.len(), width, "no slip turns, no angle is appended");
         (model, system)
     }
@@ -197,7 +208,8 @@ mod tests {
             })
             .collect();
         let count = damped.len() as f64;
-        let mut system = CoupledSystem::of(&model, (bodies, bases), (damped, Vec::new()), &mut y);
+        let mut system =
+            CoupledSystem::of(&model, Members { bodies, bases, active: damped, ..Members::default() }, &mut y);
         let together = system.decay_bound(&model);
         assert!(system.largest_decay_rate > 0.0 && together > 0.0, "{together} 1/s");
         // A contact slows both of its bodies; each body has the sum of its contacts.

@@ -222,6 +222,7 @@ mod tests {
     use crate::dynamics::model::coordinates::state_layout::StateLayout;
     use crate::dynamics::model::reference_pose::ReferencePose;
     use crate::dynamics::penalty3d::active_contact::ActiveContact;
+    use crate::dynamics::penalty3d::coupled_system::Members;
     use crate::dynamics::penalty3d::example::{closed, stick, wall};
 
     /// Squared norm of an error.
@@ -229,7 +230,8 @@ mod tests {
         let bodies: Vec<usize> = (0..model.bodies.len()).collect();
         let bases: Vec<ReferencePose> = model.bodies.iter().map(Body::placed).collect();
         let layout = StateLayout::of(model.bodies.iter());
-        let system = CoupledSystem::without_rates((bodies, layout, bases), active.to_vec(), Vec::new(), Vec::new());
+        let members = Members { bodies, bases, active: active.to_vec(), ..Members::default() };
+        let system = CoupledSystem::without_rates(members, layout, Vec::new());
         let equations = EquationsOfMotion {
             kind: &IslandKind::General,
             model,

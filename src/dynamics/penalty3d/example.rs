@@ -7,6 +7,7 @@ use crate::dynamics::model::coordinates::planar::WIDTH;
 use crate::dynamics::model::coordinates::state_layout::StateLayout;
 use crate::dynamics::penalty3d::active_contact::ActiveContact;
 use crate::dynamics::penalty3d::contact_state::ClosedContact;
+use crate::dynamics::penalty3d::coupled_system::Members;
 use crate::dynamics::penalty3d::due::Due;
 use crate::dynamics::penalty3d::event_location::first_contact_events;
 use crate::dynamics::penalty3d::island::Island;
@@ -87,8 +88,9 @@ pub(in crate::dynamics) fn island(model: &Model, active: Vec<ActiveContact>, sta
 pub(in crate::dynamics) fn island_of(model: &Model, active: Vec<ActiveContact>, y: Vec<f64>) -> Island {
     let bodies: Vec<usize> = (0..model.bodies.len()).collect();
     let bases = model.bodies.iter().map(Body::placed).collect();
-    let contacts: Vec<_> = active.into_iter().enumerate().collect();
-    Island::new(model, bodies.clone(), (bodies, bases), (contacts, Vec::new()), y, 0.0, ControllerState::default())
+    let (slots, contacts) = (bodies.clone(), (0..active.len()).collect());
+    let members = Members { bodies, bases, active, links: Vec::new() };
+    Island::new(model, slots, members, contacts, y, 0.0, ControllerState::default())
 }
 
 /// Plans steps until the first event: its time \[s\], with all events within 1 ps of it.

@@ -96,6 +96,7 @@ mod tests {
     use crate::dynamics::model::coordinates::planar::WIDTH;
     use crate::dynamics::model::coordinates::state_layout::StateLayout;
     use crate::dynamics::penalty3d::active_contact::ActiveContact;
+    use crate::dynamics::penalty3d::coupled_system::Members;
     use crate::dynamics::penalty3d::example::{MASS, closed, row, stick, wall};
 
     /// Rates of states relative to the placed poses.
@@ -103,7 +104,8 @@ mod tests {
         let bodies: Vec<usize> = (0..model.bodies.len()).collect();
         let bases = model.bodies.iter().map(Body::placed).collect();
         let layout = StateLayout::of(model.bodies.iter());
-        let system = CoupledSystem::without_rates((bodies, layout, bases), active.to_vec(), Vec::new(), Vec::new());
+        let members = Members { bodies, bases, active: active.to_vec(), ..Members::default() };
+        let system = CoupledSystem::without_rates(members, layout, Vec::new());
         let mut out = vec![0.0; y.len()];
         super::rates(model, &system, GroundNow::of(DVec3::ZERO), y, &mut Workspace::of(active), &mut out);
         out

@@ -7,12 +7,11 @@ use crate::dynamics::integrator::dense_output::DenseOutput;
 use crate::dynamics::integrator::radau_iia::Radau;
 use crate::dynamics::integrator::step_control::{ControllerState, StepController, StepLimits};
 use crate::dynamics::model::coordinates::state_layout::StateLayout;
-use crate::dynamics::model::reference_pose::ReferencePose;
-use crate::dynamics::penalty3d::active_contact::{ActiveContact, direction};
+use crate::dynamics::penalty3d::active_contact::direction;
 use crate::dynamics::penalty3d::active_link::ActiveLink;
 use crate::dynamics::penalty3d::constants::{FIRST_PHASE, SMALLEST_PHASE};
 use crate::dynamics::penalty3d::contact_state::ClosedContact;
-use crate::dynamics::penalty3d::coupled_system::CoupledSystem;
+use crate::dynamics::penalty3d::coupled_system::{CoupledSystem, Members};
 use crate::dynamics::penalty3d::equations_of_motion::{EquationsOfMotion, ErrorScale};
 use crate::dynamics::penalty3d::island_kind::IslandKind;
 use crate::dynamics::penalty3d::planned_step::{Allowed, PlannedStep};
@@ -59,19 +58,18 @@ pub(in crate::dynamics) struct StepTooSmall {
 }
 
 impl Island {
-    /// An island of bodies at `t` \[s\] with states `y` relative to reference poses; `pace` is the method and length
-    /// of its first step.
+    /// An island of bodies at `t` \[s\] with states `y` relative to reference poses, whose closed contacts have these numbers in the group;
+    /// `pace` is the method and length of its first step.
     pub(in crate::dynamics) fn new(
         model: &Model,
         slots: Vec<usize>,
-        (bodies, bases): (Vec<usize>, Vec<ReferencePose>),
-        (contacts, links): (Vec<(usize, ActiveContact)>, Vec<ActiveLink>),
+        members: Members,
+        contacts: Vec<usize>,
         mut y: Vec<f64>,
         t: f64,
         pace: ControllerState,
     ) -> Self {
-        let (contacts, active) = contacts.into_iter().unzip();
-        let system = CoupledSystem::of(model, (bodies, bases), (active, links), &mut y);
+        let system = CoupledSystem::of(model, members, &mut y);
         let kind = IslandKind::of(model, &system, &y);
         // A slip angle follows the velocity over a length of the spring's stretch, faster than all other motions:
         // implicit steps.
@@ -148,7 +146,7 @@ impl Island {
         self.step.from = t;
         self.taken += 1;
         let (scale, bounds) = self.scale(model);
-        self.step.allowed = Allowed { place: scale.speed / scale.omega, speed: scale.speed };
+        self.step.allowed = Allowed { displacement: scale.speed / scale.omega, speed: scale.speed };
         let number = model.ground.piece_number(t);
         let piece = model.ground.piece(number);
         let known = self.workspace.sliding.sliders.is_empty() && self.sloped == (t, number);

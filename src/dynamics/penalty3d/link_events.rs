@@ -51,7 +51,7 @@ pub(in crate::dynamics) fn first_phase_end(model: &Model, island: &Island) -> Op
             // Of an event after the first one found only that is asked.
             let earliest = found.map_or(EarliestEvent::UNKNOWN, |(at, _)| EarliestEvent { at, together: 0.0 });
             let rise = match link.device.switch_unit(number, &active.phase) {
-                SwitchUnit::Length => island.step.allowed.place,
+                SwitchUnit::Length => island.step.allowed.displacement,
                 SwitchUnit::Speed => island.step.allowed.speed,
             };
             let resolution = Resolution { zero, rise };

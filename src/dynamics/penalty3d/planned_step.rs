@@ -7,7 +7,7 @@ use crate::dynamics::penalty3d::due::{Due, LinkDue};
 #[derive(Clone, Copy, Debug, Default)]
 pub(in crate::dynamics) struct Allowed {
     /// In place \[m\].
-    pub place: f64,
+    pub displacement: f64,
     /// In velocity \[m/s\].
     pub speed: f64,
 }

@@ -13,7 +13,7 @@ use crate::dynamics::model::coordinates::planar::{PlanarState, WIDTH};
 use crate::dynamics::model::coordinates::state_layout::StateLayout;
 use crate::dynamics::model::reference_pose::{self, ReferencePose};
 use crate::dynamics::penalty3d::active_contact::ActiveContact;
-use crate::dynamics::penalty3d::coupled_system::CoupledSystem;
+use crate::dynamics::penalty3d::coupled_system::{CoupledSystem, Members};
 use crate::dynamics::penalty3d::equations_of_motion::{EquationsOfMotion, ErrorScale};
 use crate::dynamics::penalty3d::island::normalise;
 use crate::dynamics::penalty3d::island_kind::IslandKind;
@@ -199,7 +199,8 @@ impl Replay {
                 self.starts.read(start + i, state);
             }
         }
-        let system = CoupledSystem::without_rates((bodies, layout, bases), active, Vec::new(), Vec::new());
+        let system =
+            CoupledSystem::without_rates(Members { bodies, bases, active, links: Vec::new() }, layout, Vec::new());
         let piece = past.model.ground.piece(past.model.ground.piece_number(from));
         let mut field = EquationsOfMotion {
             model: past.model,

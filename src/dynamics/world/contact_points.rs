@@ -70,7 +70,7 @@ pub(in crate::dynamics) fn at_vertex_of(
     poses: Poses<'_>,
 ) -> [Vec<usize>; 2] {
     let pair = world.contacts[contact].pair;
-    let (left, other) = (place(world, contact, poses), other_of_crossing(world, contact));
+    let (left, other) = (point_on_second_face(world, contact, poses), other_of_crossing(world, contact));
     let near =
         one_vertex(world, pair) + extra + if world.edge(contact).is_some() { slide(world, contact) } else { 0.0 };
     let here = |c: usize| {
@@ -92,7 +92,9 @@ pub(in crate::dynamics) fn at_vertex_of(
     let gone = |&c: &usize| {
         let near = near + if world.edge(c).is_some() { slide(world, c) } else { 0.0 };
         let is_closed = world.contacts[c].state.closed().is_some();
-        is_closed && !nodes.contains(&c) && (other == Some(c) || (place(world, c, poses) - left).length() <= near)
+        is_closed
+            && !nodes.contains(&c)
+            && (other == Some(c) || (point_on_second_face(world, c, poses) - left).length() <= near)
     };
     let gone = contacts.filter(gone).collect();
     [nodes, gone]
@@ -105,7 +107,9 @@ pub(in crate::dynamics) fn is_held(world: &World, contact: usize, apart: f64, po
     let Some(at) = corner_vertex(world, contact, poses, slack(world, contact)) else { return false };
     let near = |c: usize| one_vertex(world, pair) + apart + if world.edge(c).is_some() { slide(world, c) } else { 0.0 };
     let mut contacts = world.pairs[pair].contacts.clone().filter(|&c| c != contact);
-    contacts.any(|c| world.contacts[c].state.closed().is_some() && (place(world, c, poses) - at).length() <= near(c))
+    contacts.any(|c| {
+        world.contacts[c].state.closed().is_some() && (point_on_second_face(world, c, poses) - at).length() <= near(c)
+    })
 }
 
 /// Whether no corner over the facing polygon is at a crossing.
@@ -119,7 +123,7 @@ fn is_free(world: &World, contact: usize, at: DVec2, poses: Poses<'_>, tolerance
 }
 
 /// Place of a node on the second side's face \[m\].
-fn place(world: &World, contact: usize, poses: Poses<'_>) -> DVec2 {
+fn point_on_second_face(world: &World, contact: usize, poses: Poses<'_>) -> DVec2 {
     let track = &world.contacts[contact];
     let site = &world.model.contacts[track.site];
     if !is_of_first(world, contact) {

@@ -5,8 +5,11 @@ use std::f64::consts::PI;
 use std::sync::Arc;
 
 use girderbench::dynamics::Model;
-use girderbench::dynamics::connection::{Anchor, Connection, Device, Phase, Separation, SeparationBounds, Switch};
+use girderbench::dynamics::connection::{
+    Anchor, Connection, Device, DeviceReadings, Phase, Separation, SeparationBounds, Switch, acts_or_open,
+};
 use girderbench::dynamics::model::groups::LinkError;
+use girderbench::language::Text;
 use girderbench::scene::{ModelKind, Scene, ViewPreset};
 use girderbench::sim::quantity::Quantity;
 use girderbench::sim::{History, Session};
@@ -108,6 +111,16 @@ impl Device for Cable {
         let law = if event == Switch::Closing { TAUT } else { SLACK };
         let released = self.stored_energy(phase, motion);
         (Phase { branch: law, ..*phase }, if law == SLACK { released } else { 0.0 })
+    }
+}
+
+impl DeviceReadings for Cable {
+    fn state(&self, phase: &Phase) -> Text {
+        acts_or_open(self.acts(phase))
+    }
+
+    fn distance_left(&self, phase: &Phase, motion: &Separation) -> f64 {
+        self.gap(phase, motion)[0]
     }
 }
 

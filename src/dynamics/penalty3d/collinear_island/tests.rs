@@ -7,6 +7,7 @@ use crate::dynamics::model::coordinates::planar::WIDTH;
 use crate::dynamics::model::coordinates::state_layout::StateLayout;
 use crate::dynamics::model::ground_now::GroundNow;
 use crate::dynamics::penalty3d::contact_state::ClosedContact;
+use crate::dynamics::penalty3d::coupled_system::Members;
 use crate::dynamics::penalty3d::general_island;
 use crate::dynamics::penalty3d::workspace::Workspace;
 use crate::dynamics::{Body, ContactSite};
@@ -63,7 +64,8 @@ fn layout(model: &Model) -> StateLayout {
 fn system(model: &Model, active: &[ActiveContact]) -> CoupledSystem {
     let bodies: Vec<usize> = (0..model.bodies.len()).collect();
     let bases = model.bodies.iter().map(Body::placed).collect();
-    CoupledSystem::without_rates((bodies, layout(model), bases), active.to_vec(), Vec::new(), Vec::new())
+    let members = Members { bodies, bases, active: active.to_vec(), ..Members::default() };
+    CoupledSystem::without_rates(members, layout(model), Vec::new())
 }
 
 /// The collinear island of all bodies of a model.

@@ -1,0 +1,15 @@
+//! Phases of a device.
+
+use crate::language::Text;
+
+/// State of a device: which branch of its law is in force, and what that branch remembers.
+#[derive(Clone, Copy, Debug, Default, PartialEq)]
+pub struct Phase {
+    /// Number of the branch in force, by the device's own count.
+    pub branch: u32,
+    /// What the branch remembers: a plastic displacement, an elongation at rupture (units of the device).
+    pub memory: [f64; 3],
+}
+
+/// The state of a device that has no force any more.
+pub const IS_BROKEN: Text = Text::new("state-broken");
