@@ -64,36 +64,26 @@ fn with_sense(
     let times = samples.times;
     let [t, until] = [times[0], times[times.len() - 1]];
     let Some(edge) = world.edge(contact) else { return (None, None) };
-    let ends_at = |samples: &mut StepSamples, i: usize| samples.edge_ends(world, (contact, edge), i);
-    let before = ends_at(samples, 0);
-    let slots = world.contacts[contact].slots;
+    let lines = EdgeGap { world, contact, edge, sense };
+    let before = samples.edge_ends(world, (contact, edge), 0);
     let resolution = samples.resolution(world, contact) * edge.amplification(&before).max(1.0);
-    let ends = |at: f64| {
-        let [node, face] = poses_at(world, contact, at);
-        edge.ends(&node, &face)
-    };
-    let rate_error_at = |at: f64| {
-        let [node, face] = poses_at(world, contact, at);
-        rate_error(world, contact, [&node, &face])
-    };
     let start = from.max(t);
     let (here, error) = if start > t {
-        let [node, face] = poses_at(world, contact, start);
-        (edge.ends(&node, &face), rate_error(world, contact, [&node, &face]))
+        (lines.ends(start), lines.rate_error(start))
     } else {
         (before, rate_error(world, contact, samples.sides(world, contact, 0)))
     };
-    let first = sample((edge, sense), &here, start);
+    let first = lines.sample(&here, start);
     let GapSample { gap, rate, .. } = first;
     let closes_now = armed && gap.abs() <= resolution && rate < -error * edge.amplification(&here).max(1.0);
-    if closes_now && begins(world, contact, sense, start) {
+    if closes_now && lines.begins(start) {
         return (Some(start), None);
     }
     // A gap that is negative beyond round-off, or falls through 0 now beside the edges, was passed over.
     let armed = armed && !is_positive_again(-gap, rate, start, resolution) && !closes_now;
     let pair = world.pairs[world.contacts[contact].pair].slots;
     let bounds = *samples.bounds(world);
-    let node = usize::from(slots[0] == pair[1]);
+    let node = usize::from(world.contacts[contact].slots[0] == pair[1]);
     let bound = |bounds: &GapCurvature, here: &EdgeEnds, stretch: f64| {
         let motion = [bounds.speed_on_face(node, arms, stretch), bounds.curvature(node, arms, stretch)];
         edge.curvature(here, motion, stretch)
@@ -102,11 +92,9 @@ fn with_sense(
     let curvature_bound = bound(&bounds, &before, span);
     let left = last.min(until) - start;
     let way = |rate: f64| resolution + left * (rate.max(0.0) + 0.5 * curvature_bound * left);
-    if armed && bounds.holds(span) && gap > way(-rate) {
-        return (None, None);
-    }
-    // Nor does a gap that stays negative, which closes nothing and is not positive again.
-    if !armed && bounds.holds(span) && -gap > way(rate) {
+    // What stays positive does not close; what stays negative closes nothing and is not positive again.
+    let stays = if armed { gap > way(-rate) } else { -gap > way(rate) };
+    if stays && bounds.holds(span) {
         return (None, None);
     }
     let curvature = |from: &GapSample, to: f64| {
@@ -114,47 +102,94 @@ fn with_sense(
             return curvature_bound;
         }
         let part = GapCurvature::of(world, pair, from.t, to);
-        if part.holds(to - from.t) { bound(&part, &ends(from.t), to - from.t) } else { f64::INFINITY }
+        if part.holds(to - from.t) { bound(&part, &lines.ends(from.t), to - from.t) } else { f64::INFINITY }
     };
-    let gap_at = |at: f64| sample((edge, sense), &ends(at), at);
-    let interval = CLOSING_INTERVAL * world.pairs[world.contacts[contact].pair].simultaneity;
-    samples.fill(world);
-    let within = (1..times.len()).filter(|&i| start < times[i] && times[i] <= last);
-    let mut gaps = vec![first];
-    gaps.extend(within.map(|i| sample((edge, sense), &ends_at(samples, i), times[i])));
-    if last < until && gaps.last().is_some_and(|gap| gap.t < last) {
-        gaps.push(gap_at(last));
+    let gaps = lines.sampled(samples, first, last);
+    lines.first_beginning(gaps, curvature, armed, resolution, last)
+}
+
+/// The gap of two edges, those of an edge node and across its face, with one sign.
+struct EdgeGap<'w> {
+    world: &'w World,
+    contact: usize,
+    edge: &'w Edge,
+    /// The sign.
+    sense: f64,
+}
+
+impl EdgeGap<'_> {
+    fn ends(&self, t: f64) -> EdgeEnds {
+        let [node, face] = poses_at(self.world, self.contact, t);
+        self.edge.ends(&node, &face)
     }
-    let (mut armed, mut rearmed) = (armed, None);
-    loop {
-        let mut subdivision = Subdivision::new((gap_at, curvature, rate_error_at), armed, resolution, interval);
-        let closing = subdivision.first_closing(&gaps);
-        rearmed = rearmed.or(subdivision.rearmed_at());
-        match closing {
-            Some(at) if at > last => return (None, rearmed),
-            Some(at) if !begins(world, contact, sense, at) => {
-                armed = false;
-                gaps = std::iter::once(gap_at(at)).chain(gaps.into_iter().filter(|sample| sample.t > at)).collect();
+
+    fn sample(&self, here: &EdgeEnds, t: f64) -> GapSample {
+        let [gap, rate] = self.edge.gap(here, self.sense);
+        GapSample { t, gap, rate }
+    }
+
+    fn at(&self, t: f64) -> GapSample {
+        self.sample(&self.ends(t), t)
+    }
+
+    fn rate_error(&self, t: f64) -> f64 {
+        let [node, face] = poses_at(self.world, self.contact, t);
+        rate_error(self.world, self.contact, [&node, &face])
+    }
+
+    /// Gaps at the sample times of the step after `first`, up to `last` \[s\].
+    fn sampled(&self, samples: &mut StepSamples, first: GapSample, last: f64) -> Vec<GapSample> {
+        samples.fill(self.world);
+        let times = samples.times;
+        let within = (1..times.len()).filter(|&i| first.t < times[i] && times[i] <= last);
+        let mut gaps = vec![first];
+        for i in within {
+            let ends = samples.edge_ends(self.world, (self.contact, self.edge), i);
+            gaps.push(self.sample(&ends, times[i]));
+        }
+        if last < times[times.len() - 1] && gaps.last().is_some_and(|gap| gap.t < last) {
+            gaps.push(self.at(last));
+        }
+        gaps
+    }
+
+    /// First closing between these samples that is a contact point, and when a gap that was not armed was positive again \[s\]: zeros beside
+    /// the edges are passed over.
+    fn first_beginning(
+        &self,
+        mut gaps: Vec<GapSample>,
+        curvature: impl Fn(&GapSample, f64) -> f64,
+        mut armed: bool,
+        resolution: f64,
+        last: f64,
+    ) -> (Option<f64>, Option<f64>) {
+        let interval = CLOSING_INTERVAL * self.world.pairs[self.world.contacts[self.contact].pair].simultaneity;
+        let mut rearmed = None;
+        loop {
+            let functions = (|t| self.at(t), &curvature, |t| self.rate_error(t));
+            let mut subdivision = Subdivision::new(functions, armed, resolution, interval);
+            let closing = subdivision.first_closing(&gaps);
+            rearmed = rearmed.or(subdivision.rearmed_at());
+            match closing {
+                Some(at) if at > last => return (None, rearmed),
+                Some(at) if !self.begins(at) => {
+                    armed = false;
+                    gaps =
+                        std::iter::once(self.at(at)).chain(gaps.into_iter().filter(|sample| sample.t > at)).collect();
+                }
+                _ => return (closing, rearmed),
             }
-            _ => return (closing, rearmed),
         }
     }
-}
 
-fn sample((edge, sense): (&Edge, f64), here: &EdgeEnds, t: f64) -> GapSample {
-    let [gap, rate] = edge.gap(here, sense);
-    GapSample { t, gap, rate }
-}
-
-/// Whether a contact begins where the lines of the edges meet: at a contact point, with a gap of this sign, and with a
-/// distance of the lines that falls.
-fn begins(world: &World, contact: usize, sense: f64, t: f64) -> bool {
-    let Some(edge) = world.edge(contact) else { return false };
-    let [node, face] = poses_at(world, contact, t);
-    let ends = edge.ends(&node, &face);
-    let crossing = contact_points::crossing(world, contact, &|other| poses_at(world, other, t));
-    let rate = crossing.map_or(0.0, |crossing| edge.distance_rate(&crossing, &ends));
-    ends.sense() == sense && rate < -rate_error(world, contact, [&node, &face])
+    /// Whether a contact begins where the lines of the edges meet: at a contact point, with a gap of this sign, and with a
+    /// distance of the lines that falls.
+    fn begins(&self, t: f64) -> bool {
+        let ends = self.ends(t);
+        let crossing = contact_points::crossing(self.world, self.contact, &|other| poses_at(self.world, other, t));
+        let rate = crossing.map_or(0.0, |crossing| self.edge.distance_rate(&crossing, &ends));
+        ends.sense() == self.sense && rate < -self.rate_error(t)
+    }
 }
 
 /// Bounds on the distances of the ends of a contact's edge from G of its own body and of the face's \[m\].

@@ -89,6 +89,7 @@ impl ActiveLink {
 
     /// Adds its force at the island's state `y` to the wrenches of the bodies; how what its law remembers changes, where that is
     /// a state of the island.
+    #[inline]
     pub(in crate::dynamics) fn push(
         &self,
         (model, bases): (&Model, &[ReferencePose]),
