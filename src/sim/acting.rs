@@ -97,6 +97,7 @@ impl History {
             normal_damping: forces.normal_damping,
             tangential_damping: world(forces.tangential_damping),
             force: action.force,
+            couple: action.couple,
             mu_static: closed.law.mu_s,
             mu_kinetic: closed.law.mu_k,
         })

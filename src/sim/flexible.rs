@@ -108,10 +108,11 @@ impl History {
             let Some(now) = self.contact(contact, t) else { continue };
             let site = &self.model().contacts[contact];
             let sections = self.model().sections(contact);
-            let sides = [(site.node_body, now.point, now.force), (site.face_body, now.anchor, -now.force)];
-            for ((owner, place, force), section) in sides.into_iter().zip(sections) {
+            let sides = [(site.node_body, now.point, 1.0), (site.face_body, now.anchor, -1.0)];
+            for ((owner, place, sign), section) in sides.into_iter().zip(sections) {
                 if owner == Some(girder) {
-                    wrenches[section].push(force, place - body.frame(section, state).origin());
+                    let arm = place - body.frame(section, state).origin();
+                    wrenches[section].push_with(sign * now.force, arm, sign * now.couple);
                 }
             }
         }

@@ -114,6 +114,9 @@ pub struct ContactNow {
     pub tangential_damping: DVec3,
     /// `R_k`, all of it, on the body that owns the node \[N\].
     pub force: DVec3,
+    /// Couple on that body beside it, the opposite one on the other: two edges across each other press where they cross, beside the node
+    /// \[N·m\].
+    pub couple: DVec3,
     /// `μ_s` in force.
     pub mu_static: f64,
     /// `μ_k` in force.

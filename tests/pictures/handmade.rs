@@ -61,6 +61,7 @@ fn contact(number: usize, point: DVec3, state: ContactState, normal_force: f64) 
         normal_damping: 31.0,
         tangential_damping: DVec3::ZERO,
         force: normal * (normal_force + 31.0) + tangential_force,
+        couple: DVec3::ZERO,
         mu_static,
         mu_kinetic,
     }

@@ -80,6 +80,7 @@ fn now(
         normal_damping: 0.0,
         tangential_damping: DVec3::ZERO,
         force: normal * reaction.normal[end] + tangential,
+        couple: DVec3::ZERO,
         mu_static,
         mu_kinetic,
     }

@@ -104,6 +104,7 @@ mod tests {
             normal_damping: 0.0,
             tangential_damping: zero,
             force: zero,
+            couple: zero,
             mu_static: 0.2,
             mu_kinetic: 0.15,
         }

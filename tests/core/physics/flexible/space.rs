@@ -321,3 +321,30 @@ fn a_hit_in_space_is_that_of_an_independent_program() {
     }
     assert_eq!(rows, 5, "of the table");
 }
+
+/// A deck that rises along a wall lower than it is deep: its edges press where they cross the wall's, beside the nodes. The moment just
+/// inside the end is what turns the deck about G, less that of the force there.
+#[test]
+fn section_moments_know_where_edges_cross() {
+    let text = "name = \"rises\"\nkind = \"spatial\"\ngravity_m_s2 = 0.0\nduration_s = 0.1\n[[girder]]\nname = \"a\"\nlength_m = 20.0\n\
+                width_m = 8.0\nthickness_m = 2.0\nmass_kg = 3e5\ninitial = { velocity_m_s = [1.0, 0.0, 0.25] }\n[girder.elastic]\n\
+                area_m2 = 6.0\ndamping_ratio = 0.0\nmodes = 2\n[[abutment]]\nname = \"wall\"\nfaces = \"a\"\ngap_m = 0.01\n\
+                width_m = 30.0\nheight_m = 1.0\n[contact]\nstiffness_n_per_m = 1e9\nrestitution_normal = 1.0\n\
+                restitution_tangential = 1.0\nmu_static = 0.0\nmu_kinetic = 0.0\n[solver]\ntolerance = 1e-11\n";
+    let history = run(&scene(text));
+    let dt = 1e-6;
+    let mut compared = 0;
+    for t in [0.025, 0.03, 0.04, 0.05, 0.055] {
+        assert!(history.contacts(t).iter().any(|now| now.couple != DVec3::ZERO), "edges are in contact at {t} s");
+        let [before, after] = [t - dt, t + dt].map(|t| history.motion(0, t));
+        // The deck turns by 1e-2 rad at most, about y alone.
+        let pitch = (after.spin.y - before.spin.y) / (2.0 * dt);
+        let inertia = 3e5 * (20.0f64.powi(2) + 2.0f64.powi(2)) / 12.0;
+        let lift = 3e5 * (after.velocity.z - before.velocity.z) / (2.0 * dt);
+        let inside = history.section_forces(0, 10.0 - 1e-9, t).vertical_moment.abs();
+        let turned = (inertia * pitch + 10.0 * lift).abs();
+        assert!((inside - turned).abs() < 0.02 * turned, "{inside} N·m inside the end, {turned} N·m turn it at {t} s");
+        compared += usize::from(turned > 1e4);
+    }
+    assert!(compared > 3, "{compared} of five with a moment to speak of");
+}
