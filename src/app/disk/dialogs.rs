@@ -1,8 +1,11 @@
 //! The system's file dialogs: the window goes on while one is open.
 //!
-//! A system without a dialog answers as one whose dialog was cancelled does, but at once: then the window asks itself.
+//! A system without a dialog answers as one whose dialog was cancelled does, but at once or without having taken the keyboard from the
+//! window: then the window asks itself.
 
 use std::path::PathBuf;
+use std::sync::Arc;
+use std::sync::atomic::{AtomicBool, Ordering};
 use std::sync::mpsc::{Receiver, Sender, channel};
 use std::time::Duration;
 
@@ -19,6 +22,8 @@ pub(in crate::app) struct Dialogs {
     send: Sender<Command>,
     chosen: Receiver<Command>,
     wake: Wake,
+    /// Whether the window has lost the keyboard since a path was asked for last.
+    left: Arc<AtomicBool>,
     /// There is no user to answer: no dialog is opened.
     pub(super) silent: bool,
 }
@@ -27,12 +32,17 @@ impl Dialogs {
     /// No dialog yet.
     pub(in crate::app) fn new(wake: Wake) -> Self {
         let (send, chosen) = channel();
-        Self { send, chosen, wake, silent: false }
+        Self { send, chosen, wake, left: Arc::default(), silent: false }
     }
 
     /// Who is to be told when something was chosen.
     pub(in crate::app) fn set_wake(&mut self, wake: Wake) {
         self.wake = wake;
+    }
+
+    /// The keyboard goes to another window: to the dialog, if there is one.
+    pub(in crate::app) fn leave(&self) {
+        self.left.store(true, Ordering::Relaxed);
     }
 
     /// What was chosen since the last time.
@@ -50,9 +60,11 @@ impl Dialogs {
             None => Choice::Folder,
             Some(file) => Choice::New(file),
         };
-        let (send, wake, begun) = (self.send.clone(), self.wake.clone(), now());
+        self.left.store(false, Ordering::Relaxed);
+        let (send, wake, begun, left) = (self.send.clone(), self.wake.clone(), now(), Arc::clone(&self.left));
         choose(choice, &filters(wish), move |chosen| {
-            if let Some(command) = after(wish, chosen, begun.elapsed()) {
+            let has_come = begun.elapsed() >= NO_DIALOG && left.load(Ordering::Relaxed);
+            if let Some(command) = after(wish, chosen, has_come) {
                 // Nobody listens any more when the window has closed: nothing to do then.
                 let _ = send.send(command);
                 wake();
@@ -74,10 +86,10 @@ fn filters(wish: Wish) -> Vec<Filter> {
     }
 }
 
-/// What follows from what a dialog has answered, and after how long.
-fn after(wish: Wish, chosen: Option<PathBuf>, time: Duration) -> Option<Command> {
+/// What follows from what a dialog has answered, where one `has_come`.
+fn after(wish: Wish, chosen: Option<PathBuf>, has_come: bool) -> Option<Command> {
     let here = || FileCommand::Path(PathCommand::Ask(wish)).into();
-    chosen.map(|path| then(wish, path)).or_else(|| (time < NO_DIALOG).then(here))
+    chosen.map(|path| then(wish, path)).or_else(|| (!has_come).then(here))
 }
 
 /// What is done with a path that was asked for.
@@ -110,12 +122,12 @@ mod tests {
     use super::*;
 
     #[test]
-    fn an_answer_of_nothing_at_once_is_no_dialog_and_a_later_one_is_a_cancel() {
-        let asked = after(Wish::Save, None, Duration::from_millis(3));
+    fn an_answer_of_nothing_without_a_dialog_has_the_window_ask_and_of_one_that_came_is_a_cancel() {
+        let asked = after(Wish::Save, None, false);
         let here = FileCommand::Path(PathCommand::Ask(Wish::Save));
         assert!(matches!(asked, Some(Command::File(command)) if command == here), "the window asks");
-        assert!(after(Wish::Save, None, Duration::from_secs(2)).is_none(), "cancelled");
-        let chosen = after(Wish::Save, Some("east".into()), Duration::from_millis(3));
+        assert!(after(Wish::Save, None, true).is_none(), "cancelled");
+        let chosen = after(Wish::Save, Some("east".into()), false);
         let saved = FileCommand::SaveTo("east.toml".into());
         assert!(matches!(chosen, Some(Command::File(command)) if command == saved), "with its extension");
     }

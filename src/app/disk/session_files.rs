@@ -48,6 +48,20 @@ impl FoundWork {
     }
 }
 
+/// Work beside a file, the newest first, that the file does not hold: what is equal to its scene is removed.
+fn lost_beside(file: &Path, scene: Option<&Scene>) -> Vec<Found> {
+    let mut found = find_beside(file);
+    found.retain(|found| {
+        let is_saved = scene.is_some_and(|scene| load_unsaved(&found.path).is_ok_and(|unsaved| unsaved == *scene));
+        if is_saved {
+            // Gone already is as good.
+            let _ = std::fs::remove_file(&found.path);
+        }
+        !is_saved
+    });
+    found
+}
+
 /// How a file compares with what was last seen of it.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub(in crate::app) struct Compared {
@@ -63,7 +77,10 @@ impl SessionFiles {
         self.recent = Recent::open(folder.join("recent.toml"));
         self.settings = Settings::open(folder.join("settings.toml"));
         self.autosave = Some(Autosave::new(wake));
-        self.found = find_in(&folder.join("unsaved")).into_iter().map(FoundWork::of).collect();
+        let beside = self.recent.files().iter().flat_map(|file| lost_beside(file, load_scene(file, &[]).ok().as_ref()));
+        let mut found: Vec<Found> = find_in(&folder.join("unsaved")).into_iter().chain(beside).collect();
+        found.sort_by_key(|found| std::cmp::Reverse(found.written));
+        self.found = found.into_iter().map(FoundWork::of).collect();
         self.folder = Some(folder.to_owned());
     }
 
@@ -134,13 +151,8 @@ impl SessionFiles {
         // A list that cannot be written is no reason to disturb the work.
         let _ = self.recent.add(file);
         let known: Vec<PathBuf> = self.found.iter().map(|work| work.found.path.clone()).collect();
-        for found in find_beside(file).into_iter().rev().filter(|f| !known.contains(&f.path)) {
-            if load_unsaved(&found.path).is_ok_and(|unsaved| unsaved == *scene) {
-                // It is what the file says: nothing would be lost.
-                let _ = std::fs::remove_file(&found.path);
-            } else {
-                self.found.insert(0, FoundWork::of(found));
-            }
+        for found in lost_beside(file, Some(scene)).into_iter().rev().filter(|f| !known.contains(&f.path)) {
+            self.found.insert(0, FoundWork::of(found));
         }
     }
 
@@ -169,6 +181,8 @@ impl SessionFiles {
         as_seen: impl FnOnce() -> Scene,
     ) -> (Option<Duration>, Option<String>) {
         let (Some(work), Some(autosave)) = (self.work(document), &mut self.autosave) else { return (None, None) };
+        // What undo led back to is on the disk as the beginning of what redo has led to.
+        document.saved_from().into_iter().for_each(|before| autosave.forget(before));
         let again = autosave.watch(&work, as_seen);
         (again, autosave.problem().map(|problem| format!("{} {problem}", text::NOT_KEPT)))
     }
@@ -309,5 +323,50 @@ mod tests {
             "it is said"
         );
         assert!(document.is_dirty(), "the work is nowhere else");
+    }
+
+    #[test]
+    fn work_left_beside_a_file_that_was_used_lately_is_found_at_the_start_and_saved_work_is_not() {
+        let folder = tempfile::tempdir().expect("a folder");
+        let (_, document) = opened(folder.path());
+        let file = document.file().expect("it has one").to_owned();
+        let mut recent = Recent::open(folder.path().join("recent.toml"));
+        recent.add(&file).expect("there is room");
+        let other = Scene { duration: 7.25, ..document.scene().clone() };
+        for scene in [&other, document.scene()] {
+            drop(crate::files::SideFile::create(scene, &SceneSource::New, &file).expect("written"));
+        }
+        let mut files = SessionFiles::default();
+        files.keep_in(folder.path(), std::sync::Arc::new(|| ()));
+        let found: Vec<_> = files.found_work().iter().map(|work| work.found.clone()).collect();
+        assert_eq!(found.len(), 1, "what the file does not hold: {found:?}");
+        assert_eq!((found[0].file.as_ref(), load_unsaved(&found[0].path).ok()), (Some(&file), Some(other)));
+    }
+
+    #[test]
+    fn what_undo_led_back_to_is_not_left_as_lost_work_once_redo_has_led_on() {
+        let folder = tempfile::tempdir().expect("a folder");
+        let mut document = Document::new(presets::load(presets::OPENING).expect("ships"), SceneSource::New);
+        let mut files = SessionFiles::default();
+        files.keep_in(folder.path(), std::sync::Arc::new(|| ()));
+        files.set_autosave_delay(Duration::ZERO);
+        let mut keep = |document: &Document| {
+            let _ = files.keep_work(document, || document.scene().clone());
+            let _ = files.keep_work(document, || document.scene().clone());
+            files.wait();
+        };
+        for duration in [3.0, 4.0] {
+            let edit = crate::app::edits::duration(document.scene(), duration);
+            document.edit(edit, None).expect("fits");
+        }
+        document.saved_as(folder.path().join("saved.toml"));
+        let step = |document: &mut Document, command| document.apply(command).expect("there is one");
+        step(&mut document, crate::app::command::EditCommand::Undo);
+        keep(&document);
+        let side = folder.path().join("unsaved").join(format!("{}.toml.unsaved", text::UNTITLED));
+        assert!(side.exists(), "kept while it is what is seen");
+        step(&mut document, crate::app::command::EditCommand::Redo);
+        keep(&document);
+        assert!(!side.exists(), "it is on the disk under the other name");
     }
 }

@@ -22,6 +22,8 @@ struct Origin {
     saved: Option<Scene>,
     /// Tells the scene that was opened from every other one; saving it goes on with it.
     work: u64,
+    /// The origin whose scene was saved as this one.
+    saved_from: Option<u64>,
 }
 
 /// A scene with its past, and what is selected in it: nothing that the scene does not have.
@@ -38,7 +40,7 @@ pub struct Document {
 impl Document {
     /// A scene as it was read.
     pub(in crate::app) fn new(scene: Scene, source: SceneSource) -> Self {
-        let origins = vec![Origin { id: 0, depth: 0, source, saved: Some(scene.clone()), work: 0 }];
+        let origins = vec![Origin { id: 0, depth: 0, source, saved: Some(scene.clone()), work: 0, saved_from: None }];
         Self { scene, selection: Selection::default(), steps: UndoStack::default(), origins, begun: 1, revision: 0 }
     }
 
@@ -96,6 +98,11 @@ impl Document {
     /// Tells what this stretch of the past was opened from or saved to from every other.
     pub(in crate::app) fn origin_id(&self) -> u64 {
         self.origin().map_or(0, |o| o.id)
+    }
+
+    /// The stretch of the past whose end was saved as the beginning of this one.
+    pub(in crate::app) fn saved_from(&self) -> Option<u64> {
+        self.origin()?.saved_from
     }
 
     /// Tells the scene that is worked on from every other that was opened before or after it, wherever it is saved.
@@ -219,20 +226,21 @@ impl Document {
     pub(in crate::app) fn open(&mut self, scene: Scene, source: SceneSource) -> Result<(), EditError> {
         self.edit(Edit::Scene(Box::new(scene.clone())), None)?;
         self.selection.only(None);
-        self.begin(source, scene, self.begun);
+        self.begin(source, scene, self.begun, None);
         Ok(())
     }
 
     /// It is on the disk now.
     pub(in crate::app) fn saved_as(&mut self, file: PathBuf) {
-        self.begin(SceneSource::File(file), self.scene.clone(), self.work());
+        let from = self.origin_id();
+        self.begin(SceneSource::File(file), self.scene.clone(), self.work(), Some(from));
         self.steps.seal();
     }
 
-    fn begin(&mut self, source: SceneSource, saved: Scene, work: u64) {
+    fn begin(&mut self, source: SceneSource, saved: Scene, work: u64, saved_from: Option<u64>) {
         let depth = self.steps.depth();
         self.origins.retain(|o| o.depth < depth);
-        self.origins.push(Origin { id: self.begun, depth, source, saved: Some(saved), work });
+        self.origins.push(Origin { id: self.begun, depth, source, saved: Some(saved), work, saved_from });
         self.begun += 1;
     }
 }

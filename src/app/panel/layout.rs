@@ -26,6 +26,10 @@ use crate::app::viewport::show;
 use crate::files::is_record;
 use crate::scene::{GroundId, Scene};
 
+/// Height below which the list of what is placed and the numbers of what is selected are scrolled as one \[points\]: the head and the
+/// least of the list take 240. Chosen.
+const PLACED_APART: f32 = 360.0;
+
 /// How often progress on a thread is shown.
 const PROGRESS: Duration = Duration::from_millis(50);
 
@@ -36,7 +40,11 @@ pub fn show(bench: &mut Workbench, ui: &mut Ui) {
     letters::install(ui.ctx(), bench.window.language);
     shortcuts::wait_for_focus(ui);
     listen(bench, ui);
-    let returned = ui.input(|i| i.events.contains(&egui::Event::WindowFocused(true)));
+    let [left, returned] =
+        [false, true].map(|focused| ui.input(|i| i.events.contains(&egui::Event::WindowFocused(focused))));
+    if left {
+        bench.tasks.dialogs.leave();
+    }
     if bench.files.session.is_time_to_look(returned)
         && let Some(words) = bench.files.compare().notice
     {
@@ -159,11 +167,19 @@ fn panels(bench: &Workbench, ui: &mut Ui, out: &mut Vec<Command>) {
         });
     }
     beside(ui, (Pane::Placed, folded), out, |ui, out| {
+        // What is shown of one thing is not scrolled as another was.
+        let area = |of| ScrollArea::vertical().id_salt((of, document.selection().lead())).auto_shrink(false);
+        if ui.available_height() < PLACED_APART {
+            area("placed").show(ui, |ui| {
+                outliner::show(ui, document, out);
+                ui.separator();
+                inspector::show(ui, document, replay, out);
+            });
+            return;
+        }
         outliner::show(ui, document, out);
         ui.separator();
-        // What is shown of one thing is not scrolled as another was.
-        let area = ScrollArea::vertical().id_salt(("inspector", document.selection().lead())).auto_shrink(false);
-        area.show(ui, |ui| inspector::show(ui, document, replay, out));
+        area("inspector").show(ui, |ui| inspector::show(ui, document, replay, out));
     });
     beside(ui, (Pane::WhatIf, folded), out, |ui, out| {
         let shown = whatif::Shown { document, replay, display, plots };
