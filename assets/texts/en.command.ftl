@@ -128,6 +128,7 @@ check-spatial = spatial, gravity { $gravity } m/s²
 check-head = { $name }: { $kind }, { $duration } s
 check-head-b = ground: { $motion }
 check-named-ground = ground "{ $name }": { $motion }
+check-unused-ground = ground "{ $name }", which nothing stands on and which moves nothing: { $motion }
 check-head-c = solver: { $method }, tolerance { $tolerance }
 check-head-d = view: { $camera }
 check-assumed-stiffness = K of pairs without a number of their own: E A / L of their girders with A = width_m × thickness_m and L = a₀, of one that bends with its own E and A and L = a₀/10 (assumed)

@@ -387,6 +387,7 @@ device-table-point = Add a depth
 device-assumed = What a new device begins with is assumed: it fits the weight and the length of its girder.
 assumed-section = Assumed values
 assumed-hint = Assumed: change it, or say under Assumed values of the scene that it is right.
+differs-hint = Not the same for all that are selected; what is set here goes to all.
 given = Right: { $path }
 
 ## handles
@@ -427,7 +428,7 @@ path = Path
 paths-here = Ask for paths in this window
 paths-here-hint = Rather than in the dialogs of the system
 path-folders = Used lately:
-path-new = No file or folder there begins with these letters.
+path-new = Nothing there begins with these letters.
 path-empty = Type a path.
 path-nothing = There is no such file
 path-no-folder = That is a file; a folder is asked for.
@@ -447,6 +448,7 @@ plots = Plots
 plot-place = Displacement
 plot-theta = Rotation
 plot-force = Force between bodies
+plot-missing = Not in this scene: { $names }
 values-hint =
     Wheel: zoom the values (over the curves with Alt)
     Drag: move them
@@ -532,7 +534,7 @@ entry = Entry { $number }
 remove-entry = Remove entry { $number }
 body-of-entry = Body { $side } of entry { $number }
 ends-of-entry = Entry { $number }: these ends only
-several = { $count } selected: what is changed here goes to all girders among them
+several = { $count } selected: the numbers are those of { $name }, ≠ marks what differs; what is changed here goes to all girders among them
 more = and { $count } more
 unpin = unpin { $number }
 panel = Plot { $number }

@@ -125,6 +125,7 @@ check-spatial = 立体、重力加速度 { $gravity } m/s²
 check-head = { $name }：{ $kind }、{ $duration } s
 check-head-b = 地動：{ $motion }
 check-named-ground = 地動「{ $name }」：{ $motion }
+check-unused-ground = 地動「{ $name }」（この地動に載るものはなく、何も動かしません）：{ $motion }
 check-head-c = 解法：{ $method }、許容誤差 { $tolerance }
 check-head-d = 視点：{ $camera }
 check-assumed-stiffness = 数値が与えられない組の K：桁の E A / L、A = width_m × thickness_m、L = a₀。弾性桁では桁自身の E と A、L = a₀/10（仮定）

@@ -387,6 +387,7 @@ device-table-point = 深さを追加
 device-assumed = 新しい装置の初めの値は、桁の重さと長さに合わせた仮定です。
 assumed-section = 仮定値
 assumed-hint = 仮定値です。値を変えるか、シーンの「仮定値」で確定してください。
+differs-hint = 選んだもので値が異なります。ここで設定するとすべてに及びます
 given = 確定：{ $path }
 
 ## つまみ
@@ -447,6 +448,7 @@ plots = グラフ
 plot-place = 変位
 plot-theta = 回転
 plot-force = 物体間の力
+plot-missing = このシーンにないもの：{ $names }
 values-hint =
     ホイール：値を拡大（曲線の上では Alt と）
     ドラッグ：値をずらす
@@ -532,7 +534,7 @@ entry = 項目 { $number }
 remove-entry = 項目 { $number } を削除
 body-of-entry = 項目 { $number } の物体 { $side }
 ends-of-entry = 項目 { $number }：この端だけ
-several = { $count } 個選択中：ここでの変更は選んだ桁すべてに及びます
+several = { $count } 個選択中：値は { $name } のもの、≠ は選んだ桁で異なる値。ここでの変更は選んだ桁すべてに及びます
 more = ほか { $count } 件
 unpin = { $number } を外す
 panel = グラフ { $number }

@@ -1,7 +1,8 @@
 //! The keys in which two scenes differ.
 
-use std::collections::BTreeMap;
+use std::collections::{BTreeMap, BTreeSet};
 
+use serde::Serialize;
 use toml::{Table, Value};
 
 use super::Scene;
@@ -47,6 +48,24 @@ impl Values {
     }
 }
 
+/// The keys in which one of several tables of the scene file differs from any other, with those of the tables below: `length_m`,
+/// `bearings.frequency_hz`; without `name`.
+pub fn differing_keys<'a, T: Serialize + 'a>(one: &T, others: impl Iterator<Item = &'a T>) -> Vec<String> {
+    let values = |table: &T| {
+        let mut all = BTreeMap::new();
+        for (key, value) in Table::try_from(table).unwrap_or_default() {
+            gather(key, &value, &mut all);
+        }
+        all.remove("name");
+        Values(all)
+    };
+    let (own, mut found) = (values(one), BTreeSet::new());
+    for other in others.map(values) {
+        found.extend(own.differences(&other).into_iter().map(|difference| difference.place.to_owned()));
+    }
+    found.into_iter().collect()
+}
+
 /// Notes every value at a place and below, lists of tables by the names of their items.
 fn gather(place: String, value: &Value, all: &mut BTreeMap<String, Value>) {
     match value {
@@ -79,6 +98,17 @@ mod tests {
         let places: Vec<&str> = found.iter().map(|difference| difference.place).collect();
         assert_eq!(places, ["girder.deck.skew_deg", "motion.angle_deg"], "what changes the run");
         assert_eq!(found[0].values[1].and_then(Value::as_float), Some(60.0), "the second scene's");
+    }
+
+    #[test]
+    fn girders_differ_by_the_keys_of_their_own_tables() {
+        let scene = presets::load("viaduct-5").expect("ships");
+        let [one, other, ..] = &scene.girders[..] else { panic!("five spans") };
+        assert_eq!(differing_keys(one, [one, &one.clone()].into_iter()), Vec::<String>::new(), "alike");
+        let longer = crate::scene::Girder { length: 25.0, ..other.clone() };
+        let found = differing_keys(one, [other, &longer].into_iter());
+        assert!(found.contains(&"length_m".to_owned()) && found.contains(&"position_m".to_owned()), "{found:?}");
+        assert!(!found.iter().any(|key| key == "name" || key == "width_m"), "{found:?}");
     }
 
     #[test]

@@ -91,6 +91,14 @@ fn everything_can_be_larger_and_the_panels_step_back_in_a_lecture() {
     assert!(harness.state().view.display.sight.lecture, "on");
     assert!(harness.query_by_label("What if").is_none(), "the panels are gone");
     assert!(view(&harness).area() * 2.25 > before.area(), "the view has the room");
+    for (words, size) in [("200 %", 2.0), ("150 %", 1.5)] {
+        harness.get_by_label("View").click();
+        harness.run_steps(10);
+        harness.get_by_label(words).click();
+        harness.run_steps(10);
+        settle(&mut harness);
+        assert_eq!(harness.ctx.zoom_factor(), size, "as large as asked for");
+    }
     press(&mut harness, "Learn");
     press(&mut harness, &lessons()[0].title);
     assert!(harness.query_by_label("Reset").is_some() && harness.query_by_label("Placed").is_none(), "a lesson alone");

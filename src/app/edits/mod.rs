@@ -22,6 +22,6 @@ pub(in crate::app) use fresh::empty;
 pub(in crate::app) use pairs::{elastic, names_of, new_pair, optional, pair_between, pair_entry};
 pub(in crate::app) use piers::pier;
 pub(in crate::app) use placing::{MOST_SPANS, offered_row};
-pub(in crate::app) use reshape::{girders_alike, reshaped, skew};
+pub(in crate::app) use reshape::{girders_alike, reshaped, skew, stretched};
 pub(in crate::app) use selection::Selection;
 pub(in crate::app) use spans::add_girder;

@@ -17,7 +17,7 @@ pub(in crate::app) struct Form<'a> {
 impl<'a> Form<'a> {
     /// Where the fields of a table stand; the top of the file has no name.
     pub(in crate::app) fn place(self, table: &'a str) -> Place<'a> {
-        Place { problems: self.problems, assumed: &self.scene.assumed, table }
+        Place { problems: self.problems, assumed: &self.scene.assumed, differing: &[], table }
     }
 
     /// Fields of a table, with the scene's own size.

@@ -8,6 +8,7 @@ use crate::app::style::icons::{self, Icon};
 use crate::app::style::theme::Palette;
 use crate::app::text;
 use crate::app::unit::{PURE, Unit};
+use crate::language::Text;
 use crate::scene::keys::{self, Fallback, Key};
 
 /// Room for the sign that takes a value back \[points\].
@@ -29,9 +30,10 @@ impl Field<'_> {
     }
 }
 
-/// That a value was not given.
+/// That a value was not given, and that those that are selected have several.
 fn assumed_hint(place: Place<'_>, key: &str) -> String {
-    if place.is_assumed(key) { format!("\n{}", text::ASSUMED_HINT) } else { String::new() }
+    let line = |said: bool, hint: Text| if said { format!("\n{hint}") } else { String::new() };
+    line(place.is_assumed(key), text::ASSUMED_HINT) + &line(place.differs(key), text::DIFFERS_HINT)
 }
 
 /// The meaning, what is allowed, the default.
@@ -117,9 +119,9 @@ pub(super) fn menu(response: &Response, own: &Own) -> bool {
     chosen
 }
 
-/// The name of a value: in italics where it was not given, in the colour of problems where it is wrong.
+/// The name of a value: in italics where it was not given, with a sign where those that are selected have several, in the colour of problems where it is wrong.
 pub(super) fn named(ui: &Ui, place: Place<'_>, (key, label): (&str, &str)) -> RichText {
-    let text = RichText::new(label);
+    let text = if place.differs(key) { RichText::new(format!("{label} ≠")) } else { RichText::new(label) };
     let text = if place.is_assumed(key) { text.italics() } else { text };
     if place.complaint(key).is_some() { text.color(Palette::of(ui).problem).strong() } else { text }
 }

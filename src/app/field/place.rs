@@ -11,6 +11,8 @@ pub(in crate::app) struct Place<'a> {
     pub problems: Option<&'a SceneErrors>,
     /// Values that were not given.
     pub assumed: &'a [String],
+    /// Ways to keys whose values are not the same for all that are selected.
+    pub differing: &'a [String],
     /// `girder.deck`, `contact`, `motion`; empty for the top of the file.
     pub table: &'a str,
 }
@@ -18,7 +20,7 @@ pub(in crate::app) struct Place<'a> {
 impl<'a> Place<'a> {
     /// Of values that are not checked, or of another form than the scene's.
     pub(in crate::app) fn apart(table: &'a str) -> Self {
-        Self { problems: None, assumed: &[], table }
+        Self { problems: None, assumed: &[], differing: &[], table }
     }
 
     /// The way to a key from the top of the file.
@@ -29,6 +31,11 @@ impl<'a> Place<'a> {
     /// Whether a key's value was not given.
     pub(in crate::app) fn is_assumed(&self, key: &str) -> bool {
         !self.assumed.is_empty() && is_assumed(self.assumed, &self.path(key))
+    }
+
+    /// Whether a key's value is not the same for all that are selected.
+    pub(in crate::app) fn differs(&self, key: &str) -> bool {
+        !self.differing.is_empty() && self.differing.contains(&self.path(key))
     }
 
     pub(in crate::app) fn complaint(&self, key: &str) -> Option<String> {

@@ -13,6 +13,9 @@ use crate::scene::Kind;
 use crate::sim::OfSection;
 use crate::view::{Bending, section_force};
 
+/// Most girders that the menu offers to go with; of more only the one that is selected. Chosen.
+const MOST_FOLLOWED: usize = 8;
+
 /// The menu of views beyond the standing ones.
 pub(in crate::app) fn menu(ui: &mut Ui, view: &SceneView, document: &Document, out: &mut Vec<Command>) {
     if ui.add_enabled(view.has_been_turned(), Button::new(text::VIEW_BACK).shortcut_text("V")).clicked() {
@@ -29,9 +32,13 @@ pub(in crate::app) fn menu(ui: &mut Ui, view: &SceneView, document: &Document, o
     ui.separator();
     ui.label(text::FOLLOW);
     let girder = document.girder_shown();
-    let name = document.scene().girders.get(girder).map_or("", |g| g.name.as_str());
+    let girders = &document.scene().girders;
+    let name = girders.get(girder).map_or("", |g| g.name.as_str());
     ui.radio_value(&mut new.follow, None, text::FOLLOW_NOTHING);
-    ui.radio_value(&mut new.follow, Some(Follow::Middle(girder)), text::follow(name, None));
+    let all = girders.len() <= MOST_FOLLOWED;
+    for (i, other) in girders.iter().enumerate().filter(|(i, _)| all || *i == girder) {
+        ui.radio_value(&mut new.follow, Some(Follow::Middle(i)), text::follow(&other.name, None));
+    }
     for corner in 0..4 {
         ui.radio_value(&mut new.follow, Some(Follow::Corner(girder, corner)), text::follow(name, Some(corner)));
     }

@@ -28,7 +28,7 @@ pub(in crate::app) fn legend_width(ui: &Ui) -> f32 {
 pub(in crate::app) fn show(ui: &mut Ui, source: &Source<'_>, out: &mut Vec<Command>) {
     let legend = legend_width(ui);
     let height = ui.available_height();
-    let own = source.scene.view.plots.iter().filter(|plot| source.is_over_time(plot)).count();
+    let own = source.scene.view.plots.iter().filter(|plot| Source::is_over_time(plot)).count();
     let own = own + usize::from(wave_chart::is_shown(source));
     let least = (3 + own) as f32 * (LEAST_HEIGHT + BETWEEN) - BETWEEN;
     // The wheel zooms: what does not fit is reached by the bar.

@@ -30,6 +30,8 @@ pub(in crate::app) struct Sampled {
     pub(in crate::app) log: [bool; 2],
     /// Whether the curves are energies that are stored or lost: drawn one upon the other.
     pub(in crate::app) stacked: bool,
+    /// Names of the panel's quantities that the run does not have.
+    pub(in crate::app) missing: Vec<String>,
     /// Colours of the kept runs that the last curves are of.
     kept: Vec<usize>,
 }
@@ -124,10 +126,19 @@ type Found<'a> = (&'a String, Quantity);
 /// A panel's curves, all at the same times; quantities that the run does not have are left out.
 pub(in crate::app) fn sample(history: &History, plot: &PlotSettings, window: [f64; 2], points: usize) -> Sampled {
     let found: Vec<Found<'_>> = plot.y.iter().filter_map(|name| Some((name, Quantity::find(history, name)?))).collect();
-    match plot.shows {
+    let is_missing = |name: &&String| Quantity::find(history, name).is_none();
+    let missing: Vec<String> = plot.x.iter().chain(&plot.y).filter(is_missing).cloned().collect();
+    if plot.shows == PlotShows::History
+        && let Some(x) = plot.x.as_ref().filter(|x| missing.contains(x))
+    {
+        // Nothing can be drawn against it.
+        return Sampled { x: Some(x.clone()), missing, ..Sampled::default() };
+    }
+    let sampled = match plot.shows {
         PlotShows::History => course(history, plot, &found, (window, points)),
         PlotShows::Fourier | PlotShows::Response => spectrum(history, plot, &found, window),
-    }
+    };
+    Sampled { missing, ..sampled }
 }
 
 /// Spectra of the stretch of time shown.
@@ -146,8 +157,7 @@ fn spectrum(history: &History, plot: &PlotSettings, found: &[Found<'_>], window:
         unit,
         x: Some(if fourier { "f [Hz]" } else { "T [s]" }.to_owned()),
         log: [plot.log; 2],
-        stacked: false,
-        kept: Vec::new(),
+        ..Sampled::default()
     }
 }
 
@@ -175,7 +185,7 @@ fn course(history: &History, plot: &PlotSettings, found: &[Found<'_>], (window, 
         log: [false, plot.log],
         x: x.map(|(name, _)| format!("{name} {}", in_brackets(unit_x))),
         stacked,
-        kept: Vec::new(),
+        ..Sampled::default()
     }
 }
 
@@ -188,7 +198,13 @@ pub(in crate::app) fn at(answer: &Answer, plot: &PlotSettings, t: f64) -> Vec<[f
         let quantity = answer.quantity(name)?;
         Some(quantity.at(&answer.history, t) * quantity.unit().shown().0)
     };
-    let level = plot.x.as_ref().and_then(value).unwrap_or(t);
+    let level = match &plot.x {
+        None => t,
+        Some(x) => match value(x) {
+            Some(level) => level,
+            None => return Vec::new(),
+        },
+    };
     plot.y.iter().filter_map(value).map(|y| [level, y]).collect()
 }
 

@@ -57,9 +57,8 @@ impl Source<'_> {
     }
 
     /// Whether a panel is drawn over time.
-    pub(in crate::app) fn is_over_time(&self, plot: &PlotSettings) -> bool {
-        let against = || plot.x.as_ref().zip(self.answer).is_some_and(|(x, answer)| answer.quantity(x).is_some());
-        plot.shows == PlotShows::History && !against()
+    pub(in crate::app) fn is_over_time(plot: &PlotSettings) -> bool {
+        plot.shows == PlotShows::History && plot.x.is_none()
     }
 
     /// Samples for the panels of the user's own that are drawn over time, or for the others, each with its number.
@@ -68,7 +67,7 @@ impl Source<'_> {
         over_time: bool,
         (window, points): ([f64; 2], usize),
     ) -> (Vec<usize>, Arc<Vec<Sampled>>) {
-        let plots = self.scene.view.plots.iter().enumerate().filter(|(_, plot)| self.is_over_time(plot) == over_time);
+        let plots = self.scene.view.plots.iter().enumerate().filter(|(_, plot)| Self::is_over_time(plot) == over_time);
         let (numbers, plots): (Vec<usize>, Vec<PlotSettings>) = plots.map(|(i, plot)| (i, plot.clone())).unzip();
         let cache = &self.samples.panels[usize::from(over_time)];
         let of = |a: &Arc<Answer>| cache.borrow_mut().of((&a.history, a.number), (&plots, self.pins), window, points);

@@ -1,8 +1,8 @@
 //! Panels that are not over time, each in a small window over the view: a quantity against another, Fourier amplitudes, response
 //! spectra. The mouse moves and zooms both axes; a double click shows everything.
 
-use egui::{Id, RichText, Stroke, Ui, Window, vec2};
-use egui_plot::{HoverPosition, Plot, PlotPoints, PlotUi, Points};
+use egui::{Id, Label, RichText, Stroke, Ui, Window, vec2};
+use egui_plot::{HoverPosition, Plot, PlotUi, Points};
 
 use crate::app::command::{Command, EditCommand};
 use crate::app::plot::charts::look;
@@ -38,9 +38,15 @@ fn one(ui: &Ui, source: &Source<'_>, number: usize, panel: &Sampled) -> bool {
     let id = Id::unique(("own plot", number));
     let at = ui.content_rect().left_top() + vec2(280.0 + 30.0 * number as f32, 150.0 + 24.0 * number as f32);
     let mut open = true;
+    // A window is a layer of its own, which the ink of what it stands over does not reach.
+    let ink = ui.opacity();
     let window = Window::new(text::panel(number + 1)).id(id).default_pos(at).default_size(SIZE).open(&mut open);
     window.show(ui, |ui| {
+        ui.set_opacity(ink);
         let palette = Palette::of(ui);
+        if !panel.missing.is_empty() {
+            ui.add(Label::new(RichText::new(text::missing(&panel.missing)).weak()).wrap());
+        }
         let most = panel.curves.iter().flat_map(|(_, curve)| curve).fold(0.0, |most: f64, p| most.max(p[1].abs()));
         let unit = fitting(panel.unit, most);
         names(ui, panel, &unit.1);
@@ -88,7 +94,10 @@ fn draw(ui: &mut Ui, (id, height, factor): (Id, f32, f64), panel: &Sampled, here
                 let stroke = Stroke::new(if panel.kept(i).is_some() { 0.9 } else { 1.5 }, color);
                 plot.line(resolution::line(name, points).stroke(stroke).style(style));
             }
-            let here: Vec<[f64; 2]> = here.iter().map(scaled).filter(|p| p[1].is_finite()).collect();
-            plot.points(Points::new("", PlotPoints::new(here)).radius(4.0).color(palette.playhead).allow_hover(false));
+            for (i, at) in here.iter().map(scaled).enumerate().filter(|(_, at)| at[1].is_finite()) {
+                let ring = Points::new("", vec![at]).radius(5.0).color(palette.playhead).allow_hover(false);
+                plot.points(ring);
+                plot.points(Points::new("", vec![at]).radius(3.5).color(look(panel, i).0).allow_hover(false));
+            }
         });
 }

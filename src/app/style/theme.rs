@@ -14,12 +14,13 @@ pub(in crate::app) const STICK: Color32 = Color32::from_rgb(0x00, 0x72, 0xB2);
 /// Slip, as in the pictures.
 pub(in crate::app) const SLIP: Color32 = Color32::from_rgb(0xD5, 0x5E, 0x00);
 
-/// Runs that are kept, in the order in which they are given out; a ghost's dashes and a curve's differ too.
+/// Runs that are kept, in the order in which they are given out: the first is far from the blue of the run shown. A ghost's dashes and a
+/// curve's differ too.
 pub(in crate::app) const PINS: [Color32; 4] = [
-    Color32::from_rgb(0x56, 0xB4, 0xE9),
-    Color32::from_rgb(0xE6, 0x9F, 0x00),
     Color32::from_rgb(0xCC, 0x79, 0xA7),
+    Color32::from_rgb(0xE6, 0x9F, 0x00),
     Color32::from_rgb(0x00, 0x9E, 0x73),
+    Color32::from_rgb(0x56, 0xB4, 0xE9),
 ];
 
 /// Curves of the user's own panels, in their order; from the seventh on they begin again.

@@ -94,6 +94,7 @@ pub(in crate::app) const DEVICE_TABLE: Text = Text::new("device-table");
 pub(in crate::app) const DEVICE_TABLE_POINT: Text = Text::new("device-table-point");
 pub(in crate::app) const DEVICE_ASSUMED: Text = Text::new("device-assumed");
 pub(in crate::app) const ASSUMED_SECTION: Text = Text::new("assumed-section");
+pub(in crate::app) const DIFFERS_HINT: Text = Text::new("differs-hint");
 pub(in crate::app) const ASSUMED_HINT: Text = Text::new("assumed-hint");
 
 /// The button that says of an assumed value that it is right.

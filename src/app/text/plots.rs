@@ -69,3 +69,8 @@ pub(in crate::app) fn show_waves(transit: f64) -> String {
 pub(in crate::app) fn at_station(value: &str, station: f64) -> String {
     Text::new("at-station").with(&values!["value" => value, "station" => super::length(station)])
 }
+
+/// Quantities that a panel asks for and the run does not have.
+pub(in crate::app) fn missing(names: &[String]) -> String {
+    Text::new("plot-missing").with(&values!["names" => names.join(", ")])
+}

@@ -147,10 +147,16 @@ fn head(scene: &Scene) -> String {
     };
     let mut ground = said!("check-head-b", "motion" => in_force::motion(&scene.motion));
     for NamedGround { name: of, motion } in &scene.grounds {
-        ground = format!(
-            "{ground}\n{}",
-            said!("check-named-ground", "name" => name(of), "motion" => in_force::motion(motion))
-        );
+        let moves = |own: &Option<String>| own.as_ref() == Some(of);
+        let is_used = scene.abutments.iter().any(|abutment| moves(&abutment.ground))
+            || scene.piers.iter().any(|pier| moves(&pier.ground));
+        let [of, motion] = [name(of), in_force::motion(motion)];
+        let line = if is_used {
+            said!("check-named-ground", "name" => of, "motion" => motion)
+        } else {
+            said!("check-unused-ground", "name" => of, "motion" => motion)
+        };
+        ground = format!("{ground}\n{line}");
     }
     format!(
         "{}\n{ground}\n{}\n{}\n",

@@ -9,6 +9,7 @@ use crate::app::field::{Change, Form, Look, Place, Without, rows, tag};
 use crate::app::panel::name_field;
 use crate::app::unit::Size;
 use crate::app::{edits, text};
+use crate::scene::difference::differing_keys;
 use crate::scene::keys::Key;
 use crate::scene::{Direction, Girder, Kind};
 use crate::view::Target;
@@ -25,7 +26,13 @@ pub(super) fn show(
     let kind = form.scene.kind;
     let table = format!("girder.{}", girder.name);
     let [starts, pushes, seats] = ["initial", "push", "seat_m"].map(|below| format!("{table}.{below}"));
-    let place = form.place(&table);
+    let others = selected.iter().filter_map(|target| match target {
+        Target::Girder(k) if *k != i => form.scene.girders.get(*k),
+        _ => None,
+    });
+    let differing: Vec<String> =
+        differing_keys(girder, others).into_iter().map(|key| format!("{table}.{key}")).collect();
+    let place = Place { differing: &differing, ..form.place(&table) };
     let reckoned = |key: &Key| if key.name == "drop_m" { girder.drop() } else { 0.0 };
     let look = |place| Look { without: Without::Reckoned(&reckoned), ..Look::new(place, kind, Size::of(girder)) };
     let first = grid(ui, "girder", |ui| {

@@ -28,7 +28,14 @@ pub(in crate::app) fn show(ui: &mut Ui, document: &Document, replay: &Replay, ou
     ui.label(RichText::new(text::INSPECTOR).strong());
     let several = document.selection().all().len();
     if several > 1 {
-        ui.label(RichText::new(text::several(several)).weak());
+        let scene = document.scene();
+        let lead = match document.selection().lead() {
+            Some(Target::Girder(i)) => scene.girders.get(i).map(|girder| girder.name.as_str()),
+            Some(Target::Abutment(i)) => scene.abutments.get(i).map(|abutment| abutment.name.as_str()),
+            Some(Target::Pier(i)) => scene.piers.get(i).map(|pier| pier.name.as_str()),
+            Some(Target::Device(_) | Target::Contact(_)) | None => None,
+        };
+        ui.label(RichText::new(text::several(several, lead.unwrap_or_default())).weak());
     }
     let form = Form { scene: document.scene(), problems: replay.runner.problems() };
     let fresh = replay.runner.fresh_answer().map(|answer| &**answer);

@@ -9,7 +9,7 @@ use crate::geometry::End;
 use crate::scene::device::{Joint, point_on};
 use crate::scene::edit::Edit;
 use crate::scene::facing::{self, Side};
-use crate::scene::{Abutment, Bearings, DeviceId, Girder, PerDirection, Pier, Scene, placed};
+use crate::scene::{Abutment, DeviceId, Girder, PerDirection, Pier, Scene, placed};
 use crate::view::Target;
 
 /// Least length or width that a handle leaves, as a share of what it was.
@@ -156,14 +156,14 @@ fn length(pull: &Pull<'_>, i: usize, end: End) -> Option<Pulled> {
     let length = pull.or_typed((girder.length + pull.along(outward)).max(girder.length * LEAST));
     // The other end stays where it is.
     let position = edits::tidy(DVec3::from(girder.position) + outward * ((length - girder.length) / 2.0));
-    let new = Girder { length, position, ..stretched(girder, length / girder.length, 1.0, girder.skew_deg) };
+    let new = Girder { length, position, ..edits::stretched(girder, length / girder.length, 1.0, girder.skew_deg) };
     Some(plain(edits::reshaped(pull.scene, i, new), text::dragged(text::LONG.as_str(), &text::exact_length(length))))
 }
 
 fn width(pull: &Pull<'_>, i: usize, flank: Flank) -> Option<Pulled> {
     let (girder, _, y) = pull.girder(i)?;
     let width = pull.or_typed((girder.width + 2.0 * pull.along(y * flank.sign())).max(girder.width * LEAST));
-    let new = Girder { width, ..stretched(girder, 1.0, width / girder.width, girder.skew_deg) };
+    let new = Girder { width, ..edits::stretched(girder, 1.0, width / girder.width, girder.skew_deg) };
     Some(plain(edits::reshaped(pull.scene, i, new), text::dragged(text::WIDE.as_str(), &text::exact_length(width))))
 }
 
@@ -174,43 +174,10 @@ fn skew(pull: &Pull<'_>, i: usize, end: End, flank: Flank) -> Option<Pulled> {
     let shear = girder.prism().shear() + (pull.to - pull.from).dot(x) / half;
     let free = pull.or_typed(unit::rounded(1f64.atan2(shear).to_degrees().clamp(5.0, 175.0), 0.1));
     let (skew, to) = if pull.snaps() { snap::skew(pull.scene, i, free) } else { (free, None) };
-    let new = Girder { skew_deg: skew, ..stretched(girder, 1.0, 1.0, skew) };
+    let new = Girder { skew_deg: skew, ..edits::stretched(girder, 1.0, 1.0, skew) };
     let mut words = vec![text::skewed_to(&unit::trimmed(skew), end)];
     words.extend(to);
     Some(Pulled { edit: edits::reshaped(pull.scene, i, new), words, guides: Vec::new() })
-}
-
-/// A girder whose bearings keep their places as shares of its plan.
-fn stretched(girder: &Girder, along: f64, across: f64, skew_deg: f64) -> Girder {
-    let before = girder.prism().shear();
-    let after = Girder { skew_deg, ..girder.clone() }.prism().shear();
-    let moved = |[x, y]: [f64; 2]| {
-        let y_new = y * across;
-        edits::tidy(DVec3::new((x - y * before) * along + y_new * after, y_new, 0.0))
-    };
-    let lists = |at: &mut Option<Vec<[f64; 2]>>, skewed: &mut Option<Vec<[f64; 2]>>| {
-        for place in at.iter_mut().flatten() {
-            let [x, y, _] = moved(*place);
-            *place = [x, y];
-        }
-        for place in skewed.iter_mut().flatten() {
-            let [x, y, _] = edits::tidy(DVec3::new(place[0] * along, place[1] * across, 0.0));
-            *place = [x, y];
-        }
-    };
-    let mut new = girder.clone();
-    match &mut new.bearings {
-        Some(Bearings::Shared(shared)) => lists(&mut shared.at, &mut shared.at_skewed),
-        Some(Bearings::Deck(deck)) => lists(&mut deck.at, &mut deck.at_skewed),
-        Some(Bearings::Each(each)) => {
-            for bearing in each {
-                let [x, y, _] = moved(bearing.at);
-                bearing.at = [x, y];
-            }
-        }
-        None => {}
-    }
-    new
 }
 
 fn gap(pull: &Pull<'_>, n: usize) -> Option<Pulled> {
