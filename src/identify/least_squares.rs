@@ -3,8 +3,6 @@
 //! Each step solves `(JᵀJ + λ diag JᵀJ) Δp = Jᵀ r`, `r = measured − model`, with the parameters scaled by the diagonal. λ falls
 //! tenfold after a step that lowers `rᵀr` and rises tenfold after one that does not (Marquardt 1963).
 
-use nalgebra::{DMatrix, DVector};
-
 /// What is fitted.
 pub trait Model {
     /// Values at the measured places, none where the parameters have no sense.
@@ -55,12 +53,25 @@ pub fn solve(matrix: &[Vec<f64>], right: &[f64]) -> Option<Vec<f64>> {
     if scale.iter().any(|s| !(s.is_finite() && *s > 0.0)) {
         return None;
     }
-    let factors = DMatrix::from_fn(n, n, |i, j| matrix[i][j] / (scale[i] * scale[j])).cholesky()?;
-    if factors.l_dirty().diagonal().iter().any(|pivot| pivot * pivot <= SINGULAR) {
-        return None;
+    let mut lower = vec![vec![0.0; n]; n];
+    for i in 0..n {
+        for j in 0..=i {
+            let sum = matrix[i][j] / (scale[i] * scale[j]) - dot(&lower[i][..j], &lower[j][..j]);
+            if i == j && sum <= SINGULAR {
+                return None;
+            }
+            lower[i][j] = if i == j { sum.sqrt() } else { sum / lower[j][j] };
+        }
     }
-    let solution = factors.solve(&DVector::from_fn(n, |i, _| right[i] / scale[i]));
-    Some(solution.iter().zip(&scale).map(|(x, s)| x / s).collect())
+    let mut x: Vec<f64> = right.iter().zip(&scale).map(|(b, s)| b / s).collect();
+    for i in 0..n {
+        x[i] = (x[i] - dot(&lower[i][..i], &x[..i])) / lower[i][i];
+    }
+    for i in (0..n).rev() {
+        let above: f64 = (i + 1..n).map(|k| lower[k][i] * x[k]).sum();
+        x[i] = (x[i] - above) / lower[i][i];
+    }
+    Some(x.iter().zip(&scale).map(|(x, s)| x / s).collect())
 }
 
 /// The inverse of a positive definite matrix.
