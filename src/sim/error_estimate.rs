@@ -1,5 +1,6 @@
 //! The estimated error of a run: its difference from a run at a hundredth of the tolerance.
 
+use super::readings::Extreme;
 use super::{Cause, History, Session};
 use crate::scene::{FINEST_TOLERANCE, ModelKind};
 
@@ -17,6 +18,9 @@ const SECTIONS_KNOWN: f64 = 1e-9;
 const JUMP_PHASE: f64 = 5e-3;
 const JUMP: f64 = 0.02;
 
+/// Part of the largest fibre stress from which on a section force at mid-span counts by itself \[–\]. Chosen.
+const STRESS_SHARE: f64 = 0.1;
+
 /// The estimated error of displacements and attitudes, and until when it is known.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct ErrorEstimate {
@@ -24,8 +28,8 @@ pub struct ErrorEstimate {
     pub error: f64,
     /// Largest difference in attitude \[rad\].
     pub rotation: f64,
-    /// Largest difference of the fibre stress of a girder that bends, where and when that is largest, in parts of it \[–\]; `None` where no
-    /// girder bends, or at tolerances up to 1e-9.
+    /// Largest difference of the fibre stress of a girder that bends, and of N, M and `M_y` at mid-span that make a tenth of it, where and
+    /// when each is largest, in parts of it \[–\]; `None` where no girder bends, or at tolerances up to 1e-9.
     pub stress: Option<f64>,
     /// Where the finer run gave up before the end of this one: until when they were compared \[s\].
     pub until: Option<f64>,
@@ -60,25 +64,33 @@ impl History {
         ErrorEstimate { error, rotation, stress: self.stress_difference(&finer), until: finer.ends_before(self) }
     }
 
-    /// Section forces follow from accelerations, in which errors of the modes count by the square of their frequencies: they can be noise
-    /// where displacements are right to nanometres.
+    /// Largest difference of what is largest in a girder's sections, in parts of it. Section forces follow from accelerations, in which errors
+    /// of the modes count by the square of their frequencies: they can be noise where displacements are right to nanometres.
     fn stress_difference(&self, finer: &Self) -> Option<f64> {
         if self.scene().solver.tolerance <= SECTIONS_KNOWN {
             return None;
         }
         let of_girder = |girder: usize| {
-            let (most, station) = self.largest_stress(girder)?;
-            let there = |t: f64| finer.stress(girder, station, t.clamp(0.0, finer.end()));
-            let apart = |stress: f64| (stress - most.value).abs() / most.value;
-            // A dashpot's force jumps where a contact opens, at an instant that differs between the runs: either side of it counts.
-            let body = &self.model().bodies[girder];
-            let beside = JUMP_PHASE / body.fastest();
-            let sides = [there(most.t - beside), there(most.t + beside)].map(apart);
-            let jumps = (sides[0] - sides[1]).abs() > JUMP;
-            let here = apart(there(most.t));
-            (most.value > 0.0).then(|| if jumps { sides.into_iter().fold(here, f64::min) } else { here })
+            let (forces, (stress, station)) = self.largest_of_sections(girder)?;
+            let fibre = self.apart_from(girder, stress, &|t| finer.stress(girder, station, t.clamp(0.0, finer.end())));
+            let at_mid_span = forces.into_iter().filter_map(|(most, of, alone)| {
+                let counts = self.fibre_stress(girder, &alone(most.value)) > STRESS_SHARE * stress.value;
+                let there = |t: f64| of(&finer.section_forces(girder, 0.0, t.clamp(0.0, finer.end()))).abs();
+                counts.then(|| self.apart_from(girder, most, &there))
+            });
+            (stress.value > 0.0).then(|| at_mid_span.fold(fibre, f64::max))
         };
         (0..self.model().girders().len()).filter_map(of_girder).reduce(f64::max)
+    }
+
+    /// Difference of a largest value from what is `there` in the other run at its time, in parts of it \[–\]. A dashpot's force jumps where a
+    /// contact opens, at an instant that differs between the runs: either side of it counts.
+    fn apart_from(&self, girder: usize, most: Extreme, there: &dyn Fn(f64) -> f64) -> f64 {
+        let apart = |value: f64| (value - most.value).abs() / most.value;
+        let beside = JUMP_PHASE / self.model().bodies[girder].fastest();
+        let sides = [there(most.t - beside), there(most.t + beside)].map(apart);
+        let here = apart(there(most.t));
+        if (sides[0] - sides[1]).abs() > JUMP { sides.into_iter().fold(here, f64::min) } else { here }
     }
 
     /// Largest distance of a corner of a girder from its G, by which rotations move it \[m\].
@@ -128,7 +140,8 @@ mod tests {
             History::of(&scene).expect("runs")
         });
         let estimate = coarse.estimate_error();
-        let [(rough, _), (right, _)] = [&coarse, &fine].map(|history| history.largest_stress(0).expect("it bends"));
+        let [(rough, _), (right, _)] =
+            [&coarse, &fine].map(|history| history.largest_of_sections(0).expect("it bends").1);
         let off = (rough.value - right.value) / rough.value;
         assert!(estimate.error < 1e-8 && off > 0.1, "{estimate:?}, {off} of the stress");
         let told = estimate.stress.expect("it bends");

@@ -61,6 +61,9 @@ pub struct ElasticHit {
     pub ringing: f64,
 }
 
+/// The largest value of a section force, how that is read from section forces, and section forces with that value alone.
+pub(super) type LargestForce = (Extreme, fn(&SectionForces) -> f64, fn(f64) -> SectionForces);
+
 /// What a run did to an elastic girder.
 #[derive(Clone, Debug, PartialEq)]
 pub struct FlexibleReading {
@@ -179,13 +182,23 @@ impl History {
         forces.axial.abs() / section.area + in_plan + upwards
     }
 
-    /// The largest stress of the extreme fibre of a girder \[Pa\], and its station \[m\]; `None` of one that does not bend.
-    pub(super) fn largest_stress(&self, girder: usize) -> Option<(Extreme, f64)> {
+    /// The largest |N|, |M| and |`M_y`| at mid-span of a girder, and its largest stress of the extreme fibre \[Pa\] with the station \[m\];
+    /// `None` of one that does not bend.
+    pub(super) fn largest_of_sections(&self, girder: usize) -> Option<([LargestForce; 3], (Extreme, f64))> {
         let flexible = self.flexible(girder)?;
         let made = flexible.girder.as_ref()?;
         let fibre = |forces: &SectionForces| self.stress_of(girder, flexible, forces);
-        let stress = self.largest_in_sections(girder, made, Some(&fibre))[4];
-        Some(self.between_stations(girder, made, stress, &fibre))
+        let [axial, moment, vertical, _, stress, _] = self.largest_in_sections(girder, made, Some(&fibre));
+        let forces: [LargestForce; 3] = [
+            (axial, |forces| forces.axial, |axial| SectionForces { axial, ..SectionForces::default() }),
+            (moment, |forces| forces.moment, |moment| SectionForces { moment, ..SectionForces::default() }),
+            (
+                vertical,
+                |forces| forces.vertical_moment,
+                |vertical_moment| SectionForces { vertical_moment, ..SectionForces::default() },
+            ),
+        ];
+        Some((forces, self.between_stations(girder, made, stress, &fibre)))
     }
 
     /// What the run did to its elastic girders that bend.
