@@ -92,8 +92,8 @@ pub struct Report {
     /// Largest difference in attitude of any body from that run \[rad\].
     #[serde(skip_serializing_if = "Option::is_none")]
     pub estimated_rotation_error: Option<f64>,
-    /// Largest difference of the fibre stress of a girder that bends from that run, where and when it is largest, in parts of it; looked at
-    /// where the tolerance is coarser than 1e-9.
+    /// Largest difference of the fibre stress of a girder that bends from that run, and of N, M and `M_y` at mid-span that make a tenth of it,
+    /// where and when each is largest, in parts of it; looked at where the tolerance is coarser than 1e-9.
     #[serde(skip_serializing_if = "Option::is_none")]
     pub estimated_stress_error: Option<f64>,
     /// Until when that is known, where the finer run gave up before the end of this one \[s\].

@@ -2,14 +2,15 @@
 
 use std::path::{Path, PathBuf};
 
+use super::assuming::{with_assumed, with_new_assumed};
 use super::change::rename;
 use super::placing::placed;
 use super::selection::Selection;
 use crate::app::command::{EditCommand, PlaceCommand, SelectCommand};
 use crate::app::text;
 use crate::files::SceneSource;
+use crate::scene::Scene;
 use crate::scene::edit::{Edit, EditError, UndoStack};
-use crate::scene::{Scene, is_assumed};
 
 /// What a stretch of the past was read from or saved to.
 struct Origin {
@@ -245,34 +246,10 @@ impl Document {
     }
 }
 
-/// An edit with what it says of assumed values: a number that it changes is given now.
-fn with_assumed(edit: Edit, before: &Scene, after: &Scene) -> Edit {
-    // Another scene comes with its own list, which may read as the one before; so does the list itself, and a renamed body's paths have
-    // been renamed.
-    if matches!(edit, Edit::Scene(_)) || before.assumed != after.assumed || before.assumed.is_empty() {
-        return edit;
-    }
-    let left = before.still_assumed(after);
-    if left == before.assumed { edit } else { Edit::Batch(vec![edit, Edit::Assumed(left)]) }
-}
-
-/// An edit that adds something, with its numbers, but for its place, as assumed.
-///
-/// # Errors
-/// An edit that does not fit the scene.
-fn with_new_assumed(edit: Edit, before: &Scene) -> Result<Edit, EditError> {
-    let mut after = before.clone();
-    edit.clone().apply(&mut after)?;
-    let new = after.new_numbers(before);
-    let listed =
-        before.assumed.iter().cloned().chain(new.into_iter().filter(|path| !is_assumed(&before.assumed, path)));
-    Ok(Edit::Batch(vec![edit, Edit::Assumed(listed.collect())]))
-}
-
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::scene::{DeviceId, DeviceKind, presets};
+    use crate::scene::{DeviceId, DeviceKind, is_assumed, presets};
     use crate::view::Target;
 
     fn renamed(name: &str) -> EditCommand {
@@ -289,6 +266,31 @@ mod tests {
         assert_eq!(document.scene(), &scene, "to the last number");
         assert!(document.apply(EditCommand::Redo).expect("there is a step") && document.is_dirty(), "again");
         assert_eq!(document.revision(), 3, "three changes");
+    }
+
+    #[test]
+    fn an_assumed_mass_follows_the_plan_and_a_given_one_does_not() {
+        let draft = crate::app::command::BridgeDraft { span: 25.0, width: 12.0, skew_deg: 60.0, spans: 2 };
+        let (scene, source) = crate::app::edits::bridge(draft).expect("sound");
+        let mut document = Document::new(scene.clone(), source);
+        let longer = crate::scene::Girder { length: 30.0, ..scene.girders[1].clone() };
+        document.edit(crate::app::edits::girders_alike(&scene, 1, &longer, &[]), None).expect("fits");
+        let now = document.scene();
+        let share = now.girders[1].mass / scene.girders[1].mass;
+        assert!((share - 1.2).abs() < 1e-3, "{share} of the mass for 1.2 of the length");
+        assert_eq!(now.girders[0].mass, scene.girders[0].mass, "the other span's stays");
+        let name = &now.girders[1].name;
+        for key in ["mass_kg", "bearings", "thickness_m"] {
+            assert!(is_assumed(&now.assumed, &format!("girder.{name}.{key}")), "{key} in {:?}", now.assumed);
+        }
+        document.apply(EditCommand::Undo).expect("there is a step");
+        assert_eq!(document.scene(), &scene, "in one step");
+        let heavy = crate::scene::Girder { mass: 5e5, ..scene.girders[1].clone() };
+        document.edit(crate::app::edits::girder(1, heavy.clone()), None).expect("fits");
+        let longer = crate::scene::Girder { length: 30.0, ..heavy };
+        let edit = crate::app::edits::girders_alike(document.scene(), 1, &longer, &[]);
+        document.edit(edit, None).expect("fits");
+        assert_eq!(document.scene().girders[1].mass, 5e5, "what was given stays");
     }
 
     #[test]

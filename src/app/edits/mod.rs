@@ -1,5 +1,6 @@
 //! The scene that is worked on: the document with its past, what is selected, and the edits that the window makes.
 
+mod assuming;
 mod bearings;
 mod bridge;
 mod change;
