@@ -76,30 +76,11 @@ fn no_adapter(looked: &str) -> String {
     said!("gpu-none", "set" => set, "install" => Text::new(install).as_str(), "looked" => looked)
 }
 
-/// OpenGL's libraries look for a display and complain on standard error where there is none: they are loaded only where nothing else
-/// draws, or a processor does while there is a card.
 #[cfg(not(target_arch = "wasm32"))]
 async fn adapter() -> Result<wgpu::Adapter, GpuError> {
-    let wanted = wgpu::InstanceDescriptor::new_without_display_handle_from_env().backends;
-    let among = async |backends: wgpu::Backends| {
-        let descriptor =
-            wgpu::InstanceDescriptor { backends, ..wgpu::InstanceDescriptor::new_without_display_handle_from_env() };
-        wgpu::Instance::new(descriptor).request_adapter(&wgpu::RequestAdapterOptions::default()).await
-    };
-    let others = wanted - wgpu::Backends::GL;
-    if !others.is_empty()
-        && let Ok(adapter) = among(others).await
-        && (adapter.get_info().device_type != wgpu::DeviceType::Cpu || !has_card())
-    {
-        return Ok(adapter);
-    }
-    among(wanted).await.map_err(|e| GpuError::NoAdapter(e.to_string()))
-}
-
-/// Whether the system has a graphics card that it lets programs draw with, as far as that can be told: on Linux its first render node.
-#[cfg(not(target_arch = "wasm32"))]
-fn has_card() -> bool {
-    !cfg!(target_os = "linux") || std::path::Path::new("/dev/dri/renderD128").exists()
+    let instance = wgpu::Instance::new(wgpu::InstanceDescriptor::new_without_display_handle_from_env());
+    let adapter = instance.request_adapter(&wgpu::RequestAdapterOptions::default());
+    adapter.await.map_err(|e| GpuError::NoAdapter(e.to_string()))
 }
 
 /// WebGPU's, or WebGL's, which there is only together with a canvas.

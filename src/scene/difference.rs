@@ -59,6 +59,10 @@ pub fn differing_keys<'a, T: Serialize + 'a>(one: &T, others: impl Iterator<Item
         all.remove("name");
         Values(all)
     };
+    let mut others = others.peekable();
+    if others.peek().is_none() {
+        return Vec::new();
+    }
     let (own, mut found) = (values(one), BTreeSet::new());
     for other in others.map(values) {
         found.extend(own.differences(&other).into_iter().map(|difference| difference.place.to_owned()));

@@ -13,9 +13,10 @@ const COARSER: f64 = 10.0;
 /// on a pier and of one with every device changes by less than 4e-8 of itself, from 1e-6 by up to 9e-5.
 const SECTIONS_KNOWN: f64 = 1e-9;
 
-/// Phase of a girder's fastest mode before and after an instant between which its stress is compared, \[rad\], and the change over it, in parts of
-/// the largest stress, that is a jump \[–\]: a hundredth of a radian changes no mode by more than that. Chosen.
+/// Phase of a girder's fastest mode from an instant to either side of it, between which a jump is looked for \[rad\]. Chosen.
 const JUMP_PHASE: f64 = 5e-3;
+/// Change between the two sides, in parts of the largest value, that is a jump \[–\]: a mode changes by twice [`JUMP_PHASE`] of its amplitude
+/// at most. Chosen: twice that.
 const JUMP: f64 = 0.02;
 
 /// Part of the largest fibre stress from which on a section force at mid-span counts by itself \[–\]. Chosen.

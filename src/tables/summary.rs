@@ -99,8 +99,8 @@ pub struct Report {
     /// Until when that is known, where the finer run gave up before the end of this one \[s\].
     #[serde(skip_serializing_if = "Option::is_none")]
     pub estimated_until: Option<f64>,
-    /// Whether a corner errs by more than a thousandth of the largest motion of one, as far as that is known by both, or the largest fibre
-    /// stress by more than a hundredth of itself.
+    /// Whether a corner errs by more than a thousandth of the largest motion of one, as far as that is known by both, or the fibre
+    /// stress or a section force, as far as `estimated_stress_error` looks, by more than a hundredth of itself.
     pub error_is_large: bool,
     /// What it errs by in parts of that.
     #[serde(skip)]
@@ -126,7 +126,7 @@ pub struct Report {
 /// Part of the largest motion of a corner above which an estimated error is said to be large \[–\]. Chosen: a pixel of a curve that fills a
 /// screen.
 const LARGE_ERROR: f64 = 1e-3;
-/// Part of the largest fibre stress by which it may differ \[–\]. Chosen: what strengths are known to.
+/// Part of the largest fibre stress, and of section forces, by which they may differ \[–\]. Chosen: what strengths are known to.
 const LARGE_STRESS_ERROR: f64 = 1e-2;
 
 /// A facing pair in short.

@@ -48,11 +48,13 @@ impl FoundWork {
     }
 }
 
-/// Work beside a file, the newest first, that the file does not hold: what is equal to its scene is removed.
-fn lost_beside(file: &Path, scene: Option<&Scene>) -> Vec<Found> {
+/// Work beside a file, the newest first, that its scene does not hold: what is equal to it is removed. The scene is asked for where anything
+/// is found.
+fn lost_beside(file: &Path, scene: impl FnOnce() -> Option<Scene>) -> Vec<Found> {
     let mut found = find_beside(file);
+    let Some(scene) = (if found.is_empty() { None } else { scene() }) else { return found };
     found.retain(|found| {
-        let is_saved = scene.is_some_and(|scene| load_unsaved(&found.path).is_ok_and(|unsaved| unsaved == *scene));
+        let is_saved = load_unsaved(&found.path).is_ok_and(|unsaved| unsaved == scene);
         if is_saved {
             // Gone already is as good.
             let _ = std::fs::remove_file(&found.path);
@@ -77,7 +79,7 @@ impl SessionFiles {
         self.recent = Recent::open(folder.join("recent.toml"));
         self.settings = Settings::open(folder.join("settings.toml"));
         self.autosave = Some(Autosave::new(wake));
-        let beside = self.recent.files().iter().flat_map(|file| lost_beside(file, load_scene(file, &[]).ok().as_ref()));
+        let beside = self.recent.files().iter().flat_map(|file| lost_beside(file, || load_scene(file, &[]).ok()));
         let mut found: Vec<Found> = find_in(&folder.join("unsaved")).into_iter().chain(beside).collect();
         found.sort_by_key(|found| std::cmp::Reverse(found.written));
         self.found = found.into_iter().map(FoundWork::of).collect();
@@ -151,7 +153,7 @@ impl SessionFiles {
         // A list that cannot be written is no reason to disturb the work.
         let _ = self.recent.add(file);
         let known: Vec<PathBuf> = self.found.iter().map(|work| work.found.path.clone()).collect();
-        for found in lost_beside(file, Some(scene)).into_iter().rev().filter(|f| !known.contains(&f.path)) {
+        for found in lost_beside(file, || Some(scene.clone())).into_iter().rev().filter(|f| !known.contains(&f.path)) {
             self.found.insert(0, FoundWork::of(found));
         }
     }

@@ -1,11 +1,10 @@
 //! What an edit says of assumed values.
 
-use super::change::girder;
 use crate::scene::edit::{Edit, EditError};
 use crate::scene::{Girder, Scene, is_assumed};
 
-/// An edit with what it says of assumed values: a number that it changes is given now. Of a girder with another outline the bearings, whose
-/// places are shares of the plan, stay assumed where they were, and the mass follows the plan's area.
+/// An edit with what it says of assumed values: a number that it changes is given now, but for what follows the outline of a girder, its
+/// bearings and its mass.
 pub(super) fn with_assumed(edit: Edit, before: &Scene, after: &Scene) -> Edit {
     // Another scene comes with its own list, which may read as the one before; so does the list itself, and a renamed body's paths have
     // been renamed.
@@ -13,42 +12,24 @@ pub(super) fn with_assumed(edit: Edit, before: &Scene, after: &Scene) -> Edit {
         return edit;
     }
     let outline = |girder: &Girder| (girder.length, girder.width, girder.skew_deg);
-    let pairs = before.girders.iter().zip(&after.girders).enumerate();
-    let reshaped: Vec<_> =
-        pairs.filter(|(_, (old, new))| old.name == new.name && outline(old) != outline(new)).collect();
-    let of_bearings = |path: &str, name: &str| {
-        path.strip_prefix(&format!("girder.{name}.bearings"))
-            .is_some_and(|rest| rest.is_empty() || rest.starts_with(['.', '[']))
-    };
+    let pairs = before.girders.iter().zip(&after.girders);
+    let reshaped = pairs.filter(|(old, new)| old.name == new.name && outline(old) != outline(new));
+    let followers: Vec<String> =
+        reshaped.flat_map(|(old, _)| ["bearings", "mass_kg"].map(|key| format!("girder.{}.{key}", old.name))).collect();
     let still = before.still_assumed(after);
     let left = before.assumed.iter().flat_map(|path| {
-        if reshaped.iter().any(|(_, (old, _))| of_bearings(path, &old.name)) {
+        if followers.iter().any(|follower| is_part(path, follower)) {
             return vec![path.clone()];
         }
-        let is_part = |part: &&String| {
-            part.strip_prefix(path.as_str()).is_some_and(|rest| rest.is_empty() || rest.starts_with(['.', '[']))
-        };
-        still.iter().filter(is_part).cloned().collect()
+        still.iter().filter(|part| is_part(part, path)).cloned().collect()
     });
     let left: Vec<String> = left.collect();
-    let masses = reshaped.iter().filter_map(|(i, (old, new))| {
-        let area = new.length * new.width / (old.length * old.width);
-        let is_left = old.mass == new.mass && is_assumed(&left, &format!("girder.{}.mass_kg", old.name));
-        let mass = to_four_digits(new.mass * area);
-        (is_left && area != 1.0 && mass > 0.0 && mass.is_finite())
-            .then(|| girder(*i, Girder { mass, ..(*new).clone() }))
-    });
-    let masses: Vec<Edit> = masses.collect();
-    if left == before.assumed && masses.is_empty() {
-        return edit;
-    }
-    Edit::Batch(std::iter::once(edit).chain(masses).chain([Edit::Assumed(left)]).collect())
+    if left == before.assumed { edit } else { Edit::Batch(vec![edit, Edit::Assumed(left)]) }
 }
 
-/// A positive number to four significant digits.
-fn to_four_digits(value: f64) -> f64 {
-    let step = 10f64.powf(value.log10().floor() - 3.0);
-    (value / step).round() * step
+/// Whether a path is another one or leads on from it.
+fn is_part(path: &str, whole: &str) -> bool {
+    path.strip_prefix(whole).is_some_and(|rest| rest.is_empty() || rest.starts_with(['.', '[']))
 }
 
 /// An edit that adds something, with its numbers, but for its place, as assumed.

@@ -285,6 +285,17 @@ mod tests {
         }
         document.apply(EditCommand::Undo).expect("there is a step");
         assert_eq!(document.scene(), &scene, "in one step");
+        // Every edit of a drag is counted from the scene at its beginning.
+        for length in [26.0, 28.0, 27.0] {
+            let longer = crate::scene::Girder { length, ..scene.girders[0].clone() };
+            document.edit(crate::app::edits::reshaped(&scene, 0, longer), Some(1)).expect("fits");
+            let share = document.scene().girders[0].mass / scene.girders[0].mass;
+            assert!((share - length / 25.0).abs() < 1e-3, "{share} of the mass at {length} m");
+            let path = format!("girder.{}.mass_kg", scene.girders[0].name);
+            assert!(is_assumed(&document.scene().assumed, &path), "at {length} m");
+        }
+        document.apply(EditCommand::Undo).expect("there is a step");
+        assert_eq!(document.scene(), &scene, "in one step, too");
         let heavy = crate::scene::Girder { mass: 5e5, ..scene.girders[1].clone() };
         document.edit(crate::app::edits::girder(1, heavy.clone()), None).expect("fits");
         let longer = crate::scene::Girder { length: 30.0, ..heavy };

@@ -8,7 +8,7 @@ use crate::geometry::End;
 use crate::scene::edit::Edit;
 use crate::scene::facing::{self, Side};
 use crate::scene::keys::Editable as _;
-use crate::scene::{Bearings, Girder, Scene, placed};
+use crate::scene::{Bearings, Girder, Scene, is_assumed, placed};
 use crate::view::Target;
 
 /// Turns the ends of these girders, or of all where none is given.
@@ -32,9 +32,10 @@ pub(in crate::app) fn girders_alike(scene: &Scene, i: usize, new: &Girder, selec
     all_reshaped(scene, all)
 }
 
-/// Gives a girder another outline; devices keep their places on it as shares of its plan.
+/// Gives a girder another outline; devices keep their places on it as shares of its plan, and a mass that is assumed follows its area.
 pub(in crate::app) fn reshaped(scene: &Scene, i: usize, new: Girder) -> Edit {
     let Some(old) = scene.girders.get(i) else { return girder(i, new) };
+    let new = Girder { mass: mass_of(scene, old, &new), ..new };
     let [before, after] = [old.prism().shear(), new.prism().shear()];
     let (along, across) = (new.length / old.length, new.width / old.width);
     let mut edits = vec![girder(i, new.clone())];
@@ -58,6 +59,18 @@ pub(in crate::app) fn reshaped(scene: &Scene, i: usize, new: Girder) -> Edit {
         }
     }
     if edits.len() == 1 { girder(i, new) } else { Edit::Batch(edits) }
+}
+
+/// The mass of a girder that gets another outline: an assumed one, to four digits, by the area of the plan.
+fn mass_of(scene: &Scene, old: &Girder, new: &Girder) -> f64 {
+    let area = new.length * new.width / (old.length * old.width);
+    let follows = old.mass == new.mass && is_assumed(&scene.assumed, &format!("girder.{}.mass_kg", old.name));
+    let mass = old.mass * area;
+    if !follows || area == 1.0 || !(mass > 0.0 && mass.is_finite()) {
+        return new.mass;
+    }
+    let step = 10f64.powf(mass.log10().floor() - 3.0);
+    (mass / step).round() * step
 }
 
 /// A girder whose bearings keep their places as shares of its plan.

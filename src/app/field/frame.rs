@@ -119,7 +119,8 @@ pub(super) fn menu(response: &Response, own: &Own) -> bool {
     chosen
 }
 
-/// The name of a value: in italics where it was not given, with a sign where those that are selected have several, in the colour of problems where it is wrong.
+/// The name of a value: in italics where it was not given, with a sign where those that are selected have several, in the colour of
+/// problems where it is wrong.
 pub(super) fn named(ui: &Ui, place: Place<'_>, (key, label): (&str, &str)) -> RichText {
     let text = if place.differs(key) { RichText::new(format!("{label} ≠")) } else { RichText::new(label) };
     let text = if place.is_assumed(key) { text.italics() } else { text };

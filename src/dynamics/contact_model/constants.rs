@@ -30,8 +30,8 @@ pub(super) const CONTACT_EVENTS_PER_INSTANT: usize = 64;
 pub(super) const DEVICE_EVENTS_PER_INSTANT: usize = 64;
 /// Changes of one contact during one touch; more end the run. Tuned.
 pub(super) const CONTACT_EVENTS_PER_TOUCH: usize = 1_000_000;
-/// Handled events, and what searches add that ended at their bound of advances, per body; more end the run. Tuned: ten times the million steps of an hour of
-/// a stiff contact, within the memory of a desktop computer.
+/// Handled events, and what searches add that ended at their bound of advances, per body; more end the run. Tuned: ten times the
+/// million steps of an hour of a stiff contact, within the memory of a desktop computer.
 pub(super) const WORK_BOUND_PER_BODY: usize = 10_000_000;
 /// Work between two looks at the bounds; the look itself costs a few sums.
 pub(super) const WORK_BETWEEN_LOOKS: usize = 4096;

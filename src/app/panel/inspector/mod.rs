@@ -33,7 +33,14 @@ pub(in crate::app) fn show(ui: &mut Ui, document: &Document, replay: &Replay, ou
             Some(Target::Girder(i)) => scene.girders.get(i).map(|girder| girder.name.as_str()),
             Some(Target::Abutment(i)) => scene.abutments.get(i).map(|abutment| abutment.name.as_str()),
             Some(Target::Pier(i)) => scene.piers.get(i).map(|pier| pier.name.as_str()),
-            Some(Target::Device(_) | Target::Contact(_)) | None => None,
+            Some(Target::Device(id)) => {
+                scene.devices().into_iter().find(|(known, _)| *known == id).map(|(_, device)| device.ends().name)
+            }
+            Some(Target::Contact(contact)) => replay
+                .runner
+                .answer()
+                .map(|answer| answer.history.model().contacts.get(contact).map_or("", |site| site.node.as_str())),
+            None => None,
         };
         ui.label(RichText::new(text::several(several, lead.unwrap_or_default())).weak());
     }
