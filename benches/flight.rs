@@ -101,7 +101,7 @@ impl Case {
     /// The gap and its rate, and what the motion can do from there.
     fn look(&self, t: f64) -> BoundedGap {
         let (state, bound) = self.system.state_and_bounds(&self.flight, t, 1.0);
-        let (site, body) = (&self.model.contacts[0], &self.model.bodies[0]);
+        let (site, body) = (&self.model.sites[0], &self.model.bodies[0]);
         let wall = girderbench::contact::Frame::fixed(site.fixed);
         let here = locate(&site.geometry, &body.planar_frame(&state), &wall);
         let curvature = bound.acceleration + (bound.spin_rate + bound.spin * bound.spin) * body.radius;

@@ -19,7 +19,7 @@ fn touching() -> (ContactSite, [Frame; 2]) {
     let scene = presets::load("straight-straight").unwrap_or_else(|errors| panic!("{errors}"));
     let model = Model::compile(&scene).unwrap_or_else(|errors| panic!("{errors}"));
     let pair = model.pairs.iter().find(|pair| pair.bodies.iter().all(Option::is_some));
-    let site = pair.map(|pair| model.contacts[pair.contacts.start].clone());
+    let site = pair.map(|pair| model.sites[pair.sites.start].clone());
     let site = site.unwrap_or_else(|| panic!("two girders that face each other"));
     let at = |body: Option<usize>, shift: DVec3| {
         let body = &model.bodies[body.unwrap_or(0)];

@@ -45,7 +45,7 @@
 //!
 //! # Rooms
 //!
-//! Each uses only rooms above it.
+//! Each uses only rooms listed before it.
 //!
 //! | room | what is in it |
 //! |---|---|

@@ -169,6 +169,7 @@ wrong-quake-coarse = the ground is quicker than that: give a shorter interval
 wrong-sweep-length = so many periods need more than 1e6 samples: give a shorter sweep or lower frequencies
 wrong-cut = the cut must leave at least 2 samples of the record's { $whole } s
 wrong-taper = both tapers must fit into the { $length } s that are left
+wrong-peak-of-nothing = leave it out: nothing shakes in the record, and no factor brings 0 to a peak
 wrong-padding = give less: at most 1e7 samples in all
 wrong-unwritable = this scene cannot be written
 found-no-equals = no `=`

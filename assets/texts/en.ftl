@@ -1367,6 +1367,9 @@ motion-pseudo-acceleration = pseudo-acceleration
 motion-pseudo-velocity = pseudo-velocity
 
 ## of a scene and its ground, in reports, checks and the window
+unused-factor = motion_factor of { $name } has no effect: its ground does not move
+unused-speed = { $name } is held in { $held }: its initial speed in that direction is not used
+unused-wave = [wave] has no effect: no ground moves
 record-cut = the record of { $place } lasts { $length } s, and the run ends at { $end } s: duration_s
 strong-motion-cut = the strong motion of { $place } lasts until { $length } s, and the run ends at { $end } s: duration_s
 check-still = it stands still

@@ -6,7 +6,7 @@
 //!
 //! # Rooms
 //!
-//! Each uses only rooms above it (`APP_ROOMS` in `tests/architecture.rs`).
+//! Each uses only rooms listed before it (`APP_ROOMS` in `tests/architecture.rs`).
 //!
 //! | room | what is in it |
 //! |---|---|
@@ -51,10 +51,10 @@ mod viewport;
 
 pub use bench::Workbench;
 pub use command::{
-    AngleCommand, BridgeDraft, Command, CompareCommand, EditCommand, Export, FileCommand, FilmFormat, FilmPlan,
-    Filming, Flank, Follow, Grip, HandCommand, HandKey, Keep, Learn, Look, MapAxis, MapCommand, MapDraft, Nudge, Pane,
-    PathCommand, PlaceCommand, PlotCommand, QuakeCommand, RowDraft, SelectCommand, Sight, TimeCommand, Tool,
-    ViewCommand, Way, WindowCommand, Wish,
+    AngleCommand, AppearanceCommand, BridgeDraft, Command, CompareCommand, EditCommand, Export, FileCommand,
+    FilmFormat, FilmPlan, Filming, Flank, Follow, Grip, HandCommand, HandKey, Keep, Learn, LeaveCommand, Look, MapAxis,
+    MapCommand, MapDraft, Nudge, Pane, PathCommand, PlaceCommand, PlotCommand, QuakeCommand, RowDraft, RunCommand,
+    SelectCommand, Sight, TimeCommand, Tool, ViewCommand, Way, WindowCommand, Wish,
 };
 pub use host::Wake;
 pub use learn::lessons::{Lesson, Try, lessons};

@@ -20,7 +20,8 @@ use crate::tables::Report;
 /// So many warnings are written out; a row of a thousand girders in the wrong unit would fill a screen with one fault.
 const MOST_WARNINGS: usize = 10;
 
-/// Warns on standard error of every quantity that lies outside, a line each; the exit status does not change.
+/// Warns on standard error of every quantity that lies outside and notes what the run does not use, a line each; the exit status does not
+/// change.
 pub(super) fn warn(scene: &Scene, console: &mut Console) {
     let found = outside(scene);
     for departure in found.iter().take(MOST_WARNINGS) {
@@ -30,7 +31,7 @@ pub(super) fn warn(scene: &Scene, console: &mut Console) {
         console.note(&said!("warning-more-outside", "more" => more));
     }
     off_their_seats(scene, console);
-    for words in scene.cut_motions() {
+    for words in scene.unused_values().into_iter().take(MOST_WARNINGS) {
         console.note(&said!("note", "words" => words.to_string()));
     }
 }

@@ -1,6 +1,6 @@
 //! How bodies move: free flight in closed form, contact by integration or by impulses, one event loop.
 //!
-//! `docs/solver.md` draws how a run is computed. Rooms, each using only rooms above it (held by `tests/architecture.rs`):
+//! `docs/solver.md` draws how a run is computed. Rooms, each using only rooms listed before it (held by `tests/architecture.rs`):
 //!
 //! | room | what is in it |
 //! |---|---|

@@ -11,11 +11,22 @@ use super::save::{folder_of, write_atomic};
 use super::write_error::WriteError;
 use crate::language::Language;
 
-/// The settings.
+/// What was chosen, in this window or an earlier one.
+#[derive(Clone, Copy, Debug, Default, PartialEq)]
+pub struct Chosen {
+    /// The language of its words.
+    pub language: Option<Language>,
+    /// Whether it is dark, or light.
+    pub dark: Option<bool>,
+    /// Size of everything, as a share of the usual one.
+    pub scale: Option<f32>,
+}
+
+/// The settings, and the file that they are kept in.
 #[derive(Debug, Default)]
 pub struct Settings {
     file: PathBuf,
-    language: Option<Language>,
+    chosen: Chosen,
 }
 
 /// The settings as they stand in their file.
@@ -25,28 +36,52 @@ struct Written {
     /// Code of the language.
     #[serde(skip_serializing_if = "Option::is_none")]
     language: Option<String>,
+    /// `light` or `dark`.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    theme: Option<String>,
+    #[serde(skip_serializing_if = "Option::is_none")]
+    scale: Option<f32>,
 }
+
+/// Words of the themes in the file.
+const LIGHT: &str = "light";
+const DARK: &str = "dark";
 
 impl Settings {
     /// Reads the settings that are kept in a file.
     pub fn open(file: PathBuf) -> Self {
         let bytes = read_regular(&file, LARGEST_INPUT).unwrap_or_default();
         let written: Written = toml::from_slice(&bytes).unwrap_or_default();
-        Self { file, language: written.language.and_then(|code| code.parse().ok()) }
+        let dark = written.theme.and_then(|theme| [LIGHT, DARK].iter().position(|word| *word == theme));
+        let chosen = Chosen {
+            language: written.language.and_then(|code| code.parse().ok()),
+            dark: dark.map(|number| number == 1),
+            scale: written.scale.filter(|scale| scale.is_finite()).map(Self::scale_within),
+        };
+        Self { file, chosen }
     }
 
-    /// The language that was chosen, if one was.
-    pub fn language(&self) -> Option<Language> {
-        self.language
+    /// What was chosen.
+    pub fn chosen(&self) -> &Chosen {
+        &self.chosen
     }
 
-    /// Keeps a chosen language.
+    /// A size within the range in which a window can be read and worked in.
+    pub fn scale_within(scale: f32) -> f32 {
+        scale.clamp(0.5, 4.0)
+    }
+
+    /// Keeps what was chosen.
     ///
     /// # Errors
-    /// When the file cannot be written; the language is chosen all the same.
-    pub fn set_language(&mut self, language: Language) -> Result<(), WriteError> {
-        self.language = Some(language);
-        let written = Written { language: Some(language.code().to_owned()) };
+    /// When the file cannot be written; it is chosen all the same.
+    pub fn keep(&mut self, chosen: Chosen) -> Result<(), WriteError> {
+        self.chosen = chosen;
+        let written = Written {
+            language: chosen.language.map(|language| language.code().to_owned()),
+            theme: chosen.dark.map(|dark| (if dark { DARK } else { LIGHT }).to_owned()),
+            scale: chosen.scale,
+        };
         let folder = folder_of(&self.file);
         std::fs::create_dir_all(folder).map_err(|cause| WriteError::new(folder, cause))?;
         write_atomic(&self.file, toml::to_string(&written).unwrap_or_default().as_bytes())
@@ -58,14 +93,17 @@ mod tests {
     use super::*;
 
     #[test]
-    fn a_chosen_language_is_there_at_the_next_start() {
+    fn what_was_chosen_is_there_at_the_next_start() {
         let folder = tempfile::tempdir().expect("a folder");
         let file = folder.path().join("state/settings.toml");
         let mut settings = Settings::open(file.clone());
-        assert_eq!(settings.language(), None, "nothing chosen yet");
+        assert_eq!(*settings.chosen(), Chosen::default(), "nothing chosen yet");
         for language in [Language::Japanese, Language::English] {
-            settings.set_language(language).expect("written, folder and all");
-            assert_eq!(Settings::open(file.clone()).language(), Some(language), "kept");
+            for (dark, scale) in [(None, Some(1.5)), (Some(true), None), (Some(false), Some(2.0))] {
+                let chosen = Chosen { language: Some(language), dark, scale };
+                settings.keep(chosen).expect("written, folder and all");
+                assert_eq!(*Settings::open(file.clone()).chosen(), chosen, "kept");
+            }
         }
     }
 
@@ -73,12 +111,16 @@ mod tests {
     fn nonsense_is_no_choice() {
         let folder = tempfile::tempdir().expect("a folder");
         let file = folder.path().join("settings.toml");
-        for nonsense in [&b"language = 3"[..], b"\xff\xfe", b"language = \"xx\"", b""] {
+        let nonsense = ["language = 3", "language = \"xx\"", "theme = \"blue\"", "scale = nan", ""];
+        for nonsense in nonsense.map(str::as_bytes).into_iter().chain([&b"\xff\xfe"[..]]) {
             std::fs::write(&file, nonsense).expect("written");
             let mut settings = Settings::open(file.clone());
-            assert_eq!(settings.language(), None, "nothing in {nonsense:?}");
-            settings.set_language(Language::Japanese).expect("written over");
-            assert_eq!(Settings::open(file.clone()).language(), Some(Language::Japanese), "good again");
+            assert_eq!(*settings.chosen(), Chosen::default(), "nothing in {nonsense:?}");
+            let chosen = Chosen { language: Some(Language::Japanese), ..Chosen::default() };
+            settings.keep(chosen).expect("written over");
+            assert_eq!(*Settings::open(file.clone()).chosen(), chosen, "good again");
         }
+        std::fs::write(&file, "scale = 1e9").expect("written");
+        assert_eq!(Settings::open(file.clone()).chosen().scale, Some(4.0), "as large as can be worked in");
     }
 }

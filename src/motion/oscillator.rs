@@ -181,9 +181,9 @@ impl Step {
         self.tau
     }
 
-    /// Largest |q| of the cubic through both ends.
-    pub fn largest(&self, [q0, v0]: [f64; 2], [q1, v1]: [f64; 2]) -> f64 {
-        let ends = q0.abs().max(q1.abs());
+    /// Largest |q| of the cubic through both ends, and where it lies, in parts of the step.
+    pub fn largest(&self, [q0, v0]: [f64; 2], [q1, v1]: [f64; 2]) -> [f64; 2] {
+        let ends = if q0.abs() > q1.abs() { [q0.abs(), 0.0] } else { [q1.abs(), 1.0] };
         if v0 * v1 >= 0.0 {
             return ends;
         }
@@ -192,8 +192,9 @@ impl Step {
         let (b, a) = (3.0 * delta - 2.0 * m0 - m1, m0 + m1 - 2.0 * delta);
         let root = (b * b - 3.0 * a * m0).max(0.0).sqrt();
         let sum = if b >= 0.0 { -b - root } else { -b + root };
-        let inside = |x: f64| (0.0..=1.0).contains(&x).then_some(q0 + x * (m0 + x * (b + x * a)));
-        [m0 / sum, sum / (3.0 * a)].into_iter().filter_map(inside).fold(ends, |most, q| most.max(q.abs()))
+        let inside = |x: f64| (0.0..=1.0).contains(&x).then_some([f64::abs(q0 + x * (m0 + x * (b + x * a))), x]);
+        let inner = [m0 / sum, sum / (3.0 * a)].into_iter().filter_map(inside);
+        inner.fold(ends, |most, other| if other[0] > most[0] { other } else { most })
     }
 }
 

@@ -58,7 +58,7 @@ pub(super) fn caption(history: &History) -> String {
 pub(super) fn hardest(history: &History) -> Option<(String, Vec<(String, String)>)> {
     let touch = history.hardest()?;
     let (t, now) = (touch.peak_time, history.contact_at(touch.contact, touch.peak_time));
-    let site = history.model().contacts.get(touch.contact)?;
+    let site = history.model().sites.get(touch.contact)?;
     let force = if touch.peak_force > 0.0 {
         force(touch.peak_force)
     } else {

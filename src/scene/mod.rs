@@ -37,6 +37,7 @@ mod sweep;
 mod synthetic;
 mod top;
 mod two_or_three;
+mod unused;
 mod wave;
 mod whole;
 

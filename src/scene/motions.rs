@@ -12,7 +12,7 @@ impl Scene {
     }
 
     /// In words, each motion that the run cuts: a record that goes on after its end, an earthquake in its strong motion.
-    pub fn cut_motions(&self) -> Vec<Message> {
+    pub(super) fn cut_motions(&self) -> Vec<Message> {
         let cut = |(place, motion): (String, &Motion)| {
             let (place, end) = (escaped(&place).into_owned(), self.duration);
             match motion {

@@ -24,7 +24,7 @@ struct Seen {
 impl History {
     /// A closed contact at `t` with its sides, measured from the reference poses of its bodies as during the run.
     fn closed(&self, contact: usize, t: f64) -> Option<Seen> {
-        let site = &self.model().contacts[contact];
+        let site = &self.model().sites[contact];
         let log = self.trajectories.log(contact);
         let closed = log.since(t)?;
         // Where a run gave up, what its last state is counted from may have no step that is.
@@ -56,7 +56,7 @@ impl History {
         if let Some(record) = self.impact() {
             return impact::forces::contacts(self, record, t);
         }
-        (0..self.model().contacts.len()).filter_map(|contact| self.contact(contact, t)).collect()
+        (0..self.model().sites.len()).filter_map(|contact| self.contact(contact, t)).collect()
     }
 
     /// One contact at `t`; nothing when it is open.
@@ -65,11 +65,11 @@ impl History {
         if let Some(record) = self.impact() {
             return impact::forces::contacts(self, record, t).into_iter().find(|now| now.contact == contact);
         }
-        (contact < self.model().contacts.len()).then(|| self.contact(contact, t))?
+        (contact < self.model().sites.len()).then(|| self.contact(contact, t))?
     }
 
     pub(super) fn contact(&self, contact: usize, t: f64) -> Option<ContactNow> {
-        let site = &self.model().contacts[contact];
+        let site = &self.model().sites[contact];
         let Seen { closed, geometry, since, sides: [node, face] } = self.closed(contact, t)?;
         let action = act_in(&geometry, &closed, &closed.mode, &since[0], &since[1]);
         let forces = &action.forces;

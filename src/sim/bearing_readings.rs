@@ -53,8 +53,7 @@ impl History {
             };
             let of_bearing = |number: usize| {
                 let values: Vec<f64> = seen.iter().skip(number).step_by(count).map(|sizes| sizes[of]).collect();
-                let (t, value) = peaks::largest_seen(&times, &values, &|t| at(number, t));
-                (number, Extreme { value, t })
+                (number, peaks::largest_seen(&times, &values, &|t| at(number, t)))
             };
             // Of equals the first.
             (0..count).map(of_bearing).reduce(|a, b| if peaks::exceeds(b.1.value, a.1.value) { b } else { a })

@@ -10,7 +10,7 @@ use crate::dynamics::penalty3d::contact_state::Contact;
 /// The account of one contact.
 pub(super) fn contact_account(history: &History, contact: usize) -> Account<4> {
     let mut account = Account::new();
-    let site = &history.model().contacts[contact];
+    let site = &history.model().sites[contact];
     let states: Vec<(f64, Contact)> = history.trajectories.log(contact).states().collect();
     for (i, (from, state)) in states.iter().enumerate() {
         let until = states.get(i + 1).map_or(history.end(), |(t, _)| t.min(history.end()));
@@ -43,7 +43,7 @@ pub(super) fn contact_account(history: &History, contact: usize) -> Account<4> {
 pub(super) fn contact_powers(history: &History, contact: usize, t: f64) -> [f64; 4] {
     let Some((closed, action)) = history.acting(contact, t) else { return [0.0; 4] };
     let [normal, tangential, friction] = closed.law.dissipated_powers(&action.forces);
-    let site = &history.model().contacts[contact];
+    let site = &history.model().sites[contact];
     let given = given_power(history, [(site.node_body, action.force), (site.face_body, -action.force)], t);
     [normal, tangential, friction, given]
 }

@@ -138,7 +138,7 @@ impl History {
     /// Impulses of all contacts \[N·s\].
     fn impulses(&self) -> OfBodies {
         let of = |touch: &Touch| {
-            let site = &self.model().contacts[touch.contact];
+            let site = &self.model().sites[touch.contact];
             let bodies = [site.node_body, site.face_body].into_iter().flatten();
             let mut borders: Vec<f64> = bodies
                 .flat_map(|body| self.trajectories.path(body).spans_after(touch.start).map(|span| span.from))

@@ -1,6 +1,6 @@
 //! What a run did to the devices of its scene.
 
-use super::readings::largest_of_each;
+use super::peaks::largest_of_each;
 use super::report::Extreme;
 use super::{History, LinkNow, touches};
 use crate::dynamics::connection::Phase;

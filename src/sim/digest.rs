@@ -49,8 +49,7 @@ fn digest(history: &History) -> u64 {
             }
         }
     }
-    for (t, contact) in
-        (0..history.model().contacts.len()).flat_map(|contact| history.trajectories.log(contact).states())
+    for (t, contact) in (0..history.model().sites.len()).flat_map(|contact| history.trajectories.log(contact).states())
     {
         add(t);
         match contact {

@@ -1,7 +1,7 @@
 //! The estimated error of a run: its difference from a run at a hundredth of the tolerance.
 
 use super::readings::Extreme;
-use super::{Cause, History, Session};
+use super::{Cause, History, RunDifference, Session};
 use crate::scene::{FINEST_TOLERANCE, ModelKind};
 
 /// Times by which the tolerance of the run that is compared is smaller \[–\]: its own error is then about a hundredth of the difference.
@@ -61,7 +61,7 @@ impl History {
             return ErrorEstimate::UNKNOWN;
         };
         let finer = session.complete();
-        let [error, rotation] = self.differences(&finer);
+        let RunDifference { place: error, turn: rotation } = self.differences(&finer);
         ErrorEstimate { error, rotation, stress: self.stress_difference(&finer), until: finer.ends_before(self) }
     }
 

@@ -2,7 +2,8 @@
 
 use glam::DVec3;
 
-use super::readings::{Extreme, largest_of_each};
+use super::peaks::largest_of_each;
+use super::readings::Extreme;
 use super::{History, Touch};
 use crate::dynamics::elastic::Fields;
 use crate::dynamics::model::coordinates::section_forces::{Equilibrium, SectionForces, Strained};
@@ -109,7 +110,7 @@ impl History {
         let pairs = self.model().pairs.iter().filter(|pair| pair.bodies.contains(&Some(girder)));
         for contact in pairs.flat_map(Pair::nodes) {
             let Some(now) = self.contact(contact, t) else { continue };
-            let site = &self.model().contacts[contact];
+            let site = &self.model().sites[contact];
             let sections = self.model().sections(contact);
             let sides = [(site.node_body, now.point, 1.0), (site.face_body, now.anchor, -1.0)];
             for ((owner, place, sign), section) in sides.into_iter().zip(sections) {
@@ -247,7 +248,7 @@ impl History {
     fn side_load(&self, girder: usize) -> f64 {
         let model = self.model();
         let is_on_side = |touch: &&Touch| {
-            let site = &model.contacts[touch.contact];
+            let site = &model.sites[touch.contact];
             site.face_body == Some(girder) && matches!(site.carriers[1], Carrier::Flank(_))
         };
         let prism = &model.bodies[girder].prism;
@@ -277,7 +278,7 @@ impl History {
                 span[0] = span[0].min(touch.start);
             }
         }
-        let site = &model.contacts[hardest.contact];
+        let site = &model.sites[hardest.contact];
         let normal = self.contact_at(hardest.contact, hardest.peak_time)?.normal;
         let speed = |t: f64| {
             let of = |body: Option<usize>| body.map_or(DVec3::ZERO, |body| self.motion(body, t).velocity);

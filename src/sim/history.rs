@@ -6,7 +6,7 @@ use rayon::prelude::*;
 
 use super::books::Books;
 use super::impact::events;
-use super::report::{Overlap, Pounding};
+use super::report::{Overlap, Pounding, RunDifference};
 use super::trajectories::Trajectories;
 use super::{Event, Motion, Stop, Touch, Upright};
 use crate::contact::Frame;
@@ -203,26 +203,47 @@ impl History {
 
     /// Largest difference in displacement of G from another run of the same bodies \[m\].
     pub fn difference(&self, other: &Self) -> f64 {
-        self.differences(other)[0]
+        self.apart(other, self.model().bodies.len().min(other.model().bodies.len())).place
     }
 
-    /// Largest differences in displacement of G \[m\] and in attitude \[rad\] from another run of the same bodies.
-    pub fn differences(&self, other: &Self) -> [f64; 2] {
+    /// Largest differences of all bodies from another run of the same bodies.
+    pub fn differences(&self, other: &Self) -> RunDifference {
+        self.apart(other, self.model().bodies.len().min(other.model().bodies.len()))
+    }
+
+    /// Largest differences of the girders from those of another run, by their numbers, as far as both have them.
+    pub fn girders_apart(&self, other: &Self) -> RunDifference {
+        self.apart(other, self.model().girders().len().min(other.model().girders().len()))
+    }
+
+    /// The same at `t` \[s\].
+    pub fn girders_apart_at(&self, other: &Self, t: f64) -> RunDifference {
+        let both = self.model().girders().len().min(other.model().girders().len());
+        (0..both).map(|body| self.apart_at(other, body, t)).fold(RunDifference::default(), RunDifference::larger)
+    }
+
+    /// Largest differences of the first so many bodies, at evenly spaced instants.
+    fn apart(&self, other: &Self, bodies: usize) -> RunDifference {
         let end = self.end().min(other.end());
-        let bodies = self.model().bodies.len().min(other.model().bodies.len());
-        let difference = |body: usize, t| {
-            let [one, two] = [self, other].map(|run| Motion::of(run.model(), body, &run.state(body, t)));
-            // |q₁ − q₂| = 2 sin(α/4) for a rotation by α between them; q and −q are one attitude.
-            let apart = (one.attitude - two.attitude).length().min((one.attitude + two.attitude).length());
-            [(one.displacement - two.displacement).length(), 4.0 * (0.5 * apart).min(1.0).asin()]
-        };
-        let larger = |a: [f64; 2], b: [f64; 2]| [a[0].max(b[0]), a[1].max(b[1])];
         let of_some = |some: usize| {
             let first = some * COMPARED_TOGETHER;
             let instants = (0..=COMPARED).map(|i| end * f64::from(i) / f64::from(COMPARED));
-            let own = |t| (first..bodies.min(first + COMPARED_TOGETHER)).map(move |body| difference(body, t));
-            instants.flat_map(own).fold([0.0; 2], larger)
+            let own = |t| (first..bodies.min(first + COMPARED_TOGETHER)).map(move |body| self.apart_at(other, body, t));
+            instants.flat_map(own).fold(RunDifference::default(), RunDifference::larger)
         };
-        (0..bodies.div_ceil(COMPARED_TOGETHER)).into_par_iter().map(of_some).reduce(|| [0.0; 2], larger)
+        (0..bodies.div_ceil(COMPARED_TOGETHER))
+            .into_par_iter()
+            .map(of_some)
+            .reduce(RunDifference::default, RunDifference::larger)
+    }
+
+    fn apart_at(&self, other: &Self, body: usize, t: f64) -> RunDifference {
+        let [one, two] = [self, other].map(|run| Motion::of(run.model(), body, &run.state(body, t)));
+        // |q₁ − q₂| = 2 sin(α/4) for a rotation by α between them; q and −q are one attitude.
+        let apart = (one.attitude - two.attitude).length().min((one.attitude + two.attitude).length());
+        RunDifference {
+            place: (one.displacement - two.displacement).length(),
+            turn: 4.0 * (0.5 * apart).min(1.0).asin(),
+        }
     }
 }

@@ -3,7 +3,7 @@
 use std::collections::BTreeMap;
 
 use super::History;
-use super::readings::largest;
+use super::peaks::largest;
 use super::report::{Event, EventKind, Extreme};
 use crate::contact::normal::NormalLaw;
 use crate::scene::Kind;
@@ -79,7 +79,7 @@ impl History {
             prism.length.min(prism.width).min(thickness)
         });
         // What stands behind a face can be thinner than every girder: a backwall.
-        let behind = own.nodes().map(|site| self.model().contacts[site].face.depth);
+        let behind = own.nodes().map(|site| self.model().sites[site].face.depth);
         let allowed = DEEPEST * sides.chain(behind).fold(f64::INFINITY, f64::min);
         // At its deepest a contact has no normal velocity: its force is no less than the spring's. A node has at least the
         // whole law's share of one of them all.
@@ -117,7 +117,7 @@ impl History {
         let mut left: Vec<(&Event, f64)> = Vec::new();
         let mut between: BTreeMap<[SolidId; 2], HandOver> = BTreeMap::new();
         for event in self.events() {
-            let pair = &self.model().pairs[self.model().contacts[event.contact()].pair];
+            let pair = &self.model().pairs[self.model().sites[event.contact()].pair];
             let solids = pair.solids();
             let hand_over = between.entry(solids).or_default();
             match event.kind {

@@ -39,7 +39,7 @@ impl Books {
     fn open(history: &History) -> Self {
         let mut books = Self {
             bodies: (0..history.model().bodies.len()).into_par_iter().map(|body| body_account(history, body)).collect(),
-            contacts: (0..history.model().contacts.len())
+            contacts: (0..history.model().sites.len())
                 .into_par_iter()
                 .map(|contact| contact_account(history, contact))
                 .collect(),
@@ -113,7 +113,7 @@ impl Books {
             ledger.girder += girder;
             ledger.gravity += gravity;
         }
-        for contact in 0..history.model().contacts.len() {
+        for contact in 0..history.model().sites.len() {
             if let Some((closed, action)) = history.acting(contact, t) {
                 ledger.contact += closed.law.strain(&action.here, &action.forces);
             }

@@ -63,8 +63,8 @@ pub use overlap::{Unjoined, unjoined};
 pub use piers::{BaseReading, PierNow, PierReading};
 pub use quantity::Quantity;
 pub use report::{
-    Cause, ContactNow, ContactState, Event, EventKind, Ledger, Motion, Overlap, Pounding, PoundingHit, SolidId, Stop,
-    Touch, Uplift, Upright,
+    Cause, ContactNow, ContactState, Event, EventKind, Ledger, Motion, Overlap, Pounding, PoundingHit, RunDifference,
+    SolidId, Stop, Touch, Uplift, Upright,
 };
 pub use section_field::SectionField;
 pub use section_quantity::OfSection;

@@ -87,8 +87,7 @@ impl History {
         let resolved: ResolvedPier = self.scene().pier(number);
         let times = touches::looks(self, body);
         let largest = |of: &dyn Fn(&PierNow) -> f64| {
-            let (t, value) = peaks::first_largest(&times, &|t| self.pier(number, t).map_or(0.0, |now| of(&now)));
-            Extreme { value, t }
+            peaks::largest(&times, &|t| self.pier(number, t).map_or(0.0, |now| of(&now)))
         };
         let plan = |vector: DVec3| DVec2::length(vector.truncate());
         let shear = largest(&|now| plan(now.shear));
@@ -119,7 +118,7 @@ impl History {
             let drift = self.pier(number, t).map_or(DVec3::ZERO, |now| now.displacement);
             resolved.axes.mul_transpose_vec3(drift).truncate()
         };
-        let most = |part: &dyn Fn(DVec2) -> f64| peaks::largest(times, &|t| part(drift(t)));
+        let most = |part: &dyn Fn(DVec2) -> f64| peaks::largest(times, &|t| part(drift(t))).value;
         let [part_along, part_across] = base.part(resolved.stiffness);
         let ductility = if part_along == part_across {
             [most(&|u| u.length()) / at_yield[0]; 2]

@@ -210,9 +210,7 @@ impl Quantity {
             let of_pair = OF_PAIR.into_iter().filter(|(_, what)| !(pair.met && *what == OfPair::Gap));
             all.extend(of_pair.map(|(of, what)| (format!("{}.{of}", pair.name), Self::Pair(i, what))));
         }
-        for (i, site) in
-            listed.iter().flat_map(|&pair| model.pairs[pair].contacts.clone()).map(|i| (i, &model.contacts[i]))
-        {
+        for (i, site) in listed.iter().flat_map(|&pair| model.pairs[pair].sites.clone()).map(|i| (i, &model.sites[i])) {
             // A node of bodies that met is in a pair for each of its own faces.
             let pair = &model.pairs[site.pair];
             let by = if pair.met { format!(" of {}", pair.name) } else { String::new() };
@@ -312,7 +310,7 @@ impl Quantity {
                     .map(|c| c.force.length())
                     .fold(0.0, f64::max),
             },
-            Self::Contact(i, what) if i < model.contacts.len() => {
+            Self::Contact(i, what) if i < model.sites.len() => {
                 history.contact_at(i, t).map_or(0.0, |now| of_contact(&now, what))
             }
             Self::Bearing(girder, number, what) => {

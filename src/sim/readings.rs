@@ -5,8 +5,9 @@
 
 use glam::DVec3;
 
+use super::peaks::largest;
 pub use super::report::Extreme;
-use super::{BearingsReading, History, Pounding, Touch, peaks, seats, touches};
+use super::{BearingsReading, History, Pounding, Touch, seats, touches};
 use crate::contact::node_face::locate;
 use crate::dynamics::model::edge_node::node_place::NodePlace;
 use crate::geometry::{End, Prism};
@@ -105,7 +106,7 @@ pub(super) fn corner_way(history: &History, girder: usize, corner: usize, t: f64
 /// Gap of a contact's node \[m\], and coordinate of its projection along the face's horizontal \[m\], whether the contact is open or
 /// closed; of an open edge node those of the middle of its edge.
 pub fn before_face(history: &History, contact: usize, t: f64) -> [f64; 2] {
-    let site = &history.model().contacts[contact];
+    let site = &history.model().sites[contact];
     let [node, face] = history.trajectories.sides(contact, t.clamp(0.0, history.end()));
     let place = history.trajectories.log(contact).at(t).closed().map_or_else(NodePlace::default, |closed| closed.place);
     let here = locate(&site.geometry_at(&place), &node, &face);
@@ -119,12 +120,12 @@ pub fn before_face(history: &History, contact: usize, t: f64) -> [f64; 2] {
 pub fn gap(history: &History, pair: usize, t: f64) -> f64 {
     let model = history.model();
     let of = |contact: usize| {
-        let site = &model.contacts[contact];
+        let site = &model.sites[contact];
         let [node, face] = history.trajectories.sides(contact, t);
         let here = locate(&site.geometry, &node, &face);
         (here.gap, site.face.inset_at(here.at) >= 0.0)
     };
-    let all: Vec<(f64, bool)> = model.pairs[pair].contacts.clone().map(of).collect();
+    let all: Vec<(f64, bool)> = model.pairs[pair].sites.clone().map(of).collect();
     let before = all.iter().filter(|(_, over)| *over).map(|(gap, _)| *gap).reduce(f64::min);
     // Faces that have slid past one another still have a distance along the normal.
     before.or_else(|| all.iter().map(|(gap, _)| *gap).reduce(f64::min)).unwrap_or(f64::NAN)
@@ -154,32 +155,6 @@ pub fn reading(history: &History, girder: usize) -> Reading {
         bearings: history.bearings_reading(girder),
         tipped: history.tipped(girder),
     }
-}
-
-/// The largest value over ordered times, refined between the neighbours of the best one.
-pub(super) fn largest(times: &[f64], value: &dyn Fn(f64) -> f64) -> Extreme {
-    let [largest] = largest_of_each(times, &|t| [value(t)]);
-    largest
-}
-
-/// The same of each of several values that are computed together. A value that stays, as the force of a device that yields, is dated
-/// to where it is first reached: what lies within [`peaks::PLATEAU`] of a largest value is as large.
-pub(super) fn largest_of_each<const N: usize>(times: &[f64], values: &dyn Fn(f64) -> [f64; N]) -> [Extreme; N] {
-    let mut best: [Option<(usize, Extreme)>; N] = [None; N];
-    for (i, &t) in times.iter().enumerate() {
-        for (best, value) in best.iter_mut().zip(values(t)) {
-            // No comparison with NaN is true.
-            if best.map_or(!value.is_nan(), |(_, seen)| peaks::exceeds(value, seen.value)) {
-                *best = Some((i, Extreme { value, t }));
-            }
-        }
-    }
-    std::array::from_fn(|own| {
-        let Some((i, best)) = best[own] else { return Extreme { value: f64::NAN, t: 0.0 } };
-        let around = [times[i.saturating_sub(1)], times[(i + 1).min(times.len() - 1)]];
-        let (t, refined) = peaks::golden(&|t| values(t)[own], around[0], around[1]);
-        if peaks::exceeds(refined, best.value) { Extreme { value: refined, t } } else { best }
-    })
 }
 
 /// When a function first rises above 0, at a look or at its peak between two, to a part in a thousand million of the run \[s\].

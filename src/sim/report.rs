@@ -252,6 +252,21 @@ impl Ledger {
     }
 }
 
+/// How far two runs are apart, at an instant or at the most.
+#[derive(Clone, Copy, Debug, Default, PartialEq)]
+pub struct RunDifference {
+    /// In displacement of G \[m\].
+    pub place: f64,
+    /// In attitude \[rad\].
+    pub turn: f64,
+}
+
+impl RunDifference {
+    pub(super) fn larger(self, other: Self) -> Self {
+        Self { place: self.place.max(other.place), turn: self.turn.max(other.turn) }
+    }
+}
+
 /// An extreme and when it was reached.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Extreme {

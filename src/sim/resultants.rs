@@ -6,7 +6,7 @@ use std::collections::{BTreeMap, BTreeSet};
 use glam::DVec3;
 use rayon::prelude::*;
 
-use super::peaks::first_largest;
+use super::peaks;
 use super::report::{Extreme, Pounding, PoundingHit};
 use super::touches::looks_in_hit;
 use super::{History, Touch};
@@ -29,7 +29,7 @@ impl History {
     /// 1 where a contact's node is on the first of two bodies and its face on the second, −1 the other way round; `None` where it is
     /// between others.
     fn sign(&self, contact: usize, [first, second]: [SolidId; 2]) -> Option<f64> {
-        let site = &self.model().contacts[contact];
+        let site = &self.model().sites[contact];
         let pair = &self.model().pairs[site.pair];
         let own = [pair.first.solid(), pair.second.solid()];
         let of_first = if site.node_body == pair.bodies[0] { 1.0 } else { -1.0 };
@@ -116,8 +116,7 @@ impl History {
             let force = |contact| Some(self.contact_at(contact, t)?.force * self.sign(contact, solids)?);
             contacts.into_iter().filter_map(force).sum::<DVec3>().length()
         };
-        let (t, value) = first_largest(&looks_in_hit(self, hit), &sum);
-        Extreme { value, t }
+        peaks::largest(&looks_in_hit(self, hit), &sum)
     }
 }
 

@@ -331,12 +331,12 @@ fn scan(times: &[f64], values: &[f64], at: &dyn Fn(f64) -> f64) -> Scanned {
         if !matters || around[0] == around[1] {
             continue;
         }
-        let (t, height) = peaks::golden(&|t| -at(t), times[around[0]], times[around[1]]);
-        if -height < least.value {
-            least = Extreme { value: -height, t };
+        let top = peaks::golden(&|t| -at(t), times[around[0]], times[around[1]]);
+        if -top.value < least.value {
+            least = Extreme { value: -top.value, ..top };
         }
-        if zero.is_none() && height >= 0.0 {
-            zero = Some(root(|t| -at(t), times[around[0]], t));
+        if zero.is_none() && top.value >= 0.0 {
+            zero = Some(root(|t| -at(t), times[around[0]], top.t));
         }
     }
     Scanned { least, zero }

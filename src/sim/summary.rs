@@ -3,7 +3,7 @@
 use rayon::prelude::*;
 
 use super::report::Extreme;
-use super::{History, Motion, peaks, readings, touches};
+use super::{History, Motion, peaks, touches};
 
 /// The headline numbers of a run.
 #[derive(Clone, Debug, PartialEq, serde::Serialize)]
@@ -101,14 +101,14 @@ impl History {
 
     /// The largest value over girders and time, with its girder and its time.
     fn extreme(&self, value: fn(&Motion) -> f64) -> Option<(usize, Extreme)> {
-        let of = |body| (body, readings::largest(&touches::looks(self, body), &|t| value(&self.motion(body, t))));
+        let of = |body| (body, peaks::largest(&touches::looks(self, body), &|t| value(&self.motion(body, t))));
         let all = (0..self.model().girders().len()).map(of);
         all.reduce(|a, b| if b.1.value > a.1.value { b } else { a })
     }
 
     /// Largest value over girders and time, looked for at a rate that the fastest bearing cannot outrun.
     fn largest(&self, value: fn(&Motion) -> f64) -> f64 {
-        let of = |body| peaks::largest(&touches::looks(self, body), &|t| value(&self.motion(body, t)));
+        let of = |body| peaks::largest(&touches::looks(self, body), &|t| value(&self.motion(body, t))).value;
         (0..self.model().girders().len()).into_par_iter().map(of).reduce(|| 0.0, f64::max)
     }
 
@@ -122,7 +122,7 @@ impl History {
                 .map(|motion| (displacement(&motion), rotation(&motion)))
                 .unzip();
             let most = |seen: &[f64], value: fn(&Motion) -> f64| {
-                peaks::largest_seen(&times, seen, &|t| value(&self.motion(body, t))).1
+                peaks::largest_seen(&times, seen, &|t| value(&self.motion(body, t))).value
             };
             [most(&moved, displacement), most(&turned, rotation)]
         };

@@ -2,7 +2,8 @@
 
 use rayon::prelude::*;
 
-use super::peaks::first_largest;
+use super::peaks;
+use super::report::Extreme;
 use super::{History, Touch, impact};
 use crate::contact::Mode;
 use crate::dynamics::free_flight::body_motion::BodyMotion;
@@ -50,7 +51,7 @@ impl History {
 
 /// Every touch of every contact, by start, then by contact. Contacts are searched in parallel, each for itself.
 fn find(history: &History) -> Vec<Touch> {
-    let contacts = (0..history.model().contacts.len()).into_par_iter();
+    let contacts = (0..history.model().sites.len()).into_par_iter();
     let mut all: Vec<Touch> = contacts.flat_map_iter(|contact| of_contact(history, contact)).collect();
     all.sort_by(|a, b| a.start.total_cmp(&b.start).then(a.contact.cmp(&b.contact)));
     all
@@ -58,7 +59,7 @@ fn find(history: &History) -> Vec<Touch> {
 
 fn of_contact(history: &History, contact: usize) -> Vec<Touch> {
     let states: Vec<(f64, Contact)> = history.trajectories.log(contact).states().collect();
-    let site = &history.model().contacts[contact];
+    let site = &history.model().sites[contact];
     let (pair, bodies) = (site.pair, [site.node_body, site.face_body]);
     let sound = bodies.into_iter().flatten().map(|body| history.sound_until(body)).fold(history.end(), f64::min);
     let mut touches: Vec<Touch> = Vec::new();
@@ -89,9 +90,9 @@ fn of_contact(history: &History, contact: usize) -> Vec<Touch> {
                 Mode::Stick { .. } => touch.stick += until - from,
                 Mode::Slip { .. } => touch.slip += until - from,
             }
-            let (t, force) = peak(history, contact, *from, until);
-            if force > touch.peak_force {
-                (touch.peak_time, touch.peak_force) = (t, force);
+            let most = peak(history, contact, *from, until);
+            if most.value > touch.peak_force {
+                (touch.peak_time, touch.peak_force) = (most.t, most.value);
             }
         }
     }
@@ -99,9 +100,9 @@ fn of_contact(history: &History, contact: usize) -> Vec<Touch> {
 }
 
 /// Largest force of a contact in one state, and when.
-fn peak(history: &History, contact: usize, from: f64, until: f64) -> (f64, f64) {
+fn peak(history: &History, contact: usize, from: f64, until: f64) -> Extreme {
     let force = |t: f64| history.contact(contact, t.min(until)).map_or(0.0, |now| now.force.length());
-    first_largest(&in_order(looks_in_state(history, contact, from, until)), &force)
+    peaks::largest(&in_order(looks_in_state(history, contact, from, until)), &force)
 }
 
 /// Times at which the forces of a hit are looked at: the beginning of every state of every contact, and in every step.
@@ -132,7 +133,7 @@ fn in_order(mut times: Vec<f64>) -> Vec<f64> {
 /// Times at which the force of a contact in one state is looked at, in no order.
 fn looks_in_state(history: &History, contact: usize, from: f64, until: f64) -> Vec<f64> {
     let mut times = vec![from];
-    let site = &history.model().contacts[contact];
+    let site = &history.model().sites[contact];
     for body in [site.node_body, site.face_body].into_iter().flatten() {
         for span in history.trajectories.path(body).spans_after(from).take_while(|span| span.from < until) {
             let (a, b) = (span.from.max(from), span.until.min(until));

@@ -50,7 +50,7 @@ impl Trajectories {
             recent: vec![RecentSteps::default(); bodies],
             group_of: vec![0; bodies],
             free_motions: vec![None; bodies],
-            logs: vec![ContactLog::default(); model.contacts.len()],
+            logs: vec![ContactLog::default(); model.sites.len()],
             link_logs: vec![LinkLog::default(); model.links.len()],
             model,
         }
@@ -215,7 +215,7 @@ impl Trajectories {
 
     /// The two sides of a contact at `t`: node's body, face's body.
     pub(super) fn sides(&self, contact: usize, t: f64) -> [Frame; 2] {
-        let site = &self.model.contacts[contact];
+        let site = &self.model.sites[contact];
         let [node, face] = self.model.sections(contact);
         [(site.node_body, node), (site.face_body, face)].map(|(body, section)| match body {
             Some(body) => self.section_frame(body, section, t),

@@ -3,7 +3,8 @@
 use rayon::prelude::*;
 
 use super::History;
-use super::readings::{first, largest_of_each};
+use super::peaks::largest;
+use super::readings::first;
 use super::report::{Extreme, Uplift, Upright};
 use super::touches;
 use crate::contact::Frame;
@@ -65,7 +66,7 @@ impl History {
         let tilts: Vec<f64> = frames.iter().map(|frame| tilt_of(body, frame)).collect();
         let at = (0..times.len()).fold(0, |most, i| if tilts[i] > tilts[most] { i } else { most });
         let around = &times[at.saturating_sub(1)..(at + 2).min(times.len())];
-        let [tilt] = largest_of_each(around, &|t| [tilt_of(body, &self.frame(girder, t))]);
+        let tilt = largest(around, &|t| tilt_of(body, &self.frame(girder, t)));
         let until = self.first_lost_bearing(girder).map_or(f64::INFINITY, |(_, t)| t);
         let standing = times.iter().take_while(|t| **t < until).count();
         let looks = (&times[..standing], &frames[..standing]);
@@ -88,7 +89,7 @@ impl History {
             return None;
         }
         let t = first(times, self.end(), &|t| bound - load(t))?;
-        let [pull] = largest_of_each(times, &|t| [-load(t)]);
+        let pull = largest(times, &|t| -load(t));
         let pull = Extreme { value: if pull.value > bound { pull.value } else { 0.0 }, ..pull };
         let lifts = self.bearing_links(girder, number).iter().any(|&link| self.model().links[link].device.lifts());
         Some(Uplift { name: format!("{}.bearing{}", body.name, number + 1), t, pull, lifts, load: at_rest })

@@ -80,7 +80,7 @@ fn header() -> Vec<String> {
 
 fn row(history: &History, t: f64, why: &str, contact: &ContactNow) -> Vec<String> {
     let model = history.model();
-    let (pair, site) = (&model.pairs[contact.pair], &model.contacts[contact.contact]);
+    let (pair, site) = (&model.pairs[contact.pair], &model.sites[contact.contact]);
     let state = contact.state.label().to_owned();
     [
         vec![number(t), why.to_owned(), pair.name.clone(), site.node.clone(), site.face_name.to_string(), state],

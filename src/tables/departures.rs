@@ -170,7 +170,7 @@ pub(super) fn overlaps(history: &History) -> Vec<OverlapReport> {
 
 /// Node and face of a contact.
 fn names(history: &History, contact: usize) -> [String; 2] {
-    let site = &history.model().contacts[contact];
+    let site = &history.model().sites[contact];
     [site.node.clone(), site.face_name.to_string()]
 }
 

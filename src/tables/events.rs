@@ -17,7 +17,7 @@ pub fn events(history: &History, out: &mut dyn Write) -> std::io::Result<()> {
 
 fn row(history: &History, event: &Event) -> Vec<String> {
     let model = history.model();
-    let site = &model.contacts[event.contact()];
+    let site = &model.sites[event.contact()];
     vec![
         number(event.t),
         model.pairs[site.pair].name.clone(),

@@ -42,7 +42,7 @@ pub fn hits(history: &History, out: &mut dyn Write) -> std::io::Result<()> {
 
 fn hit_row(history: &History, hit: &Hit) -> Vec<String> {
     let model = history.model();
-    let nodes: Vec<&str> = hit.sites.iter().map(|&site| model.contacts[site].node.as_str()).collect();
+    let nodes: Vec<&str> = hit.sites.iter().map(|&site| model.sites[site].node.as_str()).collect();
     let impulses = &hit.impulses;
     let total = impulses.total();
     let second = impulses.second.map_or([0.0; 2], |(_, second)| second.impulse);

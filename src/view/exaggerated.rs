@@ -50,7 +50,7 @@ impl Moment {
         self.feet.iter_mut().flatten().for_each(|foot| *foot *= factor);
         let moved = &self.motions;
         let place = |contact: usize, point: DVec3| {
-            let site = &model.contacts[contact];
+            let site = &model.sites[contact];
             let motions = site.node_body.and_then(|b| Some((before.get(b)?, moved.get(b)?)));
             motions.map_or(point, |(before, m)| {
                 // An edge node is another point of its edge at each touch.

@@ -207,7 +207,7 @@ fn name(
     (Round { middle, radius, ppp }, top): (Round, f32),
     palette: &Palette,
 ) -> Option<Mark> {
-    let node = &input.history?.model().contacts.get(contact.contact)?.node;
+    let node = &input.history?.model().sites.get(contact.contact)?.node;
     let size = (0.25 * radius).min((TEXT - 2.0) * ppp);
     Some(Mark::Text {
         at: Vec2::new(middle.x, 0.4 * top + 0.6 * (middle.y - radius)),

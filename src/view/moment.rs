@@ -298,7 +298,7 @@ fn impulses(history: &History, t: f64, linger: f64) -> Vec<Impulse> {
             point: hit.point.extend(height(pair.bodies.into_iter().flatten().next())),
             impulse: flat.extend(0.0),
             left: 1.0 - (t - hit.t) / linger,
-            contact: hit.sites.first().copied().unwrap_or(pair.contacts.start),
+            contact: hit.sites.first().copied().unwrap_or(pair.sites.start),
         }
     };
     let mut all: Vec<Impulse> = recent.map(impulse).collect();

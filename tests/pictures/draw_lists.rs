@@ -197,7 +197,7 @@ fn the_legend_bar_is_as_long_as_a_force_of_its_number() {
     });
     let newtons = newtons.expect("the bar has a number");
     assert_eq!(scale::round_down(newtons), newtons, "a round number");
-    let focus = history.model().contacts[history.hardest().expect("it hits").contact].point;
+    let focus = history.model().sites[history.hardest().expect("it hits").contact].point;
     let pixels = newtons / auto_force_scale(&history) / camera.metres_per_pixel(focus, 720.0);
     // Pixels near 100 held as f32.
     assert!((bar - pixels).abs() < 1e-3, "a bar of {bar} pixels for {newtons} N, which are {pixels}");

@@ -7,6 +7,7 @@ use girderbench::app::{CompareCommand, EditCommand, TimeCommand};
 use girderbench::scene::device::Device;
 use girderbench::scene::edit::Edit;
 use girderbench::scene::presets;
+use girderbench::sim::RunDifference;
 
 #[test]
 fn a_pinned_run_stays_as_a_ghost_and_in_the_table_while_the_scene_changes() {
@@ -23,7 +24,7 @@ fn a_pinned_run_stays_as_a_ghost_and_in_the_table_while_the_scene_changes() {
     settle(&mut harness);
     let list = harness.state().view.viewport.list().expect("shown").to_string();
     assert!(list.contains("ghost") && !plain.contains("ghost"), "seen in the picture");
-    let [place, turn] = now.apart_from(&before);
+    let RunDifference { place, turn } = now.apart_from(&before);
     assert!(place > 1e-4 && turn > 1e-3, "the skew matters: {place} m, {turn} rad");
     assert!(harness.query_by_label_contains("from 1: at the most").is_some(), "and is read out");
     reach(&mut harness, "unpin 1");

@@ -8,7 +8,7 @@ use egui::accesskit::Role;
 use egui::{Event, Key, Modifiers};
 use egui_kittest::Harness;
 use egui_kittest::kittest::Queryable as _;
-use girderbench::app::{FileCommand, WindowCommand, Workbench};
+use girderbench::app::{FileCommand, LeaveCommand, Workbench};
 use girderbench::files::{SceneSource, find_in, load_scene, save_scene};
 use girderbench::scene::{Scene, presets};
 
@@ -196,7 +196,7 @@ fn closing_and_undoing_leave_no_unsaved_work() {
     harness.state().files.session.wait();
     assert!(names(&unsaved).is_empty(), "nothing to lose any more");
     slide(&mut harness, "Skew β", 75.0);
-    harness.state_mut().apply(WindowCommand::Close);
+    harness.state_mut().apply(LeaveCommand::Close);
     settle(&mut harness);
     press(&mut harness, "Close without saving");
     crash(harness);

@@ -5,7 +5,7 @@ use std::path::Path;
 
 use egui::{FontFamily, FontId};
 use egui_kittest::kittest::Queryable as _;
-use girderbench::app::{SelectCommand, WindowCommand};
+use girderbench::app::{AppearanceCommand, SelectCommand};
 use girderbench::language::Language;
 use girderbench::scene::presets;
 use girderbench::view::Target;
@@ -21,7 +21,7 @@ fn the_language_is_chosen_in_the_menu_of_views_and_taken_back() {
     harness.run_steps(4);
     assert!(harness.query_by_label("3D ビュー").is_some(), "the view is named in Japanese");
     assert!(harness.query_by_label("ファイル").is_some() && harness.query_by_label("File").is_none(), "and the menus");
-    harness.state_mut().apply(WindowCommand::Language(Language::English));
+    harness.state_mut().apply(AppearanceCommand::Language(Language::English));
     settle(&mut harness);
     assert!(harness.query_by_label("File").is_some(), "English again");
 }
@@ -31,11 +31,11 @@ fn a_chosen_language_is_there_at_the_next_start() {
     let folder = tempfile::tempdir().expect("a folder");
     let mut harness = open(presets::OPENING);
     harness.state_mut().keep_in(folder.path());
-    assert_eq!(harness.state().files.session.language(), None, "nothing chosen yet");
-    harness.state_mut().apply(WindowCommand::Language(Language::Japanese));
+    assert_eq!(harness.state().files.session.chosen().language, None, "nothing chosen yet");
+    harness.state_mut().apply(AppearanceCommand::Language(Language::Japanese));
     let mut next = open(presets::OPENING);
     next.state_mut().keep_in(folder.path());
-    assert_eq!(next.state().files.session.language(), Some(Language::Japanese), "kept");
+    assert_eq!(next.state().files.session.chosen().language, Some(Language::Japanese), "kept");
     assert!(harness.state().window.notice().is_none(), "and nothing to say");
 }
 
@@ -44,7 +44,7 @@ fn fonts_have_every_letter_of_every_language() {
     let root = Path::new(env!("CARGO_MANIFEST_DIR")).join("assets");
     for language in Language::ALL {
         let mut harness = builder([1024.0, 640.0]).build_ui_state(show, bench(presets::OPENING));
-        harness.state_mut().apply(WindowCommand::Language(language));
+        harness.state_mut().apply(AppearanceCommand::Language(language));
         harness.run_steps(4);
         let code = language.code();
         let lessons = fs::read_dir(root.join("lessons")).expect("lessons").map(|file| file.expect("a file").path());
@@ -64,7 +64,7 @@ fn fonts_have_every_letter_of_every_language() {
 #[test]
 fn what_a_girder_is_shown_with_is_japanese() {
     let mut harness = builder([1280.0, 720.0]).build_ui_state(show, bench("deck-30m"));
-    harness.state_mut().apply(WindowCommand::Language(Language::Japanese));
+    harness.state_mut().apply(AppearanceCommand::Language(Language::Japanese));
     harness.state_mut().apply(SelectCommand::Only(Some(Target::Girder(0))));
     harness.run_steps(10);
     for words in ["計算値", "計算の最大応答", "配置", "条件", "桁長 a₀", "質量 m", "落橋しない"]
@@ -78,7 +78,7 @@ fn what_is_wrong_with_a_scene_follows_the_language_of_the_window() {
     let mut harness = open(presets::OPENING);
     slide(&mut harness, "μ kinetic", 0.9);
     assert!(harness.query_all_by_label_contains("mu_static = 0.2").count() >= 2, "over the view and at the field");
-    harness.state_mut().apply(WindowCommand::Language(Language::Japanese));
+    harness.state_mut().apply(AppearanceCommand::Language(Language::Japanese));
     harness.run_steps(4);
     assert!(harness.query_all_by_label_contains("mu_static = 0.2 を超えない値にする").count() >= 2, "both again");
 }

@@ -5,7 +5,7 @@ use egui::{Key, Rect, Theme};
 use egui_kittest::Harness;
 use egui_kittest::kittest::{NodeT as _, Queryable as _};
 use girderbench::app::{
-    Export, FileCommand, Learn, SelectCommand, TimeCommand, Way, WindowCommand, Workbench, lessons,
+    AppearanceCommand, Export, FileCommand, Learn, SelectCommand, TimeCommand, Way, Workbench, lessons,
 };
 use girderbench::language::{Language, Text};
 use girderbench::render::Image;
@@ -46,7 +46,7 @@ fn panels_keep_their_words_to_themselves() {
             // Another scale takes the size with it, in the frame after.
             harness.set_pixels_per_point(scale).step();
             harness.set_size(in_harness(size));
-            harness.state_mut().apply(WindowCommand::Language(language));
+            harness.state_mut().apply(AppearanceCommand::Language(language));
             // A panel that grows with what is in it does so frame by frame.
             harness.run_steps(10);
             let (view, window) =
@@ -109,7 +109,7 @@ fn panels_fold_by_keys_and_buttons_and_come_back() {
 fn a_narrow_window_has_every_menu_and_in_the_menus_what_has_no_button() {
     for (width, language) in [400.0, 700.0, 1024.0].into_iter().flat_map(|w| Language::ALL.map(|l| (w, l))) {
         let mut harness = builder([width, 640.0]).build_ui_state(show, bench(presets::OPENING));
-        harness.state_mut().apply(WindowCommand::Language(language));
+        harness.state_mut().apply(AppearanceCommand::Language(language));
         harness.run_steps(6);
         for menu in ["file", "edit", "presets", "learn", "views", "help"] {
             let rect = harness.get_by_role_and_label(Role::Button, &said(menu)).rect();
@@ -134,7 +134,7 @@ fn nothing_lies_on_the_time_in_a_lecture_hall_or_a_narrow_window() {
         for (lecture, language) in [false, true].into_iter().flat_map(|on| Language::ALL.map(|l| (on, l))) {
             let builder = builder(size).with_pixels_per_point(scale);
             let mut harness = builder.build_ui_state(show, bench(presets::OPENING));
-            harness.state_mut().apply(WindowCommand::Language(language));
+            harness.state_mut().apply(AppearanceCommand::Language(language));
             harness.state_mut().view.display.sight.lecture = lecture;
             harness.run_steps(6);
             let row = time_row(&harness);

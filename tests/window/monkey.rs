@@ -3,7 +3,7 @@
 use super::harness::{builder, settle, show};
 use egui::{Event, Key, Modifiers, MouseWheelSource, MouseWheelUnit, PointerButton, Pos2, TouchPhase, Vec2};
 use egui_kittest::Harness;
-use girderbench::app::{EditCommand, WindowCommand, Workbench};
+use girderbench::app::{EditCommand, LeaveCommand, RunCommand, Workbench};
 use girderbench::files::SceneSource;
 use girderbench::scene::presets;
 
@@ -128,7 +128,7 @@ fn monkey(seed: u64, preset: &str, inputs: usize) {
         done += together;
         harness.step();
         if harness.state().window.asks() {
-            harness.state_mut().apply(WindowCommand::KeepOpen);
+            harness.state_mut().apply(LeaveCommand::Stay);
         }
     }
     let mut steps = 0;
@@ -139,7 +139,7 @@ fn monkey(seed: u64, preset: &str, inputs: usize) {
     }
     assert_eq!(*harness.state().files.document.scene(), first, "seed {seed}: {steps} steps back is the first scene");
     assert!(steps > 5, "seed {seed}: the monkey did something, {steps} steps");
-    harness.state_mut().apply(WindowCommand::CancelRun);
+    harness.state_mut().apply(RunCommand::Cancel);
     harness.step();
 }
 

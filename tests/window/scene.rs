@@ -4,7 +4,7 @@ use super::harness::{click, drag, on_screen, open, press, settle, slide};
 use egui::accesskit::Role;
 use egui::{Key, Modifiers};
 use egui_kittest::kittest::Queryable as _;
-use girderbench::app::{EditCommand, Export, FileCommand, SelectCommand, TimeCommand, WindowCommand};
+use girderbench::app::{EditCommand, Export, FileCommand, LeaveCommand, SelectCommand, TimeCommand};
 use girderbench::scene::{Motion, presets};
 use girderbench::view::Target;
 use glam::DVec3;
@@ -366,16 +366,16 @@ fn tables_are_exported_while_the_window_goes_on() {
 #[test]
 fn closing_asks_when_something_is_not_saved() {
     let mut harness = open(presets::OPENING);
-    harness.state_mut().apply(WindowCommand::Close);
+    harness.state_mut().apply(LeaveCommand::Close);
     assert!(harness.state().window.closes(), "nothing to lose");
     let mut harness = open(presets::OPENING);
     slide(&mut harness, "Skew β", 70.0);
-    harness.state_mut().apply(WindowCommand::Close);
+    harness.state_mut().apply(LeaveCommand::Close);
     settle(&mut harness);
     assert!(!harness.state().window.closes(), "first the question");
     press(&mut harness, "Keep working");
     assert!(!harness.state().window.asks() && !harness.state().window.closes(), "stays");
-    harness.state_mut().apply(WindowCommand::Close);
+    harness.state_mut().apply(LeaveCommand::Close);
     settle(&mut harness);
     press(&mut harness, "Close without saving");
     assert!(harness.state().window.closes(), "goes");

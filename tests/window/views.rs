@@ -138,7 +138,7 @@ fn a_contact_is_selected_by_its_name_and_tells_its_history() {
     harness.state_mut().apply(SelectCommand::Only(Some(Target::Abutment(0))));
     settle(&mut harness);
     let contact = harness.state().replay.runner.answer().expect("run").history.hardest().expect("a hit").contact;
-    let site = harness.state().replay.runner.answer().expect("run").history.model().contacts[contact].clone();
+    let site = harness.state().replay.runner.answer().expect("run").history.model().sites[contact].clone();
     let name = format!("{} | {}", site.node, site.face_name);
     reach(&mut harness, &name);
     harness.get_by_label(&name).click();

@@ -1,16 +1,15 @@
 //! Does what commands ask: each goes to the part that it concerns, and the scene is run when it is another one.
 
-use egui::Ui;
+use egui::{Theme, Ui};
 
 use super::window_state::Next;
 use super::workbench::Workbench;
 use crate::app::command::{
-    AngleCommand, Command, CompareCommand, FileCommand, Filming, HandCommand, Learn, MapCommand, ViewCommand,
-    WindowCommand,
+    AngleCommand, AppearanceCommand, Command, CompareCommand, FileCommand, Filming, HandCommand, Learn, LeaveCommand,
+    MapCommand, RunCommand, ViewCommand,
 };
-use crate::app::host::share;
 use crate::app::style::size::LECTURE;
-use crate::app::text;
+use crate::files::{Chosen, Settings};
 use crate::scene::edit::EditError;
 
 impl Workbench {
@@ -87,7 +86,10 @@ impl Workbench {
             Command::Angles(command) => self.apply_angles(command),
             Command::Quake(command) => self.shaking.apply(command),
             Command::Plot(command) => self.plots.apply(command),
-            Command::Window(command) => self.apply_window(command),
+            Command::Run(command) => self.apply_run(command),
+            Command::Appearance(command) => self.apply_appearance(command),
+            Command::Leave(command) => self.apply_leave(command),
+            Command::Window(command) => self.window.apply(command),
         }
     }
 
@@ -133,31 +135,37 @@ impl Workbench {
         }
     }
 
-    fn apply_window(&mut self, command: WindowCommand) {
-        if command == WindowCommand::CancelRun {
-            self.replay.runner.cancel();
-        }
-        if command == WindowCommand::RunAgain {
-            let document = &self.files.document;
-            self.replay.runner.start(document.scene(), document.revision());
-        }
-        if command == WindowCommand::CopyLink {
-            match self.link() {
-                Ok(link) if share(&link) => self.window.say(text::LINK_COPIED),
-                Ok(_) => {}
-                Err(words) => self.window.say(words),
+    fn apply_run(&mut self, command: RunCommand) {
+        match command {
+            RunCommand::Cancel => self.replay.runner.cancel(),
+            RunCommand::Again => {
+                let document = &self.files.document;
+                self.replay.runner.start(document.scene(), document.revision());
             }
         }
-        if let WindowCommand::Language(language) = command {
-            let kept = self.files.session.keep_language(language);
-            self.window.say_failure(kept);
+    }
+
+    /// Keeps what was chosen for the next start; theme and size are those of egui's context, which [`dress`] changes.
+    fn apply_appearance(&mut self, command: AppearanceCommand) {
+        let mut chosen = *self.files.session.chosen();
+        match command {
+            AppearanceCommand::Language(language) => {
+                self.window.language = language;
+                chosen.language = Some(language);
+            }
+            AppearanceCommand::Theme(theme) => chosen.dark = Some(theme == Theme::Dark),
+            AppearanceCommand::Scale(scale) => chosen.scale = Some(scale),
         }
-        if command == WindowCommand::GiveUp {
+        let kept = self.files.session.keep(chosen);
+        self.window.say_failure(kept);
+    }
+
+    fn apply_leave(&mut self, command: LeaveCommand) {
+        if command == LeaveCommand::GiveUp {
             // Undo brings it back, and then it is kept again.
             self.files.forget_work();
             self.go_on();
-        }
-        if self.window.apply(command, self.files.document.is_dirty()) {
+        } else if self.window.leave(command, self.files.document.is_dirty()) {
             // Saved, or given up.
             self.files.forget_work();
         }
@@ -186,13 +194,22 @@ impl Workbench {
     }
 }
 
+/// Brings egui's context to the theme and the size that were chosen in an earlier window.
+pub(in crate::app) fn dress_as_chosen(context: &egui::Context, chosen: &Chosen) {
+    if let Some(dark) = chosen.dark {
+        context.set_theme(if dark { Theme::Dark } else { Theme::Light });
+    }
+    if let Some(scale) = chosen.scale {
+        context.set_zoom_factor(scale);
+    }
+}
+
 /// What a command changes in egui's context: theme and size.
 fn dress(ui: &Ui, command: &Command, lecture: bool) {
-    if let Command::Window(WindowCommand::Theme(theme)) = command {
-        ui.set_theme(*theme);
-    }
-    if let Command::Window(WindowCommand::Scale(scale)) = command {
-        ui.set_zoom_factor(scale.clamp(0.5, 4.0));
+    match command {
+        Command::Appearance(AppearanceCommand::Theme(theme)) => ui.set_theme(*theme),
+        Command::Appearance(AppearanceCommand::Scale(scale)) => ui.set_zoom_factor(Settings::scale_within(*scale)),
+        _ => {}
     }
     if let Command::View(ViewCommand::Sight(sight)) = command
         && sight.lecture != lecture

@@ -4,7 +4,7 @@ use std::path::Path;
 use std::sync::Arc;
 
 use super::workbench::Workbench;
-use crate::app::command::{EditCommand, FileCommand, Learn, TimeCommand, WindowCommand};
+use crate::app::command::{AppearanceCommand, EditCommand, FileCommand, Learn, TimeCommand, WindowCommand};
 use crate::app::learn::lessons::lessons;
 use crate::app::link::{Link, Target};
 use crate::app::text;
@@ -48,7 +48,7 @@ impl Workbench {
         }
         if let Some(language) = language {
             language.speak();
-            self.apply(WindowCommand::Language(language));
+            self.apply(AppearanceCommand::Language(language));
         }
         // The moment is one of what the link opens, which may wait until unsaved work is saved.
         if let Some(t) = t.filter(|_| !self.window.asks()) {

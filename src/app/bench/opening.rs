@@ -8,6 +8,7 @@ use crate::app::command::{Export, FileCommand, Keep, Learn, PathCommand, Wish};
 use crate::app::disk::record;
 use crate::app::disk::scene_files::{Left, Saved};
 use crate::app::edits;
+use crate::app::host::share;
 use crate::app::plot::plot_files;
 use crate::app::run::answer::Answer;
 use crate::app::text;
@@ -73,6 +74,11 @@ impl Workbench {
                     self.window.say(text::BEING_WRITTEN);
                 }
             }
+            FileCommand::CopyLink => match self.link() {
+                Ok(link) if share(&link) => self.window.say(text::LINK_COPIED),
+                Ok(_) => {}
+                Err(words) => self.window.say(words),
+            },
             FileCommand::Plots(path) => {
                 if let Some(work) = plot_files::writing(&self.plot_source(), path) {
                     self.tasks.begin(work);
@@ -227,7 +233,7 @@ impl Workbench {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::app::command::{Command, EditCommand, PlaceCommand, WindowCommand};
+    use crate::app::command::{Command, EditCommand, LeaveCommand, PlaceCommand};
     use crate::app::learn::lessons::lessons;
     use crate::scene::presets;
 
@@ -246,7 +252,7 @@ mod tests {
         let other = presets::all().iter().find(|p| p.name != presets::OPENING).expect("there are several");
         bench.apply(FileCommand::OpenPreset(other.name.into()));
         assert!(bench.window.asks(), "the new girder is not saved");
-        bench.apply(WindowCommand::GiveUp);
+        bench.apply(LeaveCommand::GiveUp);
         bench.replay.runner.wait();
         assert_eq!(bench.files.document.scene().name, other.name, "opened");
         assert!(bench.files.document.selection().all().is_empty(), "nothing of the scene before");

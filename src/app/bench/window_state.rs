@@ -3,7 +3,7 @@
 use std::path::Path;
 
 use super::folds::Folds;
-use crate::app::command::{BridgeDraft, FileCommand, Learn, RowDraft, WindowCommand};
+use crate::app::command::{BridgeDraft, FileCommand, Learn, LeaveCommand, RowDraft, WindowCommand};
 use crate::app::host::Told;
 use crate::language::Language;
 
@@ -82,17 +82,9 @@ impl WindowState {
         self.notice.as_ref()?.place.as_deref()
     }
 
-    /// Does a command; `dirty` tells whether something is not saved. `true` when the window closes now.
-    pub(super) fn apply(&mut self, command: WindowCommand, dirty: bool) -> bool {
+    /// Does a command.
+    pub(super) fn apply(&mut self, command: WindowCommand) {
         match command {
-            // The context of egui keeps theme and size, the runner the run; the workbench gives up and links.
-            WindowCommand::Theme(_)
-            | WindowCommand::Scale(_)
-            | WindowCommand::CancelRun
-            | WindowCommand::RunAgain
-            | WindowCommand::GiveUp
-            | WindowCommand::CopyLink => {}
-            WindowCommand::Language(language) => self.language = language,
             WindowCommand::Help(open) => self.help = open,
             WindowCommand::AskRow(draft) => self.row = draft,
             WindowCommand::Bridge(draft) => self.bridge = draft,
@@ -100,9 +92,17 @@ impl WindowState {
             WindowCommand::FoldAll(folded) => self.folds.set_all(folded),
             WindowCommand::Say(words) => self.say(words),
             WindowCommand::Dismiss => self.notice = None,
-            WindowCommand::Close if dirty => self.ask_before(Next::Close),
-            WindowCommand::Close | WindowCommand::CloseAnyway => self.leaving = Leaving::Closed,
-            WindowCommand::KeepOpen => self.leaving = Leaving::Not,
+        }
+    }
+
+    /// Leaves the scene, or stays; `dirty` tells whether something is not saved. `true` when the window closes now.
+    pub(super) fn leave(&mut self, command: LeaveCommand, dirty: bool) -> bool {
+        match command {
+            LeaveCommand::Close if dirty => self.ask_before(Next::Close),
+            LeaveCommand::Close | LeaveCommand::CloseAnyway => self.leaving = Leaving::Closed,
+            // What waited goes on by `go_on`.
+            LeaveCommand::GiveUp => {}
+            LeaveCommand::Stay => self.leaving = Leaving::Not,
         }
         self.closes()
     }
@@ -157,7 +157,7 @@ mod tests {
     #[test]
     fn unsaved_work_is_asked_about_and_saving_it_closes_the_window() {
         let mut window = WindowState::default();
-        assert!(!window.apply(WindowCommand::Close, true), "asked first");
+        assert!(!window.leave(LeaveCommand::Close, true), "asked first");
         window.begin_saving();
         assert!(window.go_on().is_none() && window.closes(), "saved, then closed");
     }
@@ -167,10 +167,10 @@ mod tests {
         let mut window = WindowState::default();
         window.begin_saving();
         assert!(window.go_on().is_none() && !window.closes() && !window.asks(), "only saved");
-        window.apply(WindowCommand::Close, true);
-        window.apply(WindowCommand::KeepOpen, true);
+        window.leave(LeaveCommand::Close, true);
+        window.leave(LeaveCommand::Stay, true);
         assert!(window.go_on().is_none() && !window.closes() && !window.asks(), "kept open");
-        assert!(window.apply(WindowCommand::Close, false), "nothing to lose");
+        assert!(window.leave(LeaveCommand::Close, false), "nothing to lose");
     }
 
     #[test]

@@ -132,6 +132,8 @@ pub enum FileCommand {
     Plots(PathBuf),
     /// Show a folder in the system's own window of files.
     ShowFolder(PathBuf),
+    /// Copy a link to the scene and the moment that are shown.
+    CopyLink,
 }
 
 /// What is kept beside the scene: recent files, unsaved work, a file changed by another program.

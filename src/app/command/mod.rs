@@ -31,7 +31,7 @@ pub use quake::QuakeCommand;
 pub use select::SelectCommand;
 pub use time::{TimeCommand, Way};
 pub use view::{Follow, Look, Sight, Tool, ViewCommand};
-pub use window::{Pane, WindowCommand};
+pub use window::{AppearanceCommand, LeaveCommand, Pane, RunCommand, WindowCommand};
 
 /// Declares the groups of [`Command`], each with the conversion of its own commands.
 macro_rules! groups {
@@ -81,6 +81,12 @@ groups! {
     Quake(QuakeCommand),
     /// How the plots are looked at.
     Plot(PlotCommand),
+    /// The run that is computed.
+    Run(RunCommand),
+    /// Language, theme and size.
+    Appearance(AppearanceCommand),
+    /// Leaving the scene.
+    Leave(LeaveCommand),
     /// The window itself.
     Window(WindowCommand),
 }

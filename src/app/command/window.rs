@@ -21,15 +21,42 @@ impl Pane {
     pub(in crate::app) const ALL: [Self; 4] = [Self::Placed, Self::WhatIf, Self::Lesson, Self::Plots];
 }
 
-/// The window itself: its size, its dialogs, its end.
-#[derive(Clone, Debug, PartialEq)]
-pub enum WindowCommand {
-    /// Size of everything, as a share of the usual one.
-    Scale(f32),
+/// The run that is computed.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum RunCommand {
+    /// Stop computing.
+    Cancel,
+    /// Compute what was stopped.
+    Again,
+}
+
+/// What the window looks like; kept from one start to the next.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub enum AppearanceCommand {
     /// The language of its words.
     Language(Language),
     /// Light or dark.
     Theme(egui::Theme),
+    /// Size of everything, as a share of the usual one.
+    Scale(f32),
+}
+
+/// Leaving the scene that is worked on.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum LeaveCommand {
+    /// Close the window; asks first when something is not saved.
+    Close,
+    /// Close the window and lose what is not saved.
+    CloseAnyway,
+    /// Open what was about to be opened, and lose what is not saved.
+    GiveUp,
+    /// Stay with the scene: do not close, open nothing.
+    Stay,
+}
+
+/// The window itself: its dialogs, its panels, its notice.
+#[derive(Clone, Debug, PartialEq)]
+pub enum WindowCommand {
     /// Show the help, or not.
     Help(bool),
     /// Ask for the numbers of a row, or stop asking.
@@ -42,20 +69,6 @@ pub enum WindowCommand {
     FoldAll(bool),
     /// Tell the user something.
     Say(String),
-    /// Copy a link to what is shown.
-    CopyLink,
-    /// Stop computing.
-    CancelRun,
-    /// Compute what was stopped.
-    RunAgain,
     /// The notice at the bottom has been read.
     Dismiss,
-    /// Close the window; asks first when something is not saved.
-    Close,
-    /// Close the window and lose what is not saved.
-    CloseAnyway,
-    /// Open what was about to be opened, and lose what is not saved.
-    GiveUp,
-    /// Stay with the scene: do not close, open nothing.
-    KeepOpen,
 }

@@ -11,8 +11,7 @@ use crate::app::disk::autosave::{Autosave, Work};
 use crate::app::edits::Document;
 use crate::app::host::{Instant, Wake, now};
 use crate::app::text;
-use crate::files::{Found, Recent, Settings, Stamp, find_beside, find_in, load_scene, load_unsaved};
-use crate::language::Language;
+use crate::files::{Chosen, Found, Recent, Settings, Stamp, find_beside, find_in, load_scene, load_unsaved};
 use crate::scene::Scene;
 
 /// How often the opened file is looked at.
@@ -111,20 +110,20 @@ impl SessionFiles {
         !self.found.is_empty() || self.file_has_changed()
     }
 
-    /// The language that was chosen in this window or an earlier one, if one was.
-    pub fn language(&self) -> Option<Language> {
-        self.settings.language()
+    /// What was chosen for every window, in this one or an earlier one.
+    pub fn chosen(&self) -> &Chosen {
+        self.settings.chosen()
     }
 
-    /// Keeps a chosen language for the next start.
+    /// Keeps what was chosen for the next start.
     ///
     /// # Errors
     /// In words: the settings cannot be written.
-    pub(in crate::app) fn keep_language(&mut self, language: Language) -> Result<(), String> {
+    pub(in crate::app) fn keep(&mut self, chosen: Chosen) -> Result<(), String> {
         if self.folder.is_none() {
             return Ok(());
         }
-        self.settings.set_language(language).map_err(|e| e.to_string())
+        self.settings.keep(chosen).map_err(|e| e.to_string())
     }
 
     /// Files that were used last.

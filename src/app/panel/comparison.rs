@@ -87,8 +87,23 @@ fn own_value(difference: &Difference<'_>, scene: &Scene) -> String {
 /// Letters of a value that is a list or a name: what the panel has room for.
 const MOST_LETTERS: usize = 40;
 
-/// A number's name, and of a run how it is written and where it is seen.
-type Row = (String, Box<dyn Fn(&Answer) -> (String, Option<Spot>)>);
+/// Where something is seen in a run.
+type SeenAt = dyn Fn(&Answer) -> Option<Spot>;
+
+/// A number of every run.
+struct Row {
+    name: String,
+    /// How it is written of a run.
+    words: Box<dyn Fn(&Answer) -> String>,
+    /// Where it is seen in a run; asked for by a click alone. `None` of a number of the whole run.
+    there: Option<Box<SeenAt>>,
+}
+
+impl Row {
+    fn new(name: &str, words: fn(&Answer) -> String, there: fn(&Answer) -> Option<Spot>) -> Self {
+        Self { name: name.to_owned(), words: Box::new(words), there: Some(Box::new(there)) }
+    }
+}
 
 /// Most devices that have a row.
 const MOST_DEVICES: usize = 4;
@@ -98,33 +113,32 @@ const NONE: &str = "–";
 
 /// The numbers of these runs, of which the first is shown.
 fn rows(runs: &[&Answer]) -> Vec<Row> {
-    let row = |name: &str, cell: fn(&Answer) -> (String, Option<Spot>)| -> Row { (name.to_owned(), Box::new(cell)) };
     let mut rows = vec![
-        row(&text::MOVES, |a| (text::length(a.summary.max_displacement), Spot::farthest(&a.history))),
-        row(&text::TURNS, |a| {
-            (format!("{}°", text::short(a.summary.max_rotation.to_degrees())), Spot::most_turned(&a.history))
-        }),
+        Row::new(&text::MOVES, |a| text::length(a.summary.max_displacement), |a| Spot::farthest(&a.history)),
+        Row::new(
+            &text::TURNS,
+            |a| format!("{}°", text::short(a.summary.max_rotation.to_degrees())),
+            |a| Spot::most_turned(&a.history),
+        ),
     ];
     if runs.iter().any(|run| run.least_seat().is_some()) {
-        rows.push(row(&text::LEAST_SEAT, |a| {
-            a.least_seat().map_or((NONE.to_owned(), None), |(girder, least)| {
-                (text::length(least.value), Some(Spot::girder(girder, least.t)))
-            })
-        }));
+        rows.push(Row::new(
+            &text::LEAST_SEAT,
+            |a| a.least_seat().map_or_else(|| NONE.to_owned(), |(_, least)| text::length(least.value)),
+            |a| a.least_seat().map(|(girder, least)| Spot::girder(girder, least.t)),
+        ));
     }
     rows.extend([
-        row(&text::PEAK, |a| (text::force(a.summary.peak_total), Spot::hardest(&a.history))),
-        row(&text::HITS, |a| (a.summary.hits.to_string(), Spot::first_touch(&a.history))),
-        row(&text::LOST, |a| (text::energy(a.lost()), None)),
+        Row::new(&text::PEAK, |a| text::force(a.summary.peak_total), |a| Spot::hardest(&a.history)),
+        Row::new(&text::HITS, |a| a.summary.hits.to_string(), |a| Spot::first_touch(&a.history)),
+        Row { there: None, ..Row::new(&text::LOST, |a| text::energy(a.lost()), |_| None) },
     ]);
-    rows.extend(devices(runs).into_iter().map(|name| -> Row {
-        let of = name.to_owned();
-        let cell = move |a: &Answer| {
-            a.device(&of).map_or((NONE.to_owned(), None), |reading| {
-                (text::force(reading.force.value), Spot::device(&a.history, reading))
-            })
-        };
-        (text::force_of(name), Box::new(cell))
+    rows.extend(devices(runs).into_iter().map(|name| {
+        let [of, at] = [name.to_owned(), name.to_owned()];
+        let words =
+            move |a: &Answer| a.device(&of).map_or_else(|| NONE.to_owned(), |reading| text::force(reading.force.value));
+        let there = move |a: &Answer| Spot::device(&a.history, a.device(&at)?);
+        Row { name: text::force_of(name), words: Box::new(words), there: Some(Box::new(there)) }
     }));
     rows
 }
@@ -163,17 +177,19 @@ fn table(ui: &mut Ui, pins: &[Pin], now: Option<&Answer>, out: &mut Vec<Command>
             ui.label(RichText::new(name).strong());
         }
         ui.end_row();
-        for (what, cell) in rows(&answers) {
-            ui.label(RichText::new(what).weak());
+        for Row { name, words, there } in rows(&answers) {
+            ui.label(RichText::new(name).weak());
             for answer in &answers {
                 let shown = now.is_some_and(|now| std::ptr::eq(now, *answer));
-                let (words, spot) = cell(answer);
-                let Some(spot) = spot.filter(|_| shown) else {
+                let words = words(answer);
+                let Some(there) = there.as_ref().filter(|_| shown && words != NONE) else {
                     ui.label(words);
                     continue;
                 };
                 let button = egui::Button::new(RichText::new(words).underline()).frame(false);
-                if ui.add(button).on_hover_text(text::GO_THERE).clicked() {
+                if ui.add(button).on_hover_text(text::GO_THERE).clicked()
+                    && let Some(spot) = there(answer)
+                {
                     spot.go(out);
                 }
             }
@@ -182,8 +198,8 @@ fn table(ui: &mut Ui, pins: &[Pin], now: Option<&Answer>, out: &mut Vec<Command>
     });
     let Some(now) = now else { return };
     for (i, pin) in pins.iter().enumerate() {
-        let [place, turn] = now.apart_from(&pin.answer);
-        let words = text::apart_from(i + 1, place, turn);
+        let apart = now.apart_from(&pin.answer);
+        let words = text::apart_from(i + 1, apart.place, apart.turn);
         ui.add(egui::Label::new(RichText::new(words).weak().small()).wrap());
     }
 }

@@ -6,8 +6,8 @@ use egui::containers::menu::{MenuButton, MenuConfig};
 use egui::{Button, MenuBar, PopupCloseBehavior, Theme, Ui};
 
 use crate::app::command::{
-    Command, EditCommand, Export, FileCommand, Filming, MapCommand, PathCommand, PlaceCommand, SelectCommand, Tool,
-    ViewCommand, WindowCommand, Wish,
+    AppearanceCommand, Command, EditCommand, Export, FileCommand, Filming, LeaveCommand, MapCommand, PathCommand,
+    PlaceCommand, SelectCommand, Tool, ViewCommand, WindowCommand, Wish,
 };
 use crate::app::disk::recent;
 use crate::app::disk::scene_files::SceneFiles;
@@ -111,13 +111,13 @@ fn file(ui: &mut Ui, used: &[PathBuf], mut paths_here: bool, out: &mut Vec<Comma
     ui.separator();
     if PAGE {
         // The browser asks for paths, and closes its pages.
-        return item(ui, text::COPY_LINK.as_str(), "", Command::Window(WindowCommand::CopyLink), out);
+        return item(ui, text::COPY_LINK.as_str(), "", Command::File(FileCommand::CopyLink), out);
     }
     if ui.checkbox(&mut paths_here, text::PATHS_HERE).on_hover_text(text::PATHS_HERE_HINT).changed() {
         out.push(FileCommand::Path(PathCommand::Here(paths_here)).into());
     }
     ui.separator();
-    item(ui, text::QUIT.as_str(), "Ctrl Q", Command::Window(WindowCommand::Close), out);
+    item(ui, text::QUIT.as_str(), "Ctrl Q", Command::Leave(LeaveCommand::Close), out);
 }
 
 fn item(ui: &mut Ui, words: &str, keys: &str, command: Command, out: &mut Vec<Command>) {
@@ -178,5 +178,5 @@ fn views(ui: &mut Ui, out: &mut Vec<Command>) {
 fn theme(ui: &mut Ui, out: &mut Vec<Command>) {
     let (words, other) =
         if ui.visuals().dark_mode { (text::THEME_LIGHT, Theme::Light) } else { (text::THEME_DARK, Theme::Dark) };
-    button(ui, true, &words, &text::THEME_HINT, Command::Window(WindowCommand::Theme(other)), out);
+    button(ui, true, &words, &text::THEME_HINT, Command::Appearance(AppearanceCommand::Theme(other)), out);
 }

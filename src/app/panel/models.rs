@@ -4,13 +4,12 @@ use egui::{RichText, Ui};
 
 use crate::app::command::{Command, EditCommand};
 use crate::app::field::{Form, Look, Without, sliders};
-use crate::app::run::answer::Apart;
 use crate::app::text;
 use crate::app::time::replay::Replay;
 use crate::scene::edit::Edit;
 use crate::scene::keys::Key;
 use crate::scene::{ImpactSettings, Kind, ModelKind};
-use crate::sim::State;
+use crate::sim::{RunDifference, State};
 use crate::view::impact_state;
 
 /// Shows the switch; the impact model's numbers and what both say where they are asked for.
@@ -59,7 +58,7 @@ fn states(ui: &mut Ui, replay: &Replay) {
         ui.label(format!("{}: {} {words}{paper}", body.name, state.letter())).on_hover_text(text::STATE_HINT);
     }
     if let Some(apart) = &answer.apart {
-        difference(ui, apart, answer.apart_at(t));
+        difference(ui, apart.most, answer.apart_at(t));
         if apart.flush {
             ui.add(egui::Label::new(RichText::new(text::FLUSH_NOTE).weak().small()).wrap());
         }
@@ -73,8 +72,9 @@ fn paper_name(ui: &Ui, state: State) -> String {
     if there { format!(" {}", state.paper()) } else { String::new() }
 }
 
-fn difference(ui: &mut Ui, largest: &Apart, [place, turn]: [f64; 2]) {
-    let words = |place: f64, turn: f64| format!("{}, {}°", text::length(place), text::short(turn.to_degrees()));
-    ui.label(format!("{} {}", text::APART_NOW, words(place, turn)));
-    ui.label(format!("{} {}", text::APART_MOST, words(largest.place, largest.turn)));
+fn difference(ui: &mut Ui, most: RunDifference, now: RunDifference) {
+    let words =
+        |apart: RunDifference| format!("{}, {}°", text::length(apart.place), text::short(apart.turn.to_degrees()));
+    ui.label(format!("{} {}", text::APART_NOW, words(now)));
+    ui.label(format!("{} {}", text::APART_MOST, words(most)));
 }

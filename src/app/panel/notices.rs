@@ -6,7 +6,7 @@ use std::time::Duration;
 use egui::{Align2, Area, Color32, Frame, Id, Order, ProgressBar, Rect, RichText, Ui, pos2, vec2};
 
 use crate::app::bench::{Next, WindowState};
-use crate::app::command::{Command, FileCommand, Tool, WindowCommand};
+use crate::app::command::{Command, FileCommand, LeaveCommand, RunCommand, Tool, WindowCommand};
 use crate::app::host::PAGE;
 use crate::app::run::runner::Runner;
 use crate::app::style::theme::Palette;
@@ -45,7 +45,7 @@ pub(in crate::app) fn over_view(ui: &mut Ui, rect: Rect, (runner, tool): (&Runne
             let words = if runner.answer().is_some() { text::CANCELLED } else { text::CANCELLED_AT_ONCE };
             ui.add(egui::Label::new(words).wrap());
             if ui.button(text::RUN_AGAIN).clicked() {
-                out.push(WindowCommand::RunAgain.into());
+                out.push(RunCommand::Again.into());
             }
         });
     } else if let Some(stop) = runner.answer().and_then(|a| a.history.stop()) {
@@ -78,7 +78,7 @@ fn computing(ui: &mut Ui, progress: f64, out: &mut Vec<Command>) {
             ui.label(text::EVALUATING);
         }
         if ui.button(text::CANCEL).clicked() {
-            out.push(WindowCommand::CancelRun.into());
+            out.push(RunCommand::Cancel.into());
         }
     });
 }
@@ -148,16 +148,16 @@ pub(in crate::app) fn over_all(ui: &mut Ui, window: &WindowState, out: &mut Vec<
     }
     if let Some(next) = window.asked_before() {
         let anyway = match next {
-            Next::Close => (text::CLOSE_ANYWAY, WindowCommand::CloseAnyway),
-            Next::File(_) | Next::Learn(_) => (text::GIVE_UP, WindowCommand::GiveUp),
+            Next::Close => (text::CLOSE_ANYWAY, LeaveCommand::CloseAnyway),
+            Next::File(_) | Next::Learn(_) => (text::GIVE_UP, LeaveCommand::GiveUp),
         };
         let asked = egui::Modal::new(Id::unique("unsaved")).show(ui, |ui| {
             ui.label(text::UNSAVED_QUESTION);
             ui.horizontal(|ui| {
                 for (words, command) in [
                     (text::SAVE_FIRST, Command::File(FileCommand::Save)),
-                    (anyway.0, Command::Window(anyway.1)),
-                    (text::KEEP_OPEN, Command::Window(WindowCommand::KeepOpen)),
+                    (anyway.0, Command::Leave(anyway.1)),
+                    (text::KEEP_OPEN, Command::Leave(LeaveCommand::Stay)),
                 ] {
                     if ui.button(words).clicked() {
                         out.push(command);
@@ -167,7 +167,7 @@ pub(in crate::app) fn over_all(ui: &mut Ui, window: &WindowState, out: &mut Vec<
         });
         // Escape, or a click beside it, is no answer: nothing is lost.
         if asked.should_close() {
-            out.push(WindowCommand::KeepOpen.into());
+            out.push(LeaveCommand::Stay.into());
         }
     }
 }

@@ -230,7 +230,7 @@ fn phases(ui: &mut Ui, history: &History, number: usize, t: f64, out: &mut Vec<C
 pub(in crate::app) fn show_contact(ui: &mut Ui, replay: &Replay, contact: usize, out: &mut Vec<Command>) {
     let Some(answer) = replay.runner.answer() else { return };
     let t = replay.t();
-    let Some(site) = answer.history.model().contacts.get(contact) else { return };
+    let Some(site) = answer.history.model().sites.get(contact) else { return };
     if ui.link(format!("{} | {}", site.node, site.face_name)).on_hover_text(text::GO_THERE).clicked() {
         Spot::contact(contact, t).go(out);
     }

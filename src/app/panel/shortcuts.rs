@@ -8,8 +8,8 @@ use egui::{Event, Key, Modifiers};
 
 use crate::app::bench::Folded;
 use crate::app::command::{
-    AngleCommand, Command, CompareCommand, EditCommand, FileCommand, MapCommand, Nudge, Pane, PlaceCommand,
-    QuakeCommand, SelectCommand, TimeCommand, Tool, ViewCommand, Way, WindowCommand, Wish,
+    AngleCommand, Command, CompareCommand, EditCommand, FileCommand, LeaveCommand, MapCommand, Nudge, Pane,
+    PlaceCommand, QuakeCommand, SelectCommand, TimeCommand, Tool, ViewCommand, Way, WindowCommand, Wish,
 };
 use crate::app::edits;
 use crate::app::host::PAGE;
@@ -136,7 +136,7 @@ fn with_command(key: Key, modifiers: Modifiers) -> Option<Command> {
         (Key::S, false) => Some(Command::File(FileCommand::Save)),
         (Key::N, _) => Some(Command::File(FileCommand::New)),
         (Key::O, _) => Some(Command::File(FileCommand::Ask(Wish::Open))),
-        (Key::Q, _) if !PAGE => Some(Command::Window(WindowCommand::Close)),
+        (Key::Q, _) if !PAGE => Some(Command::Leave(LeaveCommand::Close)),
         _ => None,
     }
 }

@@ -2,7 +2,7 @@
 
 use egui::{Button, Slider, Ui};
 
-use crate::app::command::{Command, Follow, Sight, ViewCommand, WindowCommand};
+use crate::app::command::{AppearanceCommand, Command, Follow, Sight, ViewCommand};
 use crate::app::edits::Document;
 use crate::app::field::slider_row;
 use crate::app::style::size::SCALES;
@@ -47,7 +47,7 @@ pub(in crate::app) fn menu(ui: &mut Ui, view: &SceneView, document: &Document, o
     ui.horizontal(|ui| {
         for (words, scale) in SCALES {
             if ui.add(Button::selectable(ui.zoom_factor() == scale, words)).clicked() {
-                out.push(WindowCommand::Scale(scale).into());
+                out.push(AppearanceCommand::Scale(scale).into());
             }
         }
     });
@@ -55,7 +55,7 @@ pub(in crate::app) fn menu(ui: &mut Ui, view: &SceneView, document: &Document, o
     ui.horizontal(|ui| {
         for language in Language::ALL {
             if ui.add(Button::selectable(Language::current() == language, language.name())).clicked() {
-                out.push(WindowCommand::Language(language).into());
+                out.push(AppearanceCommand::Language(language).into());
             }
         }
     });

@@ -36,7 +36,7 @@ pub(in crate::app) fn show(ui: &mut Ui, shown: Shown<'_>, out: &mut Vec<Command>
     fold::head(ui, Pane::WhatIf, out, |_, _| ());
     geometry(ui, form, &chosen(document), out);
     section(ui, text::MOTION_SECTION.as_str(), |ui| {
-        motion(ui, form, replay.runner.answer().map_or(&[], |answer| &answer.cut), out);
+        motion(ui, form, replay.runner.answer().map_or(&[], |answer| &answer.unused), out);
     });
     section(ui, text::CONTACT_SECTION.as_str(), |ui| contact(ui, form, out));
     section(ui, text::MODEL_SECTION.as_str(), |ui| models::show(ui, form, replay, out));
@@ -101,11 +101,11 @@ fn contact(ui: &mut Ui, form: Form<'_>, out: &mut Vec<Command>) {
     push(out, change, || edits::contact(new));
 }
 
-fn motion(ui: &mut Ui, form: Form<'_>, cut: &[Message], out: &mut Vec<Command>) {
+fn motion(ui: &mut Ui, form: Form<'_>, unused: &[Message], out: &mut Vec<Command>) {
     ground_motion::show(ui, form, out);
     let mut duration = form.scene.duration;
     let change = slider_at(ui, &form.look(""), "duration_s", &mut duration);
-    for words in cut {
+    for words in unused {
         ui.add(egui::Label::new(RichText::new(words.to_string()).weak().small()).wrap());
     }
     push(out, change, || edits::duration(form.scene, duration));

@@ -1,6 +1,6 @@
 //! A finished run with what the window asks of it again and again: closed intervals, state spans, headline numbers.
 
-use std::sync::OnceLock;
+use std::sync::{Mutex, OnceLock, PoisonError};
 use std::time::Duration;
 
 use crate::codes::{self, SeatDemands};
@@ -13,8 +13,8 @@ use crate::sim::readings::{self, Extreme, Passed, Reading};
 use crate::sim::seats::{self, OrbitPoint};
 use crate::sim::verdict::{self, Verdict};
 use crate::sim::{
-    Balance, ContactState, DeviceReading, Dropped, ErrorEstimate, EventKind, History, Hit, Overlap, Quantity, Summary,
-    TooDeep,
+    Balance, ContactState, DeviceReading, Dropped, ErrorEstimate, EventKind, History, Hit, Overlap, Quantity,
+    RunDifference, Summary, TooDeep,
 };
 use crate::tables::{self, BackfillReport, PierReport};
 
@@ -33,11 +33,9 @@ pub struct Span {
 
 /// How far the two models are apart at the most, where both computed the scene.
 #[derive(Clone, Copy, Debug, PartialEq)]
-pub struct Apart {
-    /// Displacement of any girder's G \[m\].
-    pub place: f64,
-    /// Rotation of any girder \[rad\].
-    pub turn: f64,
+pub struct ModelsApart {
+    /// Of any girder.
+    pub most: RunDifference,
     /// Whether a whole face hits.
     pub flush: bool,
 }
@@ -56,9 +54,6 @@ const ORBIT_INTERVALS: u32 = 1000;
 
 /// Most girders whose verdicts are found together: those of a long row take longer than a frame.
 pub(in crate::app) const MOST_VERDICTS: usize = 12;
-
-/// Instants at which the models are compared.
-const COMPARED: u32 = 1000;
 
 /// A run, ready to be looked at.
 pub struct Answer {
@@ -79,7 +74,7 @@ pub struct Answer {
     /// Hits of the impact model: pair and time \[s\].
     pub hits: Vec<(usize, f64)>,
     /// How far the models are apart, where there are two.
-    pub apart: Option<Apart>,
+    pub apart: Option<ModelsApart>,
     /// What its energy ledger leaves over, beside its bound.
     pub balance: Balance,
     /// Quantities of its scene outside the domain in which the program is checked.
@@ -90,8 +85,14 @@ pub struct Answer {
     pub dropped: Option<Dropped>,
     /// Supports whose ground moves otherwise.
     pub moved: Vec<MovedSupport>,
-    /// Motions that the run cuts.
-    pub cut: Vec<Message>,
+    /// What the scene gives and the run does not use.
+    pub unused: Vec<Message>,
+    found: Found,
+}
+
+/// What is found when it is first asked for.
+#[derive(Default)]
+struct Found {
     error: OnceLock<ErrorEstimate>,
     passed: OnceLock<Vec<Passed>>,
     falls: OnceLock<Vec<(usize, Verdict)>>,
@@ -102,6 +103,9 @@ pub struct Answer {
     piers: OnceLock<Vec<PierReport>>,
     soils: OnceLock<Vec<BackfillReport>>,
     values: OnceLock<Values>,
+    lost: OnceLock<f64>,
+    /// Differences from other runs, by their numbers.
+    differences: Mutex<Vec<(u64, RunDifference)>>,
 }
 
 impl Answer {
@@ -123,7 +127,7 @@ impl Answer {
         let (outside, balance) = (domain::outside(history.scene()), history.balance());
         let (too_deep, dropped) = (history.too_deep(), history.dropped());
         let moved = moved_supports(history.scene(), history.model());
-        let cut = history.scene().cut_motions();
+        let unused = history.scene().unused_values();
         Self {
             history,
             number,
@@ -138,42 +142,36 @@ impl Answer {
             too_deep,
             dropped,
             moved,
-            cut,
+            unused,
             outside,
-            error: OnceLock::new(),
-            passed: OnceLock::new(),
-            falls: OnceLock::new(),
-            readings: OnceLock::new(),
-            devices: OnceLock::new(),
-            quantities: OnceLock::new(),
-            seats: OnceLock::new(),
-            piers: OnceLock::new(),
-            soils: OnceLock::new(),
-            values: OnceLock::new(),
+            found: Found::default(),
         }
     }
 
-    /// How far the models are apart at `t`: displacement \[m\], rotation \[rad\]; 0 where there is one.
-    pub fn apart_at(&self, t: f64) -> [f64; 2] {
-        self.history.beside().map_or([0.0; 2], |beside| apart_at(&self.history, beside, t))
+    /// How far the models are apart at `t` \[s\]; 0 where there is one.
+    pub fn apart_at(&self, t: f64) -> RunDifference {
+        self.history.beside().map_or_else(RunDifference::default, |beside| self.history.girders_apart_at(beside, t))
     }
 
-    /// How far this run and another are apart at the most: displacement \[m\], rotation \[rad\]. Girders are compared by
-    /// their number, as far as both have them.
-    pub fn apart_from(&self, other: &Self) -> [f64; 2] {
-        let end = self.history.end().min(other.history.end());
-        let at = |i: u32| apart_at(&self.history, &other.history, end * f64::from(i) / f64::from(COMPARED));
-        (0..=COMPARED).map(at).fold([0.0; 2], |a, b| [0, 1].map(|i| f64::max(a[i], b[i])))
+    /// How far the girders of this run and of another of this window are apart at the most; found when first asked for.
+    pub fn apart_from(&self, other: &Self) -> RunDifference {
+        let mut known = self.found.differences.lock().unwrap_or_else(PoisonError::into_inner);
+        if let Some((_, found)) = known.iter().find(|(number, _)| *number == other.number) {
+            return *found;
+        }
+        let found = self.history.girders_apart(&other.history);
+        known.push((other.number, found));
+        found
     }
 
-    /// Energy lost in dashpots, friction and hits until the end \[J\].
+    /// Energy lost in dashpots, friction and hits until the end \[J\]; found when first asked for.
     pub fn lost(&self) -> f64 {
-        self.history.ledger(self.history.end()).lost()
+        *self.found.lost.get_or_init(|| self.history.ledger(self.history.end()).lost())
     }
 
-    /// Limits of the scene that were passed, the earliest first; reckoned when first asked for.
+    /// Limits of the scene that were passed, the earliest first; found when first asked for.
     pub fn passed(&self) -> &[Passed] {
-        self.passed.get_or_init(|| readings::passed(&self.history))
+        self.found.passed.get_or_init(|| readings::passed(&self.history))
     }
 
     /// Whether the run goes on as if ends were carried that have come off their seats: no bearing is lost over an edge in it.
@@ -185,7 +183,7 @@ impl Answer {
     /// Girders that come off their seats, lose a support or tip, with their verdicts, the earliest first, among the first
     /// `MOST_VERDICTS` that could; found when first asked for.
     pub fn falls(&self) -> &[(usize, Verdict)] {
-        self.falls.get_or_init(|| {
+        self.found.falls.get_or_init(|| {
             let girders = self.history.scene().girders.iter().enumerate();
             // Whether a girder tips is found for all of them together: of a long row in space that would hold up a frame.
             let few_in_space = self.history.scene().kind == Kind::Spatial && girders.len() <= MOST_VERDICTS;
@@ -198,10 +196,12 @@ impl Answer {
         })
     }
 
-    /// What is read off a girder; reckoned when first asked for.
+    /// What is read off a girder; found when first asked for.
     pub fn reading(&self, girder: usize) -> Option<&Reading> {
-        let all =
-            self.readings.get_or_init(|| self.history.model().girders().iter().map(|_| OnceLock::new()).collect());
+        let all = self
+            .found
+            .readings
+            .get_or_init(|| self.history.model().girders().iter().map(|_| OnceLock::new()).collect());
         Some(all.get(girder)?.get_or_init(|| readings::reading(&self.history, girder)))
     }
 
@@ -210,30 +210,31 @@ impl Answer {
         self.history.model().devices.iter().map(|device| device.name.as_str())
     }
 
-    /// What the run did to the device of this name; reckoned when first asked for.
+    /// What the run did to the device of this name; found when first asked for.
     pub fn device(&self, name: &str) -> Option<&DeviceReading> {
         let number = self.device_names().position(|known| known == name)?;
-        let all = self.devices.get_or_init(|| self.history.model().devices.iter().map(|_| OnceLock::new()).collect());
+        let all =
+            self.found.devices.get_or_init(|| self.history.model().devices.iter().map(|_| OnceLock::new()).collect());
         all.get(number)?.get_or_init(|| self.history.device_reading(number)).as_ref()
     }
 
-    /// Every seat with what codes require of it and the orbit of its corners; reckoned when first asked for.
+    /// Every seat with what codes require of it and the orbit of its corners; found when first asked for.
     pub fn seats(&self) -> &[SeatAnswer] {
         let of = |demands: SeatDemands| {
             let orbit = seats::orbit(&self.history, demands.girder, &demands.seat, ORBIT_INTERVALS);
             SeatAnswer { demands, orbit }
         };
-        self.seats.get_or_init(|| codes::of(&self.history).into_iter().map(of).collect())
+        self.found.seats.get_or_init(|| codes::of(&self.history).into_iter().map(of).collect())
     }
 
-    /// What the run did to the pier of this number; reckoned when first asked for.
+    /// What the run did to the pier of this number; found when first asked for.
     pub fn pier(&self, number: usize) -> Option<&PierReport> {
-        self.piers.get_or_init(|| tables::piers(&self.history)).get(number)
+        self.found.piers.get_or_init(|| tables::piers(&self.history)).get(number)
     }
 
-    /// What the run did to the soil behind the abutment of this name; reckoned when first asked for.
+    /// What the run did to the soil behind the abutment of this name; found when first asked for.
     pub fn soil(&self, abutment: &str) -> Option<&BackfillReport> {
-        let soils = self.soils.get_or_init(|| tables::backfill(&self.history));
+        let soils = self.found.soils.get_or_init(|| tables::backfill(&self.history));
         soils.iter().find(|soil| soil.abutment == abutment)
     }
 
@@ -249,12 +250,12 @@ impl Answer {
 
     /// Every value of its scene; gathered when first asked for.
     pub fn values(&self) -> &Values {
-        self.values.get_or_init(|| Values::of(self.history.scene()))
+        self.found.values.get_or_init(|| Values::of(self.history.scene()))
     }
 
     /// Every quantity with its name; listed when first asked for, as a long row has many.
     pub fn quantities(&self) -> &[(String, Quantity)] {
-        self.quantities.get_or_init(|| Quantity::all(&self.history))
+        self.found.quantities.get_or_init(|| Quantity::all(&self.history))
     }
 
     /// The quantity of this name.
@@ -264,13 +265,13 @@ impl Answer {
 
     /// Estimated error, once it is known; NaN when it could not be had.
     pub fn error(&self) -> Option<ErrorEstimate> {
-        self.error.get().copied()
+        self.found.error.get().copied()
     }
 
     /// Keeps the estimated error.
     pub fn set_error(&self, error: ErrorEstimate) {
         // The first estimate stands: the answer does not change.
-        let _ = self.error.set(error);
+        let _ = self.found.error.set(error);
     }
 
     /// Time of the next event after `t`, or of the one before (`forward` false) \[s\].
@@ -292,26 +293,14 @@ impl Answer {
     }
 }
 
-fn apart(one: &History, other: &History) -> Apart {
-    let end = one.end().min(other.end());
-    let at = |i: u32| apart_at(one, other, end * f64::from(i) / f64::from(COMPARED));
-    let [place, turn] = (0..=COMPARED).map(at).fold([0.0; 2], |a, b| [0, 1].map(|i| f64::max(a[i], b[i])));
+fn apart(one: &History, other: &History) -> ModelsApart {
     let flush = other.impact().is_some_and(|record| record.hits.iter().any(Hit::is_flush));
-    Apart { place, turn, flush }
-}
-
-fn apart_at(one: &History, other: &History, t: f64) -> [f64; 2] {
-    let girder = |i: usize| {
-        let (a, b) = (one.motion(i, t), other.motion(i, t));
-        [(a.displacement - b.displacement).length(), (a.theta - b.theta).abs()]
-    };
-    let both = one.model().girders().len().min(other.model().girders().len());
-    (0..both).map(girder).fold([0.0; 2], |a, b| [0, 1].map(|i| f64::max(a[i], b[i])))
+    ModelsApart { most: one.girders_apart(other), flush }
 }
 
 /// Turns events into stretches of one state; what touches from the beginning has no event for it.
 fn spans(history: &History) -> Vec<Span> {
-    let mut open: Vec<Option<(ContactState, f64)>> = vec![None; history.model().contacts.len()];
+    let mut open: Vec<Option<(ContactState, f64)>> = vec![None; history.model().sites.len()];
     for contact in history.contacts(0.0) {
         if let Some(slot) = open.get_mut(contact.contact) {
             *slot = Some((contact.state, 0.0));
@@ -325,14 +314,14 @@ fn spans(history: &History) -> Vec<Span> {
         }
         let Some(slot) = open.get_mut(event.contact()) else { continue };
         if let Some((state, start)) = slot.take().filter(|(_, start)| event.t > *start) {
-            let pair = history.model().contacts[event.contact()].pair;
+            let pair = history.model().sites[event.contact()].pair;
             spans.push(Span { pair, state, start, end: event.t });
         }
         *slot = after(event.kind).map(|state| (state, event.t));
     }
     for (contact, slot) in open.into_iter().enumerate() {
         if let Some((state, start)) = slot {
-            let pair = history.model().contacts[contact].pair;
+            let pair = history.model().sites[contact].pair;
             spans.push(Span { pair, state, start, end: history.end() });
         }
     }
@@ -345,7 +334,8 @@ fn after(kind: EventKind) -> Option<ContactState> {
     match kind {
         EventKind::OpenToStick | EventKind::SlipToStick => Some(ContactState::Stick),
         EventKind::OpenToSlip | EventKind::StickToSlip => Some(ContactState::Slip),
-        EventKind::Opened | EventKind::LeftFace | EventKind::Moved | EventKind::Missed | EventKind::Hit => None,
+        // The last two are passed over before.
+        EventKind::Opened | EventKind::LeftFace | EventKind::Missed | EventKind::Moved | EventKind::Hit => None,
     }
 }
 

@@ -197,7 +197,7 @@ mod tests {
 
     use super::*;
     use crate::app::bench::Workbench;
-    use crate::app::command::{EditCommand, PlaceCommand, WindowCommand};
+    use crate::app::command::{AppearanceCommand, EditCommand, LeaveCommand, PlaceCommand};
     use crate::app::panel::layout;
     use crate::app::shell::painter::tests::{bytes, painter};
     use crate::app::shell::painter::{Painter, Shapes};
@@ -299,7 +299,7 @@ mod tests {
         match random.below(40) {
             0 => both.resize(painter, [if random.below(2) == 0 { 700 } else { 987 }, 500], 1.0),
             1 => both.resize(painter, [900, 560], 1.25),
-            2 => both.bench.apply(WindowCommand::Language(if random.below(2) == 0 {
+            2 => both.bench.apply(AppearanceCommand::Language(if random.below(2) == 0 {
                 Language::Japanese
             } else {
                 Language::English
@@ -329,7 +329,7 @@ mod tests {
         for number in 0..FRAMES {
             let events = act(&mut both, &mut painter, &mut random);
             if both.bench.window.asks() {
-                both.bench.apply(WindowCommand::KeepOpen);
+                both.bench.apply(LeaveCommand::Stay);
             }
             assert_eq!(both.frame(&painter, events), None, "{preset}, seed {seed}, frame {number}");
         }

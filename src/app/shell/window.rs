@@ -13,7 +13,8 @@ use winit::event_loop::{ActiveEventLoop, ControlFlow, EventLoop, EventLoopProxy}
 use winit::window::{Window, WindowId};
 
 use crate::app::bench::Workbench;
-use crate::app::command::WindowCommand;
+use crate::app::bench::dress_as_chosen;
+use crate::app::command::LeaveCommand;
 use crate::app::host::{Wake, now, users_folder};
 use crate::app::panel::layout;
 use crate::app::shell::event_log::{EventLog, Part};
@@ -249,9 +250,10 @@ impl ApplicationHandler<News> for Shell {
         }
         match Open::new(event_loop, &mut self.bench, &self.proxy) {
             Ok(open) => {
-                let chosen = self.language.or(self.bench.files.session.language());
+                let chosen = self.language.or(self.bench.files.session.chosen().language);
                 self.bench.window.language = chosen.unwrap_or_else(Language::of_system);
                 let open = self.open.insert(open);
+                dress_as_chosen(open.egui.egui_ctx(), self.bench.files.session.chosen());
                 open.ask();
             }
             Err(reason) => {
@@ -290,7 +292,7 @@ impl ApplicationHandler<News> for Shell {
                 }
             },
             WindowEvent::CloseRequested => {
-                self.bench.apply(WindowCommand::Close);
+                self.bench.apply(LeaveCommand::Close);
                 open.ask();
             }
             WindowEvent::Resized(size) => open.surface.resize(size.width, size.height),

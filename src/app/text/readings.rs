@@ -142,7 +142,7 @@ pub(in crate::app) const OVERLAP_MEANS: Text = Text::new("overlap-means");
 /// Which contacts left the sense of their law, a line each.
 pub(in crate::app) fn law_sense(history: &History, too_deep: &[TooDeep], dropped: Option<&Dropped>) -> Vec<String> {
     let name = |contact: usize| {
-        let site = &history.model().contacts[contact];
+        let site = &history.model().sites[contact];
         (site.node.as_str(), &site.face_name)
     };
     let deep = too_deep.iter().map(|deep| {

@@ -13,7 +13,7 @@ use crate::view::Target;
 fn pair_shown(seen: &Seen<'_>, history: &History) -> Option<usize> {
     let pairs = &history.model().pairs;
     let of = match seen.selection.last().copied() {
-        Some(Target::Contact(c)) => history.model().contacts.get(c).map(|site| site.pair),
+        Some(Target::Contact(c)) => history.model().sites.get(c).map(|site| site.pair),
         Some(Target::Girder(i)) => pairs.iter().position(|p| p.bodies.contains(&Some(i))),
         Some(Target::Abutment(i)) => {
             let name = seen.scene.abutments.get(i).map(|a| a.name.clone())?;
@@ -55,7 +55,7 @@ struct Before {
 fn draw(ui: &mut Ui, history: &History, pair: usize, t: f64) {
     let model = history.model();
     let nodes: Vec<Before> = model.pairs[pair]
-        .contacts
+        .sites
         .clone()
         .map(|c| {
             let [gap, along] = readings::before_face(history, c, t);

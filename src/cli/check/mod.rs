@@ -232,7 +232,7 @@ fn short(value: f64) -> String {
 
 /// `deck.corner1 on wall, …`
 fn nodes(model: &Model, pair: usize) -> String {
-    let sites = &model.contacts[model.pairs[pair].contacts.clone()];
+    let sites = &model.sites[model.pairs[pair].sites.clone()];
     sites
         .iter()
         .map(|site| said!("check-node", "node" => site.node.as_str(), "face" => site.face_name.to_string()))

@@ -81,7 +81,7 @@ fn with_sense(
     }
     // A gap that is negative beyond round-off, or falls through 0 now beside the edges, was passed over.
     let armed = armed && !is_positive_again(-gap, rate, start, resolution) && !closes_now;
-    let pair = world.pairs[world.contacts[contact].pair].slots;
+    let pair = world.pair_of(contact).slots;
     let bounds = *samples.bounds(world);
     let node = usize::from(world.contacts[contact].slots[0] == pair[1]);
     let bound = |bounds: &GapCurvature, here: &EdgeEnds, stretch: f64| {
@@ -163,7 +163,7 @@ impl EdgeGap<'_> {
         resolution: f64,
         last: f64,
     ) -> (Option<f64>, Option<f64>) {
-        let interval = CLOSING_INTERVAL * self.world.pairs[self.world.contacts[self.contact].pair].simultaneity;
+        let interval = CLOSING_INTERVAL * self.world.pair_of(self.contact).simultaneity;
         let mut rearmed = None;
         loop {
             let functions = (|t| self.at(t), &curvature, |t| self.rate_error(t));

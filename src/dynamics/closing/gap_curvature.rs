@@ -107,7 +107,7 @@ mod tests {
     /// Largest difference quotient of a contact's gap rate over the planned step, and its bound \[m/s²\].
     fn curvatures(world: &World, contact: usize) -> [f64; 2] {
         let track = &world.contacts[contact];
-        let (site, until) = (&world.model.contacts[track.site], until(world));
+        let (site, until) = (&world.model.sites[track.site], until(world));
         let rate = |t: f64| gap(&site.geometry, &world.side(contact, 0, t), &world.side(contact, 1, t))[1];
         let rates: Vec<f64> = times(until).into_iter().map(rate).collect();
         let step = until / f64::from(RATE_SAMPLES);

@@ -90,12 +90,12 @@ fn open<'a>(world: &'a World, pair: usize, [t, until]: [f64; 2], sample: &Flight
     let moved: f64 = sample.frames.iter().map(|frame| frame.shift.length()).sum();
     let open_contact = |contact: usize| {
         let track = &world.contacts[contact];
-        if world.model.contacts[track.site].edge.is_some() {
+        if world.model.sites[track.site].edge.is_some() {
             return None;
         }
         let Contact::Open { armed } = track.state else { return None };
         let side = |slot: Option<usize>| slot.map(|slot| usize::from(Some(slot) == slots[1]));
-        let (site, geometry) = (&world.model.contacts[track.site], track.geometry);
+        let (site, geometry) = (&world.model.sites[track.site], track.geometry);
         let unsampled = BoundedGap { gap: 0.0, rate: 0.0, curvature: 0.0, window: 0.0, out_of_reach: false };
         let advancement = Advancement::begin(unsampled, false, 0.0);
         let mut sections = own;

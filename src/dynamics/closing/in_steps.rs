@@ -99,7 +99,7 @@ fn cannot_close(world: &World, pair: usize, samples: &mut StepSamples) -> bool {
         let here = samples.corner(world, contact, 0);
         // A disarmed node that stays behind the plane is not armed again.
         least_gap = least_gap.min(if armed { here.gap } else { -here.gap });
-        for (slot, arm) in track.slots.into_iter().zip(world.model.contacts[track.site].levers(&here)) {
+        for (slot, arm) in track.slots.into_iter().zip(world.model.sites[track.site].levers(&here)) {
             let side = usize::from(slot == slots[1]);
             longest_arm[side] = longest_arm[side].max(arm);
         }
@@ -151,7 +151,7 @@ fn in_step(world: &World, contact: usize, samples: &mut StepSamples, armed: bool
     }
     let before = samples.corner(world, contact, 0);
     let track = &world.contacts[contact];
-    let arms = world.model.contacts[track.site].levers(&before);
+    let arms = world.model.sites[track.site].levers(&before);
     let excursions =
         track.slots.into_iter().zip(arms).map(|(slot, arm)| slot.map_or(0.0, |s| excursion(world, s, arm, t, until)));
     if armed && before.gap > excursions.sum::<f64>() {
@@ -182,10 +182,10 @@ fn in_step(world: &World, contact: usize, samples: &mut StepSamples, armed: bool
             return curvature_bound;
         }
         let part = GapCurvature::of(world, slots, from.t, to);
-        let arms = world.model.contacts[track.site].levers(&world.local(contact, from.t));
+        let arms = world.model.sites[track.site].levers(&world.local(contact, from.t));
         if part.holds(to - from.t) { part.curvature(node, arms, to - from.t) } else { f64::INFINITY }
     };
-    let site = &world.model.contacts[track.site];
+    let site = &world.model.sites[track.site];
     let gap_at = |at: f64| {
         let [gap, rate] = gap(&site.geometry, &world.side(contact, 0, at), &world.side(contact, 1, at));
         GapSample { t: at, gap, rate }

@@ -1,5 +1,5 @@
-//! The next beginning of a device's force: the first zero of its gap on the present trajectories of the bodies at its
-//! ends.
+//! The next beginning of a link's force: the first zero of its gap on the present trajectories of the bodies at its ends; of a link that acts
+//! on a body in flight the end of its phase.
 
 use glam::DVec3;
 

@@ -183,7 +183,7 @@ fn approach(world: &mut World, pair: usize, t: f64) {
         let track = &world.contacts[contact];
         if track.state.closed().is_none() {
             // An edge node needs no disarming: the sign of its gap is evaluated by its own search.
-            let is_edge = world.model.contacts[track.site].edge.is_some();
+            let is_edge = world.model.sites[track.site].edge.is_some();
             let armed = is_edge || world.local(contact, t).gap > 0.0;
             let track = &mut world.contacts[contact];
             (track.state, track.closing, track.rearmed_at) = (Contact::Open { armed }, None, None);

@@ -120,7 +120,7 @@ impl StepSamples {
     /// Poses of node's and face's body of a contact at sample `i`.
     pub(super) fn sides<'a>(&'a self, world: &'a World, contact: usize, i: usize) -> [&'a Frame; 2] {
         let track = &world.contacts[contact];
-        let site = &world.model.contacts[track.site];
+        let site = &world.model.sites[track.site];
         [0, 1].map(|which| track.slots[which].map_or(&site.stand, |slot| self.section(slot, track.sections[which], i)))
     }
 
@@ -163,7 +163,7 @@ impl StepSamples {
 
     /// A corner relative to its face at sample `i`, computed once.
     pub(super) fn corner(&mut self, world: &World, contact: usize, i: usize) -> Local {
-        let from = world.pairs[world.contacts[contact].pair].contacts.start;
+        let from = world.pair_of(contact).contacts.start;
         if self.corners.0 != from {
             self.corners.0 = from;
             self.corners.1.clear();

@@ -1,4 +1,5 @@
-//! Times of the next closings of pairs and of the next beginnings of devices' forces, entered in the queue.
+//! Times of the next closings of pairs, of the next beginnings of links' forces and of the ends of their phases in flight, entered in the
+//! queue.
 
 use crate::dynamics::closing::found::NextClosing;
 use crate::dynamics::closing::shared::Shared;
@@ -17,8 +18,8 @@ pub(in crate::dynamics) struct ClosingSearch<'a> {
 }
 
 impl ClosingSearch<'_> {
-    /// Searches from `t` on the next closing of every pair and the next beginning of every link's force of these
-    /// bodies.
+    /// Searches from `t` on the next closing of every pair of these bodies, and of every link the next beginning of its force or the end of
+    /// its phase in flight.
     pub(in crate::dynamics) fn around(&mut self, slots: &[usize], t: f64) {
         let mut shared = Shared::default();
         for pair in self.world.pairs_of(slots) {
@@ -50,7 +51,7 @@ impl ClosingSearch<'_> {
         self.enter(EventSource::Pair(number), found);
     }
 
-    /// Searches the beginning of a link's force from `t` on.
+    /// Searches the beginning of a link's force, or the end of its phase in flight, from `t` on.
     pub(in crate::dynamics) fn link(&mut self, number: usize, t: f64) {
         let found = link_closing::search(self.world, number, t);
         self.enter(EventSource::Link(number), found);

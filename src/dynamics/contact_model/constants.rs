@@ -42,7 +42,7 @@ pub(super) const MEMORY_SHARE_OF_GROUP: usize = 8;
 pub(super) const PACE_SHARE: usize = 100;
 /// A pace that would lead to so many times the bound on the work ends the run. Tuned: inside the domain a contact turns by 1e7
 /// rad in a run, and no run comes near ten times the bound; dense stretches are short.
-pub(super) const HOPELESS_FACTOR: f64 = 1000.0;
+pub(super) const WORK_OVERRUN: f64 = 1000.0;
 /// Part of the bound on the work that a pace may lead to where nothing touches in the whole of a measured stretch. Without contact the
 /// frequencies of bearings, ground and spin and the samples of a record set the pace, and no stretch is denser than others: 1e5 rad,
 /// the most inside the domain, take 1e5 steps, an hour of a record at 200 Hz between two walls 2.2e6 steps and searches.

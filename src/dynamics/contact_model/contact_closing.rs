@@ -29,7 +29,7 @@ impl ContactClosing<'_, '_> {
             return false;
         }
         let (pair, disarmed) = (self.states.world.contacts[contact].pair, Contact::Open { armed: false });
-        if self.states.world.model.pairs[self.states.world.pairs[pair].pair].met {
+        if self.states.world.model_pair(pair).met {
             // Between all faces of two bodies most crossings of a plane are beside the face.
             self.states.enter_without_event(contact, disarmed);
         } else {

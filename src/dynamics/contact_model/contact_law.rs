@@ -21,7 +21,7 @@ pub(in crate::dynamics) fn of(world: &mut World, contact: usize, now: &EventBodi
         }
         world.pairs[number].sharers = sharers;
     }
-    world.model.pairs[world.pairs[number].pair].law.shared(world.contacts[contact].divisor)
+    world.model_pair(number).law.shared(world.contacts[contact].divisor)
 }
 
 /// Number of nodes, in space of vertices, that share the law of a pair, and for each of its contacts the number of
@@ -30,7 +30,7 @@ fn sharers(at: EventContacts<'_>, pair: usize) -> (usize, Vec<usize>) {
     let world = at.world;
     let track = &world.pairs[pair];
     let alone = vec![1; track.contacts.len()];
-    match (world.model.pairs[track.pair].contact.sharing, world.model.kind) {
+    match (world.model.pairs[track.model_pair].contact.sharing, world.model.kind) {
         (Sharing::PerNode, _) => (1, alone),
         (Sharing::Tributary, Kind::Planar) => {
             let node = |contact: usize| (&world.site(contact).face, at.local(contact).at);

@@ -74,7 +74,7 @@ impl ContactStates<'_> {
             // Without friction there is no tangential spring and no anchor.
             Contact::Closed(now) if now.law.has_friction() => {
                 let bases = track.slots.map(|slot| self.now.base(slot));
-                reference_pose::way_to(&self.world.model.contacts[track.site], &track.place, bases)
+                reference_pose::way_to(&self.world.model.sites[track.site], &track.place, bases)
             }
             _ => DVec2::ZERO,
         };
@@ -89,7 +89,7 @@ impl ContactStates<'_> {
         track.changes.count(t);
         let ChangeCount { of_touch: touch, at_instant: same, .. } = track.changes;
         if same > CONTACT_EVENTS_PER_INSTANT || touch > CONTACT_EVENTS_PER_TOUCH {
-            let node = self.world.model.contacts[track.site].node.clone();
+            let node = self.world.model.sites[track.site].node.clone();
             self.schedule.give_up(t, node, message!("stop-alternates", "touch" => touch, "same" => same));
         }
     }

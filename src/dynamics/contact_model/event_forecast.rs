@@ -75,7 +75,7 @@ fn local(world: &World, island: &Island, change: Change, frames: &[Frame]) -> Op
         Change::State(number, _) => return Some(island.system.active[number].look(&world.model, frames)),
         Change::Closing(contact) => &world.contacts[contact],
     };
-    let site = &world.model.contacts[contact.site];
+    let site = &world.model.sites[contact.site];
     let frame = |which: usize| match contact.slots[which] {
         Some(slot) => {
             let index = island.slots.binary_search(&slot).ok()?;

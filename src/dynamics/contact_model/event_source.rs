@@ -9,7 +9,7 @@ pub(in crate::dynamics) enum EventSource {
     Island(usize),
     /// The closing of a pair, or the end of its search.
     Pair(usize),
-    /// The beginning of a link's force, or the end of its search.
+    /// The beginning of a link's force, the end of its phase in flight, or the end of its search.
     Link(usize),
 }
 

@@ -122,7 +122,7 @@ impl EventContacts<'_> {
     /// Pose from `frames` of the node's body (`which` 0) or the face's (1); the fixed pose of an abutment.
     fn side(&self, contact: usize, which: usize, frames: &[Frame]) -> Frame {
         let track = &self.world.contacts[contact];
-        let stand = self.world.model.contacts[track.site].stand;
+        let stand = self.world.model.sites[track.site].stand;
         let section = |slot: usize| self.now.section(slot, track.sections[which]);
         let frame = |slot: usize| section(slot).and_then(|i| frames.get(i)).copied().unwrap_or(stand);
         track.slots[which].map_or(stand, frame)
@@ -136,7 +136,7 @@ impl EventContacts<'_> {
     /// Position and velocity of a node relative to its face, poses relative to the placed poses.
     pub(in crate::dynamics) fn local(&self, contact: usize) -> Local {
         let track = &self.world.contacts[contact];
-        let geometry = self.world.model.contacts[track.site].geometry_at(&track.place);
+        let geometry = self.world.model.sites[track.site].geometry_at(&track.place);
         let [node, face] = self.sides(contact);
         locate(&geometry, &node, &face)
     }
@@ -172,7 +172,7 @@ impl EventContacts<'_> {
     /// Outward unit normal of a contact's face.
     pub(in crate::dynamics) fn normal(&self, contact: usize) -> DVec3 {
         let track = &self.world.contacts[contact];
-        let geometry = self.world.model.contacts[track.site].geometry_at(&track.place);
+        let geometry = self.world.model.sites[track.site].geometry_at(&track.place);
         let [node, face] = self.sides(contact);
         geometry.normal(&node, &face)
     }
@@ -231,7 +231,7 @@ impl EventContacts<'_> {
     /// Tangential and normal acceleration of a node relative to its face under the present forces \[m/s²\], by a
     /// forward difference of the relative velocity over 1e-7 rad of the pair's contact oscillation.
     pub(in crate::dynamics) fn relative_acceleration(&self, contact: usize, here: &Local) -> (DVec2, f64) {
-        let dt = CLOSING_INTERVAL * self.world.pairs[self.world.contacts[contact].pair].simultaneity;
+        let dt = CLOSING_INTERVAL * self.world.pair_of(contact).simultaneity;
         let island = assemble(
             self.world,
             &self.now.slots,
@@ -252,7 +252,7 @@ impl EventContacts<'_> {
         if law.v_stick == 0.0 || law.friction == FrictionLaw::Paper || law.mu_k == 0.0 {
             return 0.0;
         }
-        let radian = self.world.pairs[self.world.contacts[contact].pair].simultaneity * SIMULTANEOUS_PER_RADIAN;
+        let radian = self.world.pair_of(contact).simultaneity * SIMULTANEOUS_PER_RADIAN;
         let (sliding, speed) = here.relative_velocity(DVec2::ZERO);
         let (_, acceleration) = self.relative_acceleration(contact, here);
         let depth = (speed.abs() * radian).max(acceleration.abs() * radian * radian).max(here.penetration());

@@ -1,5 +1,5 @@
 //! Event handlers: end of a planned step, transition of a contact within it, closing of a pair, beginning of a
-//! device's force.
+//! link's force or end of its phase in flight.
 
 use std::collections::BTreeSet;
 use std::sync::Arc;
@@ -46,7 +46,7 @@ impl ContactRun {
         }
         self.islands.take_back(number, &mut island);
         // Under alternating stick and slip the next step length follows from the island's frequency.
-        self.rebuild(now, if alternates { ControllerState::default() } else { island.pace() });
+        self.rebuild(now, if alternates { ControllerState::default() } else { island.controller_state() });
     }
 
     /// Plans the next step of an island whose step ended without an event, and searches the pairs of its bodies again.
@@ -87,11 +87,11 @@ impl ContactRun {
             self.search().pair(pair, t);
             return;
         }
-        let (now, pace) = self.release(&seen.slots, t);
+        let (now, controller) = self.end_trajectories(&seen.slots, t);
         for contact in entered {
             ContactClosing { states: &mut self.contact_states(&now) }.close(contact);
         }
-        self.rebuild(now, first_of_touch(pace));
+        self.rebuild(now, first_of_touch(controller));
     }
 
     /// Handles the beginning of a link's force at `t`, or the end of its phase on a body in flight; continues the search where
@@ -103,23 +103,23 @@ impl ContactRun {
         };
         let mut slots: Vec<usize> = self.world.links[number].slots.into_iter().flatten().collect();
         slots.sort_unstable();
-        let (now, pace) = self.release(&slots, t);
+        let (now, controller) = self.end_trajectories(&slots, t);
         self.link_transitions(&now).change(number, event);
-        self.rebuild(now, first_of_touch(pace));
+        self.rebuild(now, first_of_touch(controller));
     }
 
     /// Ends at `t` the trajectories of bodies and of all bodies in an island or a block with them: their states, and the method
     /// and length of their integrators' next steps.
-    pub(in crate::dynamics) fn release(&mut self, slots: &[usize], t: f64) -> (EventBodies, ControllerState) {
+    pub(in crate::dynamics) fn end_trajectories(&mut self, slots: &[usize], t: f64) -> (EventBodies, ControllerState) {
         let mut all = BTreeSet::new();
-        let mut pace = ControllerState::default();
+        let mut controller = ControllerState::default();
         for &slot in slots {
             match self.world.bodies[slot].now {
                 Trajectory::Placed | Trajectory::Flight(_) => all.extend(self.world.flies_with(slot)),
                 Trajectory::Island { island, .. } => {
                     if let Some(island) = &self.world.islands[island] {
                         all.extend(island.slots.iter().copied());
-                        pace = pace.with(island.pace());
+                        controller = controller.with(island.controller_state());
                     }
                 }
             }
@@ -127,7 +127,7 @@ impl ContactRun {
         let slots: Vec<usize> = all.into_iter().collect();
         let (bases, states) = slots.iter().map(|&slot| self.world.state_from_reference(slot, t)).unzip();
         self.retire_islands(&slots, t);
-        (EventBodies::of(&self.world, slots, bases, states, t), pace)
+        (EventBodies::of(&self.world, slots, bases, states, t), controller)
     }
 
     /// Enters in the tracks of an island's devices what their laws remember at `t`.
@@ -161,6 +161,6 @@ impl ContactRun {
 /// Method and length of the first step after a closing from those before it. An impact lasts about a radian of the
 /// contact's oscillation, and the error estimate of an implicit step is blind to a motion that decays within the step:
 /// the length of an implicit one follows from the island's frequency.
-fn first_of_touch(pace: ControllerState) -> ControllerState {
-    if pace.stiff { ControllerState { step: 0.0, ..pace } } else { pace }
+fn first_of_touch(controller: ControllerState) -> ControllerState {
+    if controller.stiff { ControllerState { step: 0.0, ..controller } } else { controller }
 }

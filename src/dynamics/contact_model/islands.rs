@@ -41,14 +41,14 @@ impl IslandStock {
         self.spare.extend(island.give_back());
     }
 
-    /// Creates an island at `start` and writes the flights of its bodies into their paths; returns its number. `pace`
+    /// Creates an island at `start` and writes the flights of its bodies into their paths; returns its number. `controller`
     /// is the method and the length of its first step.
     pub(in crate::dynamics) fn create(
         &mut self,
         world: &mut World,
         store: &StepStore,
         start: Start<'_>,
-        pace: ControllerState,
+        controller: ControllerState,
     ) -> usize {
         let Start { members, mut bases, y, t } = start;
         let number = self.vacant.pop().unwrap_or_else(|| {
@@ -64,7 +64,7 @@ impl IslandStock {
                 bases[index].flown = StepStore::landing(world, slot, &bases[index], state, t);
             }
         }
-        let mut island = Box::new(assemble(world, members, bases, y, t, pace));
+        let mut island = Box::new(assemble(world, members, bases, y, t, controller));
         island.borrow(self.spare.pop());
         world.islands[number] = Some(island);
         number
@@ -78,7 +78,7 @@ pub(in crate::dynamics) fn assemble(
     bases: Vec<ReferencePose>,
     y: Vec<f64>,
     t: f64,
-    pace: ControllerState,
+    controller: ControllerState,
 ) -> Island {
     let index = |slot: Option<usize>| slot.and_then(|s| slots.binary_search(&s).ok());
     let (contacts, active) = world
@@ -90,15 +90,15 @@ pub(in crate::dynamics) fn assemble(
             let closed = *track.state.closed()?;
             let ends = track.slots.map(index);
             let sides = ends.map(|i| bases.get(i?));
-            let home = reference_pose::seen_from(&world.model.contacts[track.site], &closed.place, sides);
+            let home = reference_pose::seen_from(&world.model.sites[track.site], &closed.place, sides);
             let active = ActiveContact::new(track.site, ends, closed, home);
             Some((contact, ActiveContact { tolerated: track.tolerated, ..active }))
         })
         .unzip();
     let bodies = slots.iter().map(|&slot| world.bodies[slot].body).collect();
     let members = Members { bodies, bases, active, links: acting_links(world, slots) };
-    let mut island = Island::new(&world.model, slots.to_vec(), members, contacts, y, t, pace);
-    island.taken = slots.iter().map(|&slot| world.bodies[slot].path.len()).max().unwrap_or(0);
+    let mut island = Island::new(&world.model, slots.to_vec(), members, contacts, y, t, controller);
+    island.steps_taken = slots.iter().map(|&slot| world.bodies[slot].path.len()).max().unwrap_or(0);
     island
 }
 

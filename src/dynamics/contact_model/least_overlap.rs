@@ -91,7 +91,7 @@ impl EventContacts<'_> {
     /// Poses of the sections of the two bodies of a contact, which have met.
     fn poses(&self, contact: usize, meeting: &Meeting) -> [Poses; 2] {
         let stand = self.site(contact).stand;
-        let slots = self.world.pairs[self.world.contacts[contact].pair].slots;
+        let slots = self.world.pair_of(contact).slots;
         [0, 1].map(|side| {
             let pose = |section: usize| slots[side].and_then(|slot| self.now.pose(slot, section)).unwrap_or(stand);
             meeting.solids[side].poses(pose)
@@ -117,8 +117,7 @@ impl EventContacts<'_> {
             let [node, face] = self.sides(c);
             let penetration = -edge.distance(&node, &face)?;
             let depth = self.overlap_along(c, face.turn(place.normal))?;
-            let least_side =
-                self.world.model.meetings[self.world.pairs[self.world.contacts[c].pair].meeting?].least_side;
+            let least_side = self.world.model.meetings[self.world.pair_of(c).meeting?].least_side;
             // Elsewhere the bodies are deeper along that normal than the edges: they do not part there.
             (depth <= penetration + UNCARRIED * least_side).then_some(LeastOverlap { contact: c, depth })
         };
@@ -128,9 +127,9 @@ impl EventContacts<'_> {
 
     /// The shortest way by which a contact's two bodies part; `None` where they have not met.
     pub(in crate::dynamics) fn shortest_way(&self, contact: usize) -> Option<ShortestWay> {
-        let pair = &self.world.pairs[self.world.contacts[contact].pair];
+        let pair = self.world.pair_of(contact);
         // The contact may be of ends that face each other as placed.
-        let ids = self.world.model.pairs[pair.pair].solids();
+        let ids = self.world.model.pairs[pair.model_pair].solids();
         let meeting = self.world.model.meetings.iter().find(|meeting| meeting.ids == ids)?;
         let overlap = meeting.least_overlap(&self.poses(contact, meeting));
         let tolerated = UNCARRIED * meeting.least_side;
@@ -222,7 +221,7 @@ impl EventContacts<'_> {
     /// All contacts between the two bodies of a contact.
     fn contacts_of_both_bodies(&self, contact: usize) -> impl Iterator<Item = usize> + '_ {
         let solids = |pair: usize| -> [SolidId; 2] {
-            let pair = &self.world.model.pairs[self.world.pairs[pair].pair];
+            let pair = self.world.model_pair(pair);
             [pair.first.solid(), pair.second.solid()]
         };
         let own = solids(self.world.contacts[contact].pair);
@@ -239,7 +238,7 @@ impl EventContacts<'_> {
 
     /// The face of a contact.
     fn face_of(&self, contact: usize) -> Side {
-        let pair = &self.world.model.pairs[self.world.pairs[self.world.contacts[contact].pair].pair];
+        let pair = self.world.model_pair(self.world.contacts[contact].pair);
         if pair.bodies[0] == self.site(contact).face_body { pair.first } else { pair.second }
     }
 }

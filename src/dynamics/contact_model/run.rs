@@ -114,8 +114,8 @@ impl ContactRun {
     /// Gives bodies their new trajectories from the time of the event on: bodies joined by closed contacts or acting
     /// devices form islands, but for linear blocks with nothing else on them, which fly in closed form; of the others planar
     /// ones fly and spatial ones are integrated alone.
-    /// `pace` is the method and the length of the islands' first steps.
-    pub(in crate::dynamics) fn rebuild(&mut self, now: EventBodies, pace: ControllerState) {
+    /// `controller` is the method and the length of the islands' first steps.
+    pub(in crate::dynamics) fn rebuild(&mut self, now: EventBodies, controller: ControllerState) {
         let EventBodies { t, slots, bases, mut states, .. } = now;
         let mut new_islands = Vec::new();
         for members in self.world.joined(&slots) {
@@ -147,8 +147,8 @@ impl ContactRun {
                 let bases = members.iter().map(|&i| bases[i]).collect();
                 Start { members: &together, bases, y, t }
             };
-            let pace = if alone { ControllerState::default() } else { pace };
-            new_islands.push(self.islands.create(&mut self.world, &self.store, start, pace));
+            let controller = if alone { ControllerState::default() } else { controller };
+            new_islands.push(self.islands.create(&mut self.world, &self.store, start, controller));
         }
         for island in new_islands {
             step_planning::plan(&mut self.world, &mut self.schedule, island);

@@ -29,9 +29,10 @@ pub(in crate::dynamics) fn plan(world: &mut World, schedule: &mut Schedule, numb
     }
     let cap = model.duration.min(model.next_kink(from));
     schedule.effort.steps += 1;
-    let pace = island.pace();
-    let going_on = pace.stiff && pace.step > 0.0;
-    let forecast = if going_on { earliest_change(world, &island, WORTHWHILE_CUT * pace.step) } else { f64::INFINITY };
+    let controller = island.controller_state();
+    let going_on = controller.stiff && controller.step > 0.0;
+    let forecast =
+        if going_on { earliest_change(world, &island, WORTHWHILE_CUT * controller.step) } else { f64::INFINITY };
     let due = match island.plan(&model, cap, forecast) {
         Err(error) => {
             let reason = message!("stop-step", "step" => format!("{:.1e}", error.step));

@@ -102,7 +102,7 @@ impl<'a> Transitions<'_, 'a> {
         let other = contact_points::other_of_crossing(self.states.world, contact).filter(|&other| other != to);
         left.extend(other.and_then(|other| Some((other, *self.states.world.contacts[other].state.closed()?))));
         for (leaving, closed) in &left {
-            self.release(*leaving, closed, EventKind::LeftFace);
+            self.open_alone(*leaving, closed, EventKind::LeftFace);
         }
         self.states.forget_sharers_of_open(contact);
         for other in self.states.world.contacts[to].other_faces.clone() {
@@ -116,7 +116,7 @@ impl<'a> Transitions<'_, 'a> {
     }
 
     /// Opening of a contact by itself.
-    fn release(&mut self, contact: usize, closed: &ClosedContact, kind: EventKind) {
+    fn open_alone(&mut self, contact: usize, closed: &ClosedContact, kind: EventKind) {
         self.states.world.contacts[contact].place = closed.place;
         let released = self.states.strain(contact, closed);
         self.states.world.contacts[contact].tolerated = 0.0;
@@ -135,7 +135,7 @@ impl<'a> Transitions<'_, 'a> {
 
     /// Opening of a contact, over an edge with what its vertex hands on; whether there was a node that took it.
     fn open(&mut self, contact: usize, closed: &ClosedContact, kind: EventKind) -> bool {
-        self.release(contact, closed, kind);
+        self.open_alone(contact, closed, kind);
         let passed_on = kind == EventKind::LeftFace && self.vertices().pass_on(contact, closed);
         self.states.forget_sharers_of_open(contact);
         passed_on

@@ -77,14 +77,14 @@ impl VertexNodes<'_, '_> {
     /// The nodes that are at the vertex which a node has left, closed ones that are there no more, and how far the first may be beside
     /// their faces \[m\]; `None` without such nodes.
     fn successors(&mut self, contact: usize, closed: &ClosedContact) -> Option<([Vec<usize>; 2], f64)> {
-        let pair = self.states.world.pairs[self.states.world.contacts[contact].pair].pair;
+        let pair = self.states.world.pair_of(contact).model_pair;
         if !self.states.world.model.pairs[pair].passes_on {
             return None;
         }
         // Faces of bodies that have met may stand at any angle. Those that are not flush have no vertex in common: every node has a
         // penetration of its own.
         let tilt = self.tilt(contact);
-        let have_met = self.states.world.pairs[self.states.world.contacts[contact].pair].meeting.is_some();
+        let have_met = self.states.world.pair_of(contact).meeting.is_some();
         if have_met && tilt > FLUSH {
             return None;
         }
@@ -104,22 +104,24 @@ impl VertexNodes<'_, '_> {
         let kept = nodes.iter().filter_map(|&node| Some((node, *self.states.world.contacts[node].state.closed()?)));
         let left = gone.iter().filter_map(|&node| Some((node, *self.states.world.contacts[node].state.closed()?)));
         let before: Vec<_> = kept.chain(left).chain([(contact, *closed)]).collect();
-        let pair = &self.states.world.pairs[self.states.world.contacts[contact].pair];
+        let pair = self.states.world.pair_of(contact);
         let count = nodes.len() as f64;
-        let divisor = match (self.states.world.model.pairs[pair.pair].contact.sharing, self.states.world.model.kind) {
-            // A vertex has its part of K whichever of its nodes have left.
-            (Sharing::Tributary, Kind::Spatial) => pair.sharers as f64 * count,
-            // In plan nodes share K, and the parts of all nodes at the vertex stay.
-            (Sharing::Tributary, Kind::Planar) => {
-                let tracks = &self.states.world.contacts;
-                let open = nodes.iter().filter(|&&node| tracks[node].state.closed().is_none() && tracks[node].has_part);
-                // A node that closed without a part of its own, since its place came over the face only later, has that of an open one.
-                let open = open.skip(before.iter().filter(|(node, _)| !tracks[*node].has_part).count());
-                let at_vertex = before.iter().map(|(node, _)| node).chain(open);
-                count / at_vertex.map(|&node| 1.0 / tracks[node].divisor).sum::<f64>()
-            }
-            (Sharing::PerNode, _) => sharers,
-        };
+        let divisor =
+            match (self.states.world.model.pairs[pair.model_pair].contact.sharing, self.states.world.model.kind) {
+                // A vertex has its part of K whichever of its nodes have left.
+                (Sharing::Tributary, Kind::Spatial) => pair.sharers as f64 * count,
+                // In plan nodes share K, and the parts of all nodes at the vertex stay.
+                (Sharing::Tributary, Kind::Planar) => {
+                    let tracks = &self.states.world.contacts;
+                    let open =
+                        nodes.iter().filter(|&&node| tracks[node].state.closed().is_none() && tracks[node].has_part);
+                    // A node that closed without a part of its own, since its place came over the face only later, has that of an open one.
+                    let open = open.skip(before.iter().filter(|(node, _)| !tracks[*node].has_part).count());
+                    let at_vertex = before.iter().map(|(node, _)| node).chain(open);
+                    count / at_vertex.map(|&node| 1.0 / tracks[node].divisor).sum::<f64>()
+                }
+                (Sharing::PerNode, _) => sharers,
+            };
         // Where a node is beside its face, it may go on as far again.
         let carried = Carried { kept_beyond_edge: 2.0 * beside, ..self.carried(&before, count / divisor) };
         // No contact at a penetration of at least the depth of the face's body.
@@ -151,7 +153,7 @@ impl VertexNodes<'_, '_> {
     /// the edge of its own face.
     pub(super) fn is_held(&self, contact: usize) -> bool {
         let (pair, tilt) = (self.states.world.contacts[contact].pair, self.tilt(contact));
-        let passes_on = self.states.world.model.pairs[self.states.world.pairs[pair].pair].passes_on;
+        let passes_on = self.states.world.model_pair(pair).passes_on;
         let apart = self.states.at().local(contact).penetration().max(0.0) * tilt;
         let poses = |c: usize| self.states.at().sides(c);
         passes_on && tilt <= FLUSH && contact_points::is_held(self.states.world, contact, apart, &poses)
@@ -179,7 +181,7 @@ impl VertexNodes<'_, '_> {
 
     /// Sine of the angle between the two faces of a contact's pair \[–\]; 0 where one of the two has no nodes.
     fn tilt(&self, contact: usize) -> f64 {
-        let mut contacts = self.states.world.pairs[self.states.world.contacts[contact].pair].contacts.clone();
+        let mut contacts = self.states.world.pair_of(contact).contacts.clone();
         let (at, body) = (self.states.at(), self.states.site(contact).face_body);
         let tilt = |c: usize| {
             let [node, face] = at.sides(c);

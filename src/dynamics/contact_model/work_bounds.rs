@@ -1,7 +1,7 @@
 //! Bounds that end a run: of its work, of its memory, and of a pace at which neither would be enough.
 
 use crate::dynamics::contact_model::constants::{
-    HOPELESS_FACTOR, MEMORY_SHARE_OF_GROUP, PACE_SHARE, STEADY, WORK_BETWEEN_LOOKS, WORK_BOUND_PER_BODY,
+    MEMORY_SHARE_OF_GROUP, PACE_SHARE, STEADY, WORK_BETWEEN_LOOKS, WORK_BOUND_PER_BODY, WORK_OVERRUN,
 };
 use crate::language::{Message, Text, message};
 
@@ -88,7 +88,7 @@ impl WorkBounds {
             return None;
         }
         self.pace = PaceMark { work: spent.work, t: spent.t, events: spent.events };
-        let bound = if spent.touches || spent.events > from.events { HOPELESS_FACTOR } else { STEADY };
+        let bound = if spent.touches || spent.events > from.events { WORK_OVERRUN } else { STEADY };
         let expected = done as f64 / (spent.t - from.t) * (spent.duration - spent.t);
         (expected > bound * most as f64).then_some(ExceededBound::Pace(from.t, done, expected))
     }
@@ -145,7 +145,7 @@ mod tests {
     fn a_pace_that_leads_nowhere_is_told_from_a_dense_stretch() {
         let window = WORK_BOUND_PER_BODY / PACE_SHARE;
         let pace = |t| WorkBounds::default().exceeds(&Spent { work: window, t, ..BODY });
-        let dense = window as f64 * BODY.duration / (HOPELESS_FACTOR * WORK_BOUND_PER_BODY as f64);
+        let dense = window as f64 * BODY.duration / (WORK_OVERRUN * WORK_BOUND_PER_BODY as f64);
         assert!(!pace(1.01 * dense) && pace(0.99 * dense), "a thousand bounds until the end");
         let mut bounds = WorkBounds::default();
         assert!(!bounds.exceeds(&Spent { work: window - 1, t: 1e-12, ..BODY }), "too short to tell");

@@ -3,7 +3,7 @@
 /// Counts of the work of a run, by which tests hold that a scene costs no more than it needs.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
 pub struct Effort {
-    /// Searches for the next closing of a pair or the next beginning of a device's force.
+    /// Searches for the next closing of a pair, the next beginning of a link's force or the end of its phase in flight.
     pub searches: u64,
     /// Evaluations of the gaps of a pair in flight.
     pub looks: u64,

@@ -38,7 +38,7 @@ pub struct ContactPoint {
 impl ContactPoint {
     /// The node of a declared contact against its face; `frames` are those of the first and the second side of its pair.
     pub fn of(model: &Model, site: usize, bodies: [Option<usize>; 2], frames: [&Frame; 2]) -> Self {
-        let site = &model.contacts[site];
+        let site = &model.sites[site];
         let fixed = Frame::fixed(site.fixed);
         let side = |side: usize| if bodies[side].is_some() { frames[side] } else { &fixed };
         // The node belongs to the first side unless the face does.

@@ -70,7 +70,7 @@ pub(in crate::dynamics::impact2d) fn instant(world: &World, [v_x, v_y]: [f64; 2]
 /// Declared contacts of the first pair with a gap below 1e-12 m, along their face.
 pub(in crate::dynamics::impact2d) fn touching(model: &Model, kinematics: &Kinematics) -> Vec<usize> {
     let point = |site: usize| kinematics.point(model, site);
-    let mut sites: Vec<usize> = model.pairs[0].contacts.clone().collect();
+    let mut sites: Vec<usize> = model.pairs[0].sites.clone().collect();
     sites.retain(|&site| point(site).gap.abs() < 1e-12);
     sites.sort_by(|&a, &b| point(a).along.total_cmp(&point(b).along));
     sites

@@ -60,7 +60,7 @@ impl Kinematics {
 
     /// A declared contact, by its number in the model.
     pub fn point(&self, model: &Model, site: usize) -> ContactPoint {
-        let pair = model.contacts[site].pair;
+        let pair = model.sites[site].pair;
         let places = self.places(model, pair);
         let still = Frame::fixed(DVec3::ZERO);
         let frame = |side: usize| places[side].map_or(&still, |place| &self.frames[place]);

@@ -196,7 +196,7 @@ fn disarm_points_behind(world: &mut World) {
         for site in world.pairs[pair].sites.clone() {
             let point = world.point(site, pair, 0.0);
             if point.gap < near && !world.touches(site, pair, &point) {
-                let depth = world.model.contacts[world.sites[site].number].face.depth;
+                let depth = world.model.sites[world.sites[site].number].face.depth;
                 let beside = point.inset < 0.0 || -point.gap >= depth;
                 (world.sites[site].armed, world.sites[site].beside) = (false, beside);
             }
@@ -210,7 +210,7 @@ fn overlap(world: &World, slots: &[usize]) -> Option<(usize, f64)> {
         for &pair in &world.bodies[slot].pairs {
             let depth = |site: usize| {
                 let point = world.point(site, pair, 0.0);
-                let within = -point.gap < world.model.contacts[world.sites[site].number].face.depth;
+                let within = -point.gap < world.model.sites[world.sites[site].number].face.depth;
                 if point.inset >= 0.0 && within { -point.gap } else { 0.0 }
             };
             let deepest = world.pairs[pair].sites.clone().map(depth).fold(0.0, f64::max);

@@ -56,7 +56,7 @@ impl World {
         let pair = &model.pairs[number];
         let slots = pair.bodies.map(|side| side.and_then(|b| self.slot(b)));
         let from = self.sites.len();
-        self.sites.extend(pair.contacts.clone().map(|site| site_track(&model, site)));
+        self.sites.extend(pair.sites.clone().map(|site| site_track(&model, site)));
         for slot in slots.into_iter().flatten() {
             self.bodies[slot].pairs.push(self.pairs.len());
         }
@@ -199,7 +199,7 @@ fn body_track(model: &Model, body: usize) -> BodyTrack {
 }
 
 fn site_track(model: &Model, site: usize) -> SiteTrack {
-    let contact = &model.contacts[site];
+    let contact = &model.sites[site];
     let pair = &model.pairs[contact.pair];
     let side = |owner: Option<usize>| owner.map(|b| usize::from(pair.bodies[0] != Some(b)));
     let spot = SiteGeometry::of(model, site);

@@ -77,9 +77,9 @@ impl StepController {
     /// A controller for systems of `size` components that continues with the method and the step length of `state`.
     pub(in crate::dynamics) fn new(size: usize, state: ControllerState) -> Self {
         let state = ControllerState { stiff: state.stiff && size <= LARGEST_IMPLICIT, ..state };
-        let mut stepper = Self { size, state, trial: TRIAL_STEPS, ..Self::default() };
-        stepper.rk.resize(size);
-        stepper
+        let mut controller = Self { size, state, trial: TRIAL_STEPS, ..Self::default() };
+        controller.rk.resize(size);
+        controller
     }
 
     /// Changes to the implicit method only where stability limits explicit steps: the right-hand side has no noise.
@@ -320,8 +320,8 @@ mod tests {
     #[test]
     fn steps_that_end_at_kinks_stay_explicit_however_small_their_error() {
         let mut system = Relaxation { rate: 10.0, evaluations: 0 };
-        let pace = ControllerState { step: 0.01, stiff: true };
-        let (mut control, mut y) = (StepController::new(1, pace), [1.0]);
+        let controller = ControllerState { step: 0.01, stiff: true };
+        let (mut control, mut y) = (StepController::new(1, controller), [1.0]);
         let (mut t, mut implicit) = (0.0, 0);
         for number in 1..=200 {
             let kink = f64::from(number) * 0.01;

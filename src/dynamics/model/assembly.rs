@@ -51,21 +51,21 @@ impl Model {
         let walls = backwall::add(scene, moving.as_ref(), &mut bodies, &mut links)?;
         bodies.extend(pier::bodies(scene, supports));
         let mut pairs = Vec::with_capacity(facings.len());
-        let mut contacts = Vec::with_capacity(facings.len() * if scene.kind == Kind::Planar { 4 } else { 8 });
+        let mut sites = Vec::with_capacity(facings.len() * if scene.kind == Kind::Planar { 4 } else { 8 });
         let met = facing::bodies_met(facings.iter().filter(|f| f.met).map(|f| (f.first, f.second)));
         for facing in facings {
-            let from = contacts.len();
+            let from = sites.len();
             let number = pairs.len();
             let have_met = met.binary_search(&[facing.first.solid(), facing.second.solid()]).is_ok();
-            contact_sites::contacts(scene, &bodies, &facing, (number, have_met), &mut contacts)?;
-            let vertical = contacts[from..].iter().all(|site: &ContactSite| site.face.has_level_normal());
-            pairs.push(pair(scene, vertical, (&bodies, &walls), facing, from..contacts.len()));
+            contact_sites::contacts(scene, &bodies, &facing, (number, have_met), &mut sites)?;
+            let vertical = sites[from..].iter().all(|site: &ContactSite| site.face.has_level_normal());
+            pairs.push(pair(scene, vertical, (&bodies, &walls), facing, from..sites.len()));
         }
         for (number, pair) in pairs.iter_mut().enumerate() {
-            let from = contacts.len();
+            let from = sites.len();
             let have_met = met.binary_search(&[pair.first.solid(), pair.second.solid()]).is_ok();
-            edge_sites::edge_nodes(scene, &bodies, [pair.first, pair.second], (number, have_met), &mut contacts)?;
-            pair.edges = from..contacts.len();
+            edge_sites::edge_nodes(scene, &bodies, [pair.first, pair.second], (number, have_met), &mut sites)?;
+            pair.edges = from..sites.len();
         }
         let meetings = meetings(scene, &bodies, &met)?;
         let mut model = Self {
@@ -84,7 +84,7 @@ impl Model {
             foundations: Vec::new(),
             flexible,
             pairs,
-            contacts,
+            sites,
             meetings,
             links,
             supports: Vec::new(),
@@ -180,7 +180,7 @@ fn pair(
     vertical: bool,
     (bodies, walls): (&[Body], &[Option<Backwall>]),
     facing: facing::Facing,
-    contacts: std::ops::Range<usize>,
+    sites: std::ops::Range<usize>,
 ) -> Pair {
     let sides = [facing.first, facing.second].map(|side| match side.solid() {
         SolidId::Girder(number) => Some(number),
@@ -201,7 +201,7 @@ fn pair(
         bodies: sides,
         law,
         mass: facing.mass,
-        contacts,
+        sites,
         edges: 0..0,
         one_way,
         passes_on: !planar || scene.contact.between == Between::All,

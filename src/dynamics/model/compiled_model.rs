@@ -77,7 +77,7 @@ pub struct Model {
     /// Facing pairs.
     pub pairs: Vec<Pair>,
     /// Declared nodes and faces: corners in the order of the pairs, then edge nodes.
-    pub contacts: Vec<ContactSite>,
+    pub sites: Vec<ContactSite>,
     /// Bodies that have met; between them every face has a pair.
     pub meetings: Vec<Meeting>,
     /// Links: devices between two points.
@@ -129,7 +129,7 @@ impl Model {
     #[must_use]
     pub fn of_corners(mut self) -> Self {
         // Edge nodes are behind the contacts of all pairs.
-        self.contacts.truncate(self.pairs.iter().map(|pair| pair.contacts.end).max().unwrap_or(0));
+        self.sites.truncate(self.pairs.iter().map(|pair| pair.sites.end).max().unwrap_or(0));
         self.pairs.iter_mut().for_each(|pair| pair.edges = 0..0);
         self
     }
@@ -141,7 +141,7 @@ impl Model {
 
     /// The sections of their bodies that carry a contact's node and face.
     pub fn sections(&self, site: usize) -> [usize; 2] {
-        let ContactSite { node_body, face_body, carriers, .. } = &self.contacts[site];
+        let ContactSite { node_body, face_body, carriers, .. } = &self.sites[site];
         let section = |body: &Option<usize>, carrier| body.map_or(0, |b| self.bodies[b].section_of(carrier));
         [section(node_body, carriers[0]), section(face_body, carriers[1])]
     }

@@ -281,8 +281,8 @@ mod tests {
         let world = |body: Option<usize>, stand: DVec3, point: DVec3| {
             body.map_or(stand + point, |b| model.bodies[b].home + model.bodies[b].axes * point)
         };
-        assert!(model.pairs.len() == 1 && model.contacts.len() >= 2, "{} contacts", model.contacts.len());
-        for site in &model.contacts {
+        assert!(model.pairs.len() == 1 && model.sites.len() >= 2, "{} contacts", model.sites.len());
+        for site in &model.sites {
             let node = world(site.node_body, site.fixed, site.point);
             let corner = world(site.face_body, site.fixed, site.face.corners[0]);
             let normal = site.face_body.map_or(site.face.normal, |b| model.bodies[b].axes * site.face.normal);
@@ -297,10 +297,10 @@ mod tests {
             assert_eq!(site.pair, 0, "{}", site.node);
             assert!(site.node_body.is_some() != site.face_body.is_some(), "{}: girder against abutment", site.node);
         }
-        let of_deck = model.contacts.iter().filter(|site| site.node_body == Some(0)).count();
+        let of_deck = model.sites.iter().filter(|site| site.node_body == Some(0)).count();
         assert_eq!(of_deck, 2, "both corners of the end that faces the wall");
         let [shortest, longest] = [f64::min, f64::max]
-            .map(|pick| model.contacts.iter().map(|site| site.geometry.placed_gap()).reduce(pick).unwrap_or(f64::NAN));
+            .map(|pick| model.sites.iter().map(|site| site.geometry.placed_gap()).reduce(pick).unwrap_or(f64::NAN));
         assert!(longest - shortest < 1e-12, "parallel faces: {shortest} to {longest}");
     }
 }

@@ -33,8 +33,8 @@ pub struct Pair {
     pub mass: f64,
     /// Gap along the first girder's axis as placed \[m\].
     pub gap: f64,
-    /// Its contacts, numbers in [`Model::contacts`](crate::dynamics::Model::contacts).
-    pub contacts: std::ops::Range<usize>,
+    /// Sites of its corners, numbers in [`Model::sites`](crate::dynamics::Model::sites).
+    pub sites: std::ops::Range<usize>,
     /// Its edge nodes, behind the contacts of all pairs in the same list; none in plan.
     pub edges: std::ops::Range<usize>,
     /// Whether sliding has one direction only: the faces are vertical and no body can move vertically, roll or pitch.
@@ -69,7 +69,7 @@ impl Pair {
 
     /// Numbers of all its contact sites: corners, then edge nodes.
     pub fn nodes(&self) -> impl Iterator<Item = usize> + use<> {
-        self.contacts.clone().chain(self.edges.clone())
+        self.sites.clone().chain(self.edges.clone())
     }
 }
 

@@ -177,7 +177,7 @@ mod tests {
     fn a_node_seen_from_bases_is_where_it_is_and_moves_by_its_own_last_digit() {
         for name in ["skew45-abutment", "deck-30m"] {
             let model = model(name);
-            let (body, site) = (&model.bodies[0], &model.contacts[0]);
+            let (body, site) = (&model.bodies[0], &model.sites[0]);
             let mut since = away(model.kind);
             let base = body.rebase(&mut since);
             let bases = [site.node_body, site.face_body].map(|owner| owner.map(|_| &base));

@@ -60,7 +60,7 @@ impl ActiveContact {
 
     /// Poses of the sections of node and face, relative to the reference poses.
     fn sides<'a>(&self, model: &'a Model, frames: &'a [Frame]) -> [&'a Frame; 2] {
-        let stand = &model.contacts[self.site].stand;
+        let stand = &model.sites[self.site].stand;
         let frame = |index: Option<usize>, which: usize| index.map_or(stand, |_| &frames[self.sections[which]]);
         [frame(self.node, 0), frame(self.face, 1)]
     }
@@ -76,7 +76,7 @@ impl ActiveContact {
     /// mass of the lighter body.
     pub(in crate::dynamics) fn expected_depth(&self, model: &Model, frames: &[Frame]) -> f64 {
         let here = self.look(model, frames);
-        let pair = &model.pairs[model.contacts[self.site].pair];
+        let pair = &model.pairs[model.sites[self.site].pair];
         let mass = pair.bodies.iter().flatten().map(|&b| model.bodies[b].mass).fold(f64::INFINITY, f64::min);
         here.gap.abs().max(self.closed.law.normal.depth(mass, here.gap_rate.abs()))
     }

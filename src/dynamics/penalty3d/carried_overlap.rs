@@ -50,7 +50,7 @@ impl BodiesAt<'_> {
     /// How far the corner of a contact that took over displaced is itself behind its face \[m\]: the contact carries that, whatever its
     /// spring shows. Nothing of a contact without displacement, or of an edge node.
     fn corner_depth(&self, model: &Model, contact: &ActiveContact) -> Option<f64> {
-        let site = &model.contacts[contact.site];
+        let site = &model.sites[contact.site];
         if site.edge.is_some() || contact.closed.place.shift == DVec3::ZERO {
             return None;
         }
@@ -78,7 +78,7 @@ impl MetContacts {
             return all;
         }
         for (number, contact) in active.iter().enumerate() {
-            let site = &model.contacts[contact.site];
+            let site = &model.sites[contact.site];
             let pair = &model.pairs[site.pair];
             let ids = [pair.first.solid(), pair.second.solid()];
             let Some(meeting) = model.meetings.iter().position(|meeting| meeting.ids == ids) else { continue };

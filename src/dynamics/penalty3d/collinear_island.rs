@@ -202,7 +202,7 @@ impl CollinearIsland {
 
 impl AxialContact {
     fn of(model: &Model, bodies: &[usize], active: &ActiveContact, axis: usize) -> Option<Self> {
-        let site = &model.contacts[active.site];
+        let site = &model.sites[active.site];
         let frame = |side: Option<usize>| side.map_or(site.stand, |i| Frame::fixed(model.bodies[bodies[i]].home));
         let (node, face): (Frame, Frame) = (frame(active.node), frame(active.face));
         let normal = active.geometry.axes.z_axis;

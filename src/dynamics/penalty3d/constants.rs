@@ -113,7 +113,7 @@ pub(in crate::dynamics) const RETRY_DOUBLINGS: u32 = 36;
 
 /// Overlap of two bodies beyond the deepest contact between them at which another contact takes over, in parts of the smallest side
 /// of either body: half of that which a run reports as carried by no contact, and far above the round-off of places.
-pub(in crate::dynamics) const UNCARRIED: f64 = 5e-7;
+pub(crate) const UNCARRIED: f64 = 5e-7;
 
 // Simultaneous events
 
@@ -136,3 +136,8 @@ pub(in crate::dynamics) const CONFIRMED_RISE: f64 = 0.5;
 /// Change of a slip angle over which its force is differenced \[rad\]: one-sided, with a truncation of 5e-7 and a
 /// round-off of 2e-10.
 pub(in crate::dynamics) const ANGLE_DIFFERENCE: f64 = 1e-6;
+
+// Cost of steps
+
+/// Operations of a slope, per component \[–\]: the estimate by which implicit steps are weighed against explicit ones. Tuned.
+pub(super) const SLOPE_OPERATIONS: f64 = 30.0;

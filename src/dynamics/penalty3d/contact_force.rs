@@ -103,7 +103,7 @@ mod tests {
     /// A contact of a girder pressed in, moved along the wall and rotated.
     fn turned(level: bool) -> (Model, Action, [Frame; 2], ContactGeometry) {
         let (model, active) = closed(&wall(), stick);
-        let site = &model.contacts[active[0].site];
+        let site = &model.sites[active[0].site];
         let node = Frame { level, ..model.bodies[0].planar_frame(&[1e-3, 2e-4, 1e-3, 0.3, 0.1, 0.5]) };
         let (geometry, face) = (site.geometry, Frame { level, ..site.stand });
         let action = act(site, &active[0].closed, &node, &face);

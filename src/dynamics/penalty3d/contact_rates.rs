@@ -36,7 +36,7 @@ pub(in crate::dynamics) fn largest_decay_rate(model: &Model, active: &[ActiveCon
 
 /// Upper bound of the relative acceleration of node and face per unit force \[1/kg\].
 pub(super) fn mobility(model: &Model, active: &ActiveContact) -> f64 {
-    let pair = &model.pairs[model.contacts[active.site].pair];
+    let pair = &model.pairs[model.sites[active.site].pair];
     pair.bodies.iter().flatten().map(|&b| model.bodies[b].rate_bounds.mobility).sum::<f64>()
 }
 
@@ -50,7 +50,7 @@ pub(in crate::dynamics) fn decay(
 ) -> f64 {
     let mut sums = vec![0.0; bodies.len()];
     for a in active {
-        let geometry = model.contacts[a.site].geometry_at(&a.closed.place);
+        let geometry = model.sites[a.site].geometry_at(&a.closed.place);
         let [node, face] = model.sections(a.site);
         for (side, point) in [(a.node, (node, geometry.arm)), (a.face, (face, geometry.lever))] {
             if let Some(i) = side {
@@ -118,7 +118,7 @@ mod tests {
         for _ in 0..500 {
             let mut next = vec![DVec3::ZERO; q.len()];
             for contact in active {
-                let geometry = &model.contacts[contact.site].geometry;
+                let geometry = &model.sites[contact.site].geometry;
                 let sides = [(contact.node, geometry.arm, 1.0), (contact.face, geometry.lever, -1.0)];
                 for axis in [geometry.axes.x_axis, geometry.axes.y_axis, geometry.axes.z_axis] {
                     let row = |arm: DVec3| DVec3::new(axis.x, axis.y, arm.cross(axis).z);

@@ -7,11 +7,10 @@ use crate::dynamics::Model;
 use crate::dynamics::connection::Evolution;
 use crate::dynamics::integrator::system::{ImplicitSystem, PositionBlock, RankOneTerm, System};
 use crate::dynamics::model::body::Point;
-use crate::dynamics::model::coordinates::spatial;
 use crate::dynamics::model::ground_now::GroundNow;
 use crate::dynamics::penalty3d::contact_force;
-use crate::dynamics::penalty3d::contact_rates::largest_decay_rate;
 use crate::dynamics::penalty3d::coupled_system::CoupledSystem;
+use crate::dynamics::penalty3d::implicit_cost;
 use crate::dynamics::penalty3d::island_kind::IslandKind;
 use crate::dynamics::penalty3d::workspace::Workspace;
 use crate::motion::{Ground, LinearPiece};
@@ -44,7 +43,7 @@ pub(in crate::dynamics) struct EquationsOfMotion<'a> {
     /// Error scale.
     pub scale: ErrorScale,
     /// Allowed error of each slip angle \[rad\], then of each number that a device remembers.
-    pub angles: &'a [f64],
+    pub auxiliary_errors: &'a [f64],
     /// Workspace.
     pub workspace: &'a mut Workspace,
 }
@@ -86,20 +85,6 @@ impl EquationsOfMotion<'_> {
     }
 }
 
-/// Coordinates of a rigid body.
-const RIGID_IN_SPACE: usize = 6;
-/// Operations of a slope, per component.
-const SLOPE: f64 = 30.0;
-
-/// Operations of an implicit step over those of an explicit one, of so many components: one real and two complex eliminations of the
-/// positions, six iterations of five stages, a Jacobian by differences; twelve slopes and their sums.
-fn implicit_share(components: usize) -> f64 {
-    let (all, half) = (components as f64, 0.5 * components as f64);
-    let eliminations = 9.0 * 2.0 / 3.0 * half.powi(3) + 6.0 * 9.0 * 2.0 * half.powi(2);
-    let slopes = (all + 30.0) * SLOPE * all;
-    (eliminations + slopes) / (12.0 * SLOPE * all + 156.0 * all)
-}
-
 impl System for EquationsOfMotion<'_> {
     fn slope(&mut self, t: f64, y: &[f64], out: &mut [f64]) {
         self.workspace.clear();
@@ -115,8 +100,8 @@ impl System for EquationsOfMotion<'_> {
             // A sum, not a maximum: a NaN propagates and rejects the step.
             sum += (speed + omega2 * place) / (self.scale.speed * self.scale.speed);
         }
-        let angles = d[self.system.layout.len()..].iter().zip(self.angles);
-        sum + angles.map(|(d, allowed)| (d / allowed) * (d / allowed)).sum::<f64>()
+        let auxiliary = d[self.system.layout.len()..].iter().zip(self.auxiliary_errors);
+        sum + auxiliary.map(|(d, allowed)| (d / allowed) * (d / allowed)).sum::<f64>()
     }
 }
 
@@ -135,8 +120,7 @@ impl ImplicitSystem for EquationsOfMotion<'_> {
     }
 
     fn rate_bound(&self) -> f64 {
-        let connections = largest_decay_rate(self.model, &self.system.active, &self.system.links);
-        self.scale.omega.max(connections).max(self.system.modal.change)
+        self.scale.omega.max(self.system.largest_decay_rate).max(self.system.modal.change)
     }
 
     fn relative_tolerance(&self) -> f64 {
@@ -144,14 +128,7 @@ impl ImplicitSystem for EquationsOfMotion<'_> {
     }
 
     fn implicit_cost(&self) -> f64 {
-        let (width, bodies) = (self.system.layout.len(), self.system.bodies.len());
-        // Only girders that bend have more components than a rigid body, with which the constants of step control were measured.
-        let own = if width > bodies * spatial::WIDTH {
-            implicit_share(width) / implicit_share(2 * RIGID_IN_SPACE)
-        } else {
-            1.0
-        };
-        own.max(1.0)
+        implicit_cost::over_rigid(self.system.layout.len(), self.system.bodies.len())
     }
 
     fn auxiliary_count(&self) -> usize {
@@ -186,7 +163,7 @@ impl ImplicitSystem for EquationsOfMotion<'_> {
             return;
         }
         let n = input.len() / 2;
-        let site = &self.model.contacts[active.site];
+        let site = &self.model.sites[active.site];
         let own = self.model.sections(active.site);
         let frames = [(active.node, own[0]), (active.face, own[1])].map(|(side, section)| {
             side.map_or(site.stand, |i| {
@@ -239,7 +216,7 @@ mod tests {
             piece: model.ground.piece(model.ground.piece_number(0.0)),
             since: 0.0,
             scale,
-            angles: &[],
+            auxiliary_errors: &[],
             workspace: &mut Workspace::of(active),
         };
         equations.size2(error)

@@ -82,13 +82,13 @@ impl Island {
         let largest = speed2.sqrt().max(REST_SPEED * rest).max(REVERSAL_SPEED * bodies.acceleration / omega);
         // Round-off of a step: that of the displacement of a corner times the frequency, plus that of the speed of
         // the corner.
-        let rounding = if self.stepper.state().stiff { IMPLICIT_ROUNDING } else { EXPLICIT_ROUNDING };
+        let rounding = if self.controller.state().stiff { IMPLICIT_ROUNDING } else { EXPLICIT_ROUNDING };
         let speed = self.step_tolerance(model, free) * largest + rounding * (bodies.roundoff + rest);
-        self.angles.clear();
+        self.auxiliary_errors.clear();
         // Error of a slip angle as displacement of the anchor: stretch times angle.
         let angle = |stretch: &f64| (speed / (omega * stretch)).min(model.tolerance.sqrt());
-        self.angles.extend(contacts.stretches.iter().map(angle));
-        self.angles.extend(devices.memories.iter().map(|length| speed / (omega * length)));
+        self.auxiliary_errors.extend(contacts.stretches.iter().map(angle));
+        self.auxiliary_errors.extend(devices.memories.iter().map(|length| speed / (omega * length)));
         let felt = contacts.openings.iter().filter(|[_, impulse]| *impulse > speed).map(|[time, _]| *time);
         let opening = felt.fold(f64::INFINITY, f64::min);
         let DeviceScale { relaxation, smooth_within, .. } = devices;
@@ -99,7 +99,7 @@ impl Island {
     fn step_tolerance(&self, model: &Model, free: bool) -> f64 {
         let (long_run, finest) =
             if free { (LONG_RUN_FREE, FINEST_TOLERANCE_FREE) } else { (LONG_RUN_CONTACT, FINEST_TOLERANCE) };
-        let demanded = model.tolerance * (long_run / self.taken as f64).min(1.0);
+        let demanded = model.tolerance * (long_run / self.steps_taken as f64).min(1.0);
         demanded.max(model.tolerance.min(finest))
     }
 
@@ -189,7 +189,7 @@ impl Island {
 
     /// Acceleration of a body at the start of the next step, rotation included by its radius of gyration \[m/s²\].
     fn acceleration(&self, model: &Model, index: usize) -> f64 {
-        let slope = &self.stepper.slope()[self.system.layout.range(index)];
+        let slope = &self.controller.slope()[self.system.layout.range(index)];
         let [_, squared] = model.bodies[self.system.bodies[index]].size2(slope);
         squared.sqrt()
     }
@@ -201,7 +201,7 @@ impl Island {
         let Ground::Sine { omega, .. } = model.ground else { return cap };
         if self.system.is_free(model) {
             cap.min(self.step.until + GROUND_PHASE_FREE / omega)
-        } else if self.stepper.state().stiff {
+        } else if self.controller.state().stiff {
             cap.min(self.step.until + GROUND_PHASE_CONTACT / omega)
         } else {
             cap
@@ -210,7 +210,7 @@ impl Island {
 
     /// Longest next step within these bounds \[s\]: no longer than its error estimate can judge.
     pub(in crate::dynamics) fn longest(&mut self, model: &Model, bounds: &StepLengthBounds) -> f64 {
-        let explicit = if self.stepper.state().stiff {
+        let explicit = if self.controller.state().stiff {
             f64::INFINITY
         } else {
             self.decay_time(model).min(RESOLVED_RELAXATION / bounds.relaxation)
@@ -235,7 +235,7 @@ impl Island {
 
     /// Time of [`RESOLVED_DECAY`] time constants of the dashpots \[s\]; infinite where the last step was far below it.
     fn decay_time(&mut self, model: &Model) -> f64 {
-        let pace = self.stepper.state();
+        let pace = self.controller.state();
         // A sum of the largest single rates bounds the decay rate; the sharper bound is computed only near the limit.
         let sum = self.system.modal.decay + self.system.largest_decay_rate * self.system.connection_count() as f64;
         if pace.step > 0.0 && pace.step * sum < RESOLVED_DECAY {
@@ -250,7 +250,7 @@ impl Island {
     pub(in crate::dynamics) fn reach(&self, model: &Model, number: usize) -> f64 {
         let active = &self.system.active[number];
         let moved: f64 = [active.node, active.face].into_iter().flatten().map(|body| self.moved[body]).sum();
-        moved.max(SIZE_ROUNDING_SHARE * model.contacts[active.site].reach())
+        moved.max(SIZE_ROUNDING_SHARE * model.sites[active.site].reach())
     }
 }
 
@@ -283,7 +283,7 @@ mod tests {
         let (mut model, active) = closed(&wall(), stick);
         model.tolerance = tolerance;
         let mut island = island(&model, active, &[state]);
-        island.taken = taken;
+        island.steps_taken = taken;
         island.scale(&model).0
     }
 

@@ -21,7 +21,7 @@ use crate::dynamics::penalty3d::island::Island;
 /// Position and velocity of a node relative to its face at `t` within an island's planned step.
 pub(in crate::dynamics) fn local_at(model: &Model, island: &Island, number: usize, t: f64) -> Local {
     let active = &island.system.active[number];
-    let site = &model.contacts[active.site];
+    let site = &model.sites[active.site];
     let own = model.sections(active.site);
     let frame =
         |side: Option<usize>, section: usize| side.map_or(site.stand, |i| island.frame_since(model, i, section, t));
@@ -41,7 +41,7 @@ pub(in crate::dynamics) fn switching_function(
     match reason {
         Reason::Opening => here.gap,
         Reason::Edge => {
-            let (site, solver) = (&model.contacts[active.site], &active.closed.solver);
+            let (site, solver) = (&model.sites[active.site], &active.closed.solver);
             match solver.handover_distance {
                 Some(beyond) => site.over_edge(here) - beyond,
                 None => site.beyond(&active.closed.place, here) - solver.kept_beyond_edge,
@@ -87,7 +87,7 @@ pub(in crate::dynamics) fn first_contact_events(
 /// Number of samples of the switching functions within the planned step.
 pub(in crate::dynamics) fn sample_count(island: &Island) -> usize {
     let phase = (island.step.until - island.step.from) * island.omega();
-    if !island.pace().stiff || phase <= SHORT_PHASES[0] {
+    if !island.controller_state().stiff || phase <= SHORT_PHASES[0] {
         SAMPLES_EXPLICIT
     } else if phase <= SHORT_PHASES[1] {
         SAMPLES_MEDIUM
@@ -187,7 +187,7 @@ fn uncarried_overlap<const N: usize>(
 /// Whether a node stays inside its polygon for the whole step, by bounds on the excursions of both bodies.
 fn is_inside(model: &Model, island: &Island, number: usize, here: &Local) -> bool {
     let active = &island.system.active[number];
-    let arms = model.contacts[active.site].levers(here);
+    let arms = model.sites[active.site].levers(here);
     let excursions = [active.node, active.face].into_iter().zip(arms);
     let excursions =
         excursions.map(|(side, arm)| side.map_or(0.0, |i| island.excursion(model, i, arm, island.step.from)));

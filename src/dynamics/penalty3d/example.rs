@@ -56,11 +56,11 @@ pub(in crate::dynamics) fn closed(scene: &Scene, mode: impl Fn(&Local) -> Mode) 
         body.map_or(site.stand, |body| model.bodies[body].planar_frame(&[0.0; WIDTH]))
     };
     let local = |site: &ContactSite| locate(&site.geometry, &frame(site.node_body, site), &frame(site.face_body, site));
-    let active = (0..model.contacts.len()).filter_map(|number| {
-        let site = &model.contacts[number];
+    let active = (0..model.sites.len()).filter_map(|number| {
+        let site = &model.sites[number];
         let here = local(site);
         let pair = &model.pairs[site.pair];
-        let nodes = sharers(pair.contacts.clone().map(|n| (&model.contacts[n].face, local(&model.contacts[n]).at)));
+        let nodes = sharers(pair.sites.clone().map(|n| (&model.sites[n].face, local(&model.sites[n]).at)));
         let closed = ClosedContact::new(pair.law.shared(nodes as f64), mode(&here), 0.0);
         let active = ActiveContact::new(number, [site.node_body, site.face_body], closed, site.geometry);
         // An edge node is one from the closing of its pair on.

@@ -53,7 +53,7 @@ fn add_devices(model: &Model, system: &CoupledSystem, y: &[f64], workspace: &mut
 fn add_contacts(model: &Model, system: &CoupledSystem, y: &[f64], workspace: &mut Workspace, out: &mut [f64]) {
     let mut slider = 0;
     for active in &system.active {
-        let site = &model.contacts[active.site];
+        let site = &model.sites[active.site];
         let node = active.node.map_or(&site.stand, |_| &workspace.frames[active.sections[0]]);
         let face = active.face.map_or(&site.stand, |_| &workspace.frames[active.sections[1]]);
         let held = workspace.sliding.frozen_contact(slider, active);
@@ -118,7 +118,7 @@ mod tests {
         let out = rates(&model, &active, &y);
         let frame = model.bodies[0].planar_frame(&y);
         let force = |a: &ActiveContact| {
-            let site = &model.contacts[a.site];
+            let site = &model.sites[a.site];
             contact_force::act(site, &a.closed, &frame, &site.stand).force
         };
         let total: DVec3 = active.iter().map(force).sum();

@@ -35,19 +35,20 @@ pub(in crate::dynamics) struct Island {
     /// Number of its sequence among the recomputed steps; `None` while no step is stored by its initial state.
     pub sequence: Option<u32>,
     /// Time \[s\] and interval of the ground motion at which the slope at the start of the next step was evaluated.
-    pub(super) sloped: (f64, usize),
+    pub(super) slope_at: (f64, usize),
     /// For bodies with quaternions: the states before normalisation at which the slopes at the start of the planned
     /// step and of the next step were evaluated.
-    pub(super) raw: Vec<f64>,
-    pub(super) next_raw: Vec<f64>,
+    pub(super) unnormalised: Vec<f64>,
+    pub(super) next_unnormalised: Vec<f64>,
     pub(in crate::dynamics) y: Vec<f64>,
     /// Number of segments in the longest path of its bodies, with the planned step.
-    pub taken: usize,
-    pub(in crate::dynamics) stepper: StepController,
+    pub steps_taken: usize,
+    pub(in crate::dynamics) controller: StepController,
     /// Bound of the displacement of a corner since placed at the start of the step, per body \[m\].
     pub(in crate::dynamics) moved: Vec<f64>,
     pub(super) workspace: Workspace,
-    pub(in crate::dynamics) angles: Vec<f64>,
+    /// What slip angles \[rad\] and memories of devices may err by in a step, each in its own unit, as they stand behind the states.
+    pub(in crate::dynamics) auxiliary_errors: Vec<f64>,
 }
 
 /// A step shorter than the smallest that is followed.
@@ -59,7 +60,7 @@ pub(in crate::dynamics) struct StepTooSmall {
 
 impl Island {
     /// An island of bodies at `t` \[s\] with states `y` relative to reference poses, whose closed contacts have these numbers in the group;
-    /// `pace` is the method and length of its first step.
+    /// `controller` is the method and length of its first step.
     pub(in crate::dynamics) fn new(
         model: &Model,
         slots: Vec<usize>,
@@ -67,14 +68,14 @@ impl Island {
         contacts: Vec<usize>,
         mut y: Vec<f64>,
         t: f64,
-        pace: ControllerState,
+        controller: ControllerState,
     ) -> Self {
         let system = CoupledSystem::of(model, members, &mut y);
         let kind = IslandKind::of(model, &system, &y);
         // A slip angle follows the velocity over a length of the spring's stretch, faster than all other motions:
         // implicit steps.
         let turns = system.active.iter().any(|a| a.angle.is_some());
-        let pace = ControllerState { stiff: pace.stiff && !system.is_free(model) || turns, ..pace };
+        let controller = ControllerState { stiff: controller.stiff && !system.is_free(model) || turns, ..controller };
         let mut island = Self {
             moved: vec![0.0; system.bodies.len()],
             workspace: Workspace::of(&system.active),
@@ -84,16 +85,16 @@ impl Island {
             contacts,
             step: PlannedStep::none_yet(t),
             sequence: None,
-            sloped: (t, 0),
-            raw: Vec::new(),
-            next_raw: Vec::new(),
-            taken: 0,
-            stepper: StepController::new(y.len(), pace),
+            slope_at: (t, 0),
+            unnormalised: Vec::new(),
+            next_unnormalised: Vec::new(),
+            steps_taken: 0,
+            controller: StepController::new(y.len(), controller),
             y,
-            angles: Vec::new(),
+            auxiliary_errors: Vec::new(),
         };
         if island.system.is_free(model) {
-            island.stepper.expect_no_noise();
+            island.controller.expect_no_noise();
         }
         island.rewind(model, t);
         island
@@ -101,23 +102,23 @@ impl Island {
 
     /// Evaluates the slope at the start of the next step, for a first step and after a kink of the ground motion.
     pub(in crate::dynamics) fn rewind(&mut self, model: &Model, t: f64) {
-        self.sloped = (t, model.ground.piece_number(t));
-        let piece = model.ground.piece(self.sloped.1);
-        let (mut stepper, y) = (std::mem::take(&mut self.stepper), std::mem::take(&mut self.y));
-        stepper.start(&mut self.field(model, (piece, t), ErrorScale::default()), t, &y);
-        self.note_raw(&y);
-        (self.stepper, self.y) = (stepper, y);
+        self.slope_at = (t, model.ground.piece_number(t));
+        let piece = model.ground.piece(self.slope_at.1);
+        let (mut controller, y) = (std::mem::take(&mut self.controller), std::mem::take(&mut self.y));
+        controller.start(&mut self.equations(model, (piece, t), ErrorScale::default()), t, &y);
+        self.note_unnormalised(&y);
+        (self.controller, self.y) = (controller, y);
     }
 
     /// Stores the state at which the slope at the start of the next step was evaluated.
-    pub(super) fn note_raw(&mut self, y: &[f64]) {
+    pub(super) fn note_unnormalised(&mut self, y: &[f64]) {
         if self.system.layout.has_unit_parts() {
-            self.next_raw.clear();
-            self.next_raw.extend_from_slice(y);
+            self.next_unnormalised.clear();
+            self.next_unnormalised.extend_from_slice(y);
         }
     }
 
-    pub(super) fn field<'a>(
+    pub(super) fn equations<'a>(
         &'a mut self,
         model: &'a Model,
         (piece, since): (LinearPiece, f64),
@@ -130,7 +131,7 @@ impl Island {
             piece,
             since,
             scale,
-            angles: &self.angles,
+            auxiliary_errors: &self.auxiliary_errors,
             workspace: &mut self.workspace,
         }
     }
@@ -144,34 +145,34 @@ impl Island {
     pub(in crate::dynamics) fn plan(&mut self, model: &Model, cap: f64, soon: f64) -> Result<(), StepTooSmall> {
         let t = self.step.until;
         self.step.from = t;
-        self.taken += 1;
+        self.steps_taken += 1;
         let (scale, bounds) = self.scale(model);
         self.step.allowed = Allowed { displacement: scale.speed / scale.omega, speed: scale.speed };
         let number = model.ground.piece_number(t);
         let piece = model.ground.piece(number);
-        let known = self.workspace.sliding.sliders.is_empty() && self.sloped == (t, number);
-        self.step.explicit = !self.stepper.state().stiff;
+        let known = self.workspace.sliding.sliders.is_empty() && self.slope_at == (t, number);
+        self.step.explicit = !self.controller.state().stiff;
         self.step.repeats = known && self.step.explicit && self.system.links.is_empty();
         // Connections in parallel are faster than the fastest of them alone: factor √(2/n) for n connections, n from 2 to 4. Before the
         // first step no length is known, and its error estimate is unreliable beyond the limit of stability: the length of the first step
         // follows from the largest rate |λ|, the frequency of an oscillation or the decay rate of a dashpot.
         let together = (2.0 / (self.system.active.len() + self.system.links.len()).clamp(2, 4) as f64).sqrt();
-        let largest_decay_rate = if self.stepper.state().step > 0.0 { 0.0 } else { self.system.largest_decay_rate };
+        let largest_decay_rate = if self.controller.state().step > 0.0 { 0.0 } else { self.system.largest_decay_rate };
         let first =
             FIRST_PHASE * together / scale.omega.max(largest_decay_rate) * (model.tolerance / 1e-10).powf(0.125);
         let longest = self.longest(model, &bounds);
         let kink = self.limiting_kink(model, t);
         let cap = self.drive_cap(model, cap);
         let limits = StepLimits { cap, kink, first, longest, soon, smallest: SMALLEST_PHASE / scale.omega };
-        let (mut stepper, mut y) = (std::mem::take(&mut self.stepper), std::mem::take(&mut self.y));
-        let outcome = stepper.step(&mut self.field(model, (piece, t), scale), t, &mut y, limits);
-        std::mem::swap(&mut self.raw, &mut self.next_raw);
-        self.note_raw(&y);
+        let (mut controller, mut y) = (std::mem::take(&mut self.controller), std::mem::take(&mut self.y));
+        let outcome = controller.step(&mut self.equations(model, (piece, t), scale), t, &mut y, limits);
+        std::mem::swap(&mut self.unnormalised, &mut self.next_unnormalised);
+        self.note_unnormalised(&y);
         normalise(model, &self.system.bodies, &self.system.layout, &mut y);
-        (self.stepper, self.y) = (stepper, y);
+        (self.controller, self.y) = (controller, y);
         let (dense, end) = outcome.map_err(|step| StepTooSmall { step })?;
         // The slope is evaluated at the sum, from which `end` can differ by the last bit.
-        self.sloped = (t + dense.step, number);
+        self.slope_at = (t + dense.step, number);
         (self.step.dense, self.step.until) = (Some(dense), end);
         Ok(())
     }
@@ -229,10 +230,10 @@ impl Island {
             return Some((dense.step, start.collect()));
         }
         // Normalising a normalised quaternion can change its last bit.
-        let mut normal = self.raw.clone();
+        let mut normal = self.unnormalised.clone();
         normalise(model, &self.system.bodies, &self.system.layout, &mut normal);
         let same = normal.iter().all(|x| start.next().is_some_and(|y| x.to_bits() == y.to_bits()));
-        same.then(|| (dense.step, self.raw.clone()))
+        same.then(|| (dense.step, self.unnormalised.clone()))
     }
 
     /// Dense output of the planned step for the slip angle of one contact; `None` where the angle is no state.
@@ -242,18 +243,18 @@ impl Island {
     }
 
     /// Method and length of its integrator's next step.
-    pub(in crate::dynamics) fn pace(&self) -> ControllerState {
-        self.stepper.state()
+    pub(in crate::dynamics) fn controller_state(&self) -> ControllerState {
+        self.controller.state()
     }
 
     /// Takes over the memory of an implicit integrator of an ended island.
     pub(in crate::dynamics) fn borrow(&mut self, spare: Option<Box<Radau>>) {
-        self.stepper.borrow(spare);
+        self.controller.borrow(spare);
     }
 
     /// Hands over the memory of its implicit integrator, if it has one.
     pub(in crate::dynamics) fn give_back(&mut self) -> Option<Box<Radau>> {
-        self.stepper.give_back()
+        self.controller.give_back()
     }
 
     /// Circular frequency of its fastest contact, device or bearing \[rad/s\].

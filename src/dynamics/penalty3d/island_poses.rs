@@ -51,7 +51,7 @@ impl Island {
     /// Poses of the sections of its bodies relative to their reference poses, `dt` after the start of the next step, with constant
     /// acceleration.
     pub(in crate::dynamics) fn frames_after(&self, model: &Model, dt: f64) -> Vec<Frame> {
-        let slope = self.stepper.slope();
+        let slope = self.controller.slope();
         let mut moved: Vec<f64> = self.y.iter().zip(slope).map(|(y, rate)| y + dt * rate).collect();
         let mut frames = Vec::with_capacity(self.system.layout.section_count());
         for index in 0..self.system.bodies.len() {

@@ -21,15 +21,19 @@ impl Island {
         let (from, h) = (self.step.from, (t - self.step.from) * (1.0 + RETAKE_OVERSHOOT));
         let number = model.ground.piece_number(from);
         let piece = model.ground.piece(number);
-        let mut stepper = std::mem::take(&mut self.stepper);
-        self.note_raw(&y);
-        std::mem::swap(&mut self.raw, &mut self.next_raw);
-        let dense =
-            stepper.repeat_explicit(&mut self.field(model, (piece, from), ErrorScale::default()), from, &mut y, h);
-        self.note_raw(&y);
+        let mut controller = std::mem::take(&mut self.controller);
+        self.note_unnormalised(&y);
+        std::mem::swap(&mut self.unnormalised, &mut self.next_unnormalised);
+        let dense = controller.repeat_explicit(
+            &mut self.equations(model, (piece, from), ErrorScale::default()),
+            from,
+            &mut y,
+            h,
+        );
+        self.note_unnormalised(&y);
         normalise(model, &self.system.bodies, &self.system.layout, &mut y);
-        self.sloped = (from + dense.step, number);
-        (self.stepper, self.y, self.step.until, self.step.dense) = (stepper, y, from + dense.step, Some(dense));
+        self.slope_at = (from + dense.step, number);
+        (self.controller, self.y, self.step.until, self.step.dense) = (controller, y, from + dense.step, Some(dense));
         true
     }
 }

@@ -209,7 +209,7 @@ impl Replay {
             piece,
             since: from,
             scale: ErrorScale::default(),
-            angles: &[],
+            auxiliary_errors: &[],
             workspace: &mut Workspace::of(&system.active),
         };
         let dense = again(&mut field, from, &mut y, length);
@@ -266,7 +266,7 @@ fn active(
     bases: &[ReferencePose],
     past: &Past<'_>,
 ) -> Option<ActiveContact> {
-    let site = &past.model.contacts[logged.site as usize];
+    let site = &past.model.sites[logged.site as usize];
     let index = |body: Option<usize>| body.and_then(|body| bodies.iter().position(|&b| b == body));
     let ends = [site.node_body, site.face_body].map(index);
     let sides = ends.map(|i| bases.get(i?));

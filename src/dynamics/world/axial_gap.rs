@@ -24,7 +24,7 @@ impl AxialGap {
     pub(in crate::dynamics) fn of(model: &Model, pair: usize, sites: &[(usize, SiteGeometry)]) -> Option<Self> {
         let first = model.pairs[pair].bodies[0];
         let one = |(site, geometry): &(usize, SiteGeometry), axis: usize| {
-            let site = &model.contacts[*site];
+            let site = &model.sites[*site];
             let normal = site.geometry.axes.z_axis;
             let square = site.face.is_upright() && normal[axis].abs() == 1.0 && normal[1 - axis] == 0.0;
             let side = if site.node_body == first { 1.0 } else { -1.0 };

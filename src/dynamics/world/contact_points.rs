@@ -125,7 +125,7 @@ fn is_free(world: &World, contact: usize, at: DVec2, poses: Poses<'_>, tolerance
 /// Place of a node on the second side's face \[m\].
 fn point_on_second_face(world: &World, contact: usize, poses: Poses<'_>) -> DVec2 {
     let track = &world.contacts[contact];
-    let site = &world.model.contacts[track.site];
+    let site = &world.model.sites[track.site];
     if !is_of_first(world, contact) {
         let corner = || on_second_face(world, contact, site.point);
         return site.edge.as_ref().map_or_else(corner, |edge| edge.own_place(&track.place));
@@ -137,8 +137,8 @@ fn point_on_second_face(world: &World, contact: usize, poses: Poses<'_>) -> DVec
 /// Coordinates on the second side's face of a point of its body \[m\].
 fn on_second_face(world: &World, contact: usize, point: DVec3) -> DVec2 {
     // The first contacts of a pair are the corners of its first side, against the face of the second.
-    let first = world.model.pairs[world.pairs[world.contacts[contact].pair].pair].contacts.start;
-    world.model.contacts[first].face.coordinates(point)
+    let first = world.model_pair(world.contacts[contact].pair).sites.start;
+    world.model.sites[first].face.coordinates(point)
 }
 
 /// Largest distance of an edge node from its crossing \[m\].
@@ -166,7 +166,7 @@ fn gathered(nodes: impl Iterator<Item = (usize, DVec2)>, near: f64) -> Vec<Verte
 }
 
 fn one_vertex(world: &World, pair: usize) -> f64 {
-    let sites = &world.model.contacts[world.model.pairs[world.pairs[pair].pair].contacts.clone()];
+    let sites = &world.model.sites[world.model_pair(pair).sites.clone()];
     ONE_VERTEX * sites.iter().map(|site| site.face.size()).fold(f64::INFINITY, f64::min)
 }
 

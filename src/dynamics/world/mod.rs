@@ -21,7 +21,7 @@ use std::sync::Arc;
 
 use crate::dynamics::model::edge_node::Edge;
 use crate::dynamics::penalty3d::island::Island;
-use crate::dynamics::{ContactSite, Model};
+use crate::dynamics::{ContactSite, Model, Pair};
 use tracks::{BodyTrack, ContactTrack, LinkTrack, PairTrack};
 
 /// Bodies, pairs, contacts, links and islands of one group.
@@ -46,7 +46,17 @@ pub(in crate::dynamics) struct World {
 impl World {
     /// The site of a contact in the model.
     pub(in crate::dynamics) fn site(&self, contact: usize) -> &ContactSite {
-        &self.model.contacts[self.contacts[contact].site]
+        &self.model.sites[self.contacts[contact].site]
+    }
+
+    /// The pair of a contact.
+    pub(in crate::dynamics) fn pair_of(&self, contact: usize) -> &PairTrack {
+        &self.pairs[self.contacts[contact].pair]
+    }
+
+    /// A pair in the model.
+    pub(in crate::dynamics) fn model_pair(&self, pair: usize) -> &Pair {
+        &self.model.pairs[self.pairs[pair].model_pair]
     }
 
     /// The edge of an edge node; `None` for a corner.

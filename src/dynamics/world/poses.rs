@@ -65,7 +65,7 @@ impl World {
         let track = &self.contacts[contact];
         match track.slots[side] {
             Some(slot) => self.frame(slot, track.sections[side], t),
-            None => self.model.contacts[track.site].stand,
+            None => self.model.sites[track.site].stand,
         }
     }
 

@@ -56,7 +56,7 @@ impl World {
         for &pair in pairs {
             self.add_pair(&model, pair, slot);
         }
-        self.find_rivals(pairs);
+        self.find_other_faces(pairs);
         for &number in &model.group_links[number] {
             self.add_link(&model, number, model.links[number].bodies.map(slot));
         }
@@ -81,7 +81,7 @@ impl World {
         let slots = pair.bodies.map(slot);
         let from = self.contacts.len();
         for site in pair.nodes() {
-            let owners = [model.contacts[site].node_body, model.contacts[site].face_body].map(slot);
+            let owners = [model.sites[site].node_body, model.sites[site].face_body].map(slot);
             self.add_contact(model, site, owners);
         }
         self.find_corners(model, from);
@@ -109,7 +109,7 @@ impl World {
         let ids = pair.sides().map(Side::solid);
         let meeting = model.meetings.iter().position(|meeting| pair.met && meeting.ids == ids);
         self.pairs.push(PairTrack {
-            pair: number,
+            model_pair: number,
             slots,
             sections,
             corner_sections,
@@ -147,11 +147,11 @@ impl World {
     /// Enters in each edge node among the contacts of one pair, from number `from` on, those of the ends of its edge.
     fn find_corners(&mut self, model: &Model, from: usize) {
         for contact in from..self.contacts.len() {
-            let Some(edge) = &model.contacts[self.contacts[contact].site].edge else { continue };
+            let Some(edge) = &model.sites[self.contacts[contact].site].edge else { continue };
             let corner = |home: &ContactGeometry| {
                 let is_there = |site: &ContactSite| site.edge.is_none() && site.geometry == *home;
                 let rides = |other: usize| self.contacts[other].sections == self.contacts[contact].sections;
-                (from..contact).find(|&other| is_there(&model.contacts[self.contacts[other].site]) && rides(other))
+                (from..contact).find(|&other| is_there(&model.sites[self.contacts[other].site]) && rides(other))
             };
             let [first, second] = edge.homes().map(corner);
             self.contacts[contact].corners = first.zip(second).map(|(first, second)| [first, second]);
@@ -175,7 +175,7 @@ impl World {
 
     /// Enters in each contact the other contacts of its node with faces of the same body, where an end is in more than one pair. In
     /// another body the node may be at the same time.
-    fn find_rivals(&mut self, pairs: &[usize]) {
+    fn find_other_faces(&mut self, pairs: &[usize]) {
         let model = Arc::clone(&self.model);
         let mut sides: Vec<_> = pairs.iter().flat_map(|&n| [model.pairs[n].first, model.pairs[n].second]).collect();
         sides.sort_unstable();
@@ -184,10 +184,10 @@ impl World {
         }
         let mut nodes: BTreeMap<NodeOnBody<'_>, Vec<usize>> = BTreeMap::new();
         // An edge node is another material point at each closing.
-        let corners = self.contacts.iter().enumerate().filter(|(_, track)| model.contacts[track.site].edge.is_none());
+        let corners = self.contacts.iter().enumerate().filter(|(_, track)| model.sites[track.site].edge.is_none());
         for (contact, track) in corners {
-            let solids = model.pairs[self.pairs[track.pair].pair].solids();
-            nodes.entry((track.slots[0], &model.contacts[track.site].node, solids)).or_default().push(contact);
+            let solids = model.pairs[self.pairs[track.pair].model_pair].solids();
+            nodes.entry((track.slots[0], &model.sites[track.site].node, solids)).or_default().push(contact);
         }
         for same in nodes.values().filter(|same| same.len() > 1) {
             for &contact in same {

@@ -25,7 +25,7 @@ pub(in crate::dynamics) struct SiteGeometry {
 
 impl SiteGeometry {
     pub(in crate::dynamics) fn of(model: &Model, site: usize) -> Self {
-        let site = &model.contacts[site];
+        let site = &model.sites[site];
         let half = site.half_edge();
         let (arm, lever) = (site.geometry.arm.length() + half, site.geometry.lever.length() + half);
         let of_met = site.corner.is_some();

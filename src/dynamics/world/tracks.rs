@@ -72,7 +72,7 @@ fn segment(flight: BodyFlight, until: f64) -> Segment {
 #[derive(Debug)]
 pub(in crate::dynamics) struct PairTrack {
     /// Number in the model.
-    pub pair: usize,
+    pub model_pair: usize,
     /// Slots of its bodies; `None` for an abutment.
     pub slots: [Option<usize>; 2],
     /// Sections of these bodies that face each other.

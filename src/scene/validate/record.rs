@@ -168,5 +168,9 @@ fn processing(place: &str, record: &RecordMotion, complaints: &mut Complaints) {
         fault.into_iter().find_map(|(dt, samples)| record.processing.fault(dt, samples.len()))
     {
         at.add(key, number(value), remedy);
+    } else if let Some(peak) = record.processing.peak_g.filter(|_| record.scale != 0.0)
+        && record.extent().is_some_and(|(largest, ..)| largest == 0.0)
+    {
+        at.add("peak_g", number(peak), Text::new("wrong-peak-of-nothing"));
     }
 }

@@ -9,7 +9,7 @@ use crate::sim::{ContactState, Event, EventKind};
 pub(in crate::sim) fn of(record: &Record, model: &Model) -> Vec<Event> {
     let mut all: Vec<Event> = Vec::new();
     for hit in &record.hits {
-        let contact = hit.sites.first().copied().unwrap_or(model.pairs[hit.pair].contacts.start);
+        let contact = hit.sites.first().copied().unwrap_or(model.pairs[hit.pair].sites.start);
         all.push(Event::new(hit.t, contact, EventKind::Hit, hit.impulses.lost));
     }
     for (_, site, spans) in spans(record) {

@@ -49,7 +49,7 @@ fn now(
     site: usize,
 ) -> ContactNow {
     let model = history.model();
-    let contact = &model.contacts[site];
+    let contact = &model.sites[site];
     let point = kinematics.point(model, site);
     // Forces and V are the first side's; where the face is, they are the opposite.
     let side = if contact.node_body == model.pairs[mode.pair].bodies[0] { 1.0 } else { -1.0 };
@@ -57,7 +57,7 @@ fn now(
     let total = reaction.total();
     let share = if total > 0.0 { reaction.normal[end] / total } else { 1.0 / mode.sites.len() as f64 };
     let [normal_velocity, slide] = kinematics.cluster.speeds(&point);
-    let node = history.model().contacts[site].node_body.and_then(|body| kinematics.bodies.binary_search(&body).ok());
+    let node = history.model().sites[site].node_body.and_then(|body| kinematics.bodies.binary_search(&body).ok());
     let place = match node {
         Some(place) => kinematics.frames[place].origin() + kinematics.frames[place].turn(contact.geometry.arm),
         None => contact.fixed + contact.point,

@@ -2,7 +2,7 @@
 
 use super::events::spans;
 use crate::dynamics::impact2d::Record;
-use crate::sim::peaks::first_largest;
+use crate::sim::peaks;
 use crate::sim::{ContactState, History, Touch};
 
 /// Looks for the largest push of a lasting contact.
@@ -19,7 +19,7 @@ pub(in crate::sim) fn of(history: &History, record: &Record) -> Vec<Touch> {
     let mut all: Vec<Touch> = Vec::new();
     for hit in &record.hits {
         let [normal, tangential] = hit.impulses.total();
-        let contact = hit.sites.first().copied().unwrap_or(history.model().pairs[hit.pair].contacts.start);
+        let contact = hit.sites.first().copied().unwrap_or(history.model().pairs[hit.pair].sites.start);
         all.push(Touch {
             pair: hit.pair,
             contact,
@@ -58,9 +58,9 @@ pub(in crate::sim) fn of(history: &History, record: &Record) -> Vec<Touch> {
             }
             let times: Vec<f64> = looks(from, until).collect();
             let force = |t: f64| history.contact_at(contact, t).map_or(0.0, |now| now.force.length());
-            let (t, force) = first_largest(&times, &force);
-            if force > touch.peak_force {
-                (touch.peak_time, touch.peak_force) = (t, force);
+            let most = peaks::largest(&times, &force);
+            if most.value > touch.peak_force {
+                (touch.peak_time, touch.peak_force) = (most.t, most.value);
             }
         }
         all.extend(open);

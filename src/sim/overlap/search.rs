@@ -16,6 +16,7 @@ use super::motion::{bound, speed};
 use super::solid::{Joined, Solids};
 use super::unwatched::{self, Interval, Turned, Unwatched, united};
 use crate::contact::locate;
+use crate::dynamics::penalty3d::constants::UNCARRIED;
 use crate::dynamics::penalty3d::contact_state::Contact;
 use crate::sim::History;
 use crate::sim::peaks::golden;
@@ -24,7 +25,7 @@ use crate::sim::report::{Extreme, Overlap};
 
 /// Overlap, in parts of the smallest side of either body, from which it counts: thousands of times what the closing
 /// search and the impact model leave over, and far below what a picture shows.
-const COUNTS: f64 = 1e-6;
+const COUNTS: f64 = 2.0 * UNCARRIED;
 /// Depth, in parts of the smallest side of either body, that is not missed while bodies are nearer than their motion resolves.
 /// Chosen: a hundred samples over the way of that side.
 const RESOLVED: f64 = 1e-2;
@@ -195,7 +196,7 @@ impl Meeting<'_> {
     fn carried(&self, t: f64) -> Option<f64> {
         let closed = |&contact: &usize| matches!(self.history.trajectories.log(contact).at(t), Contact::Closed(_));
         let depth = |contact: usize| {
-            let site = &self.history.model().contacts[contact];
+            let site = &self.history.model().sites[contact];
             let [node, face] = self.history.trajectories.sides(contact, t);
             // An edge node carries what overlaps at its crossing, and a corner that took over displaced along its normal what the corner
             // itself is behind its face.
@@ -280,8 +281,8 @@ impl Meeting<'_> {
         let (next, _) = self.next(&self.sample(followed, deepest.t), self.bounds(deepest.t), history.end());
         let step = next - deepest.t;
         let around = [(deepest.t - step).max(intervals[0][0]), (deepest.t + step).min(history.end())];
-        let (t, value) = golden(&|t| self.sample(followed, t).excess, around[0], around[1]);
-        let depth = if value > deepest.value { Extreme { value, t } } else { deepest };
+        let most = golden(&|t| self.sample(followed, t).excess, around[0], around[1]);
+        let depth = if most.value > deepest.value { most } else { deepest };
         let place = solids.shared(self.pair, &solids.placed(history, self.pair, depth.t));
         Overlap { bodies: self.pair.map(|number| solids.id(number)), intervals, depth, place }
     }

@@ -185,7 +185,7 @@ impl Solids {
     /// negative inside; and its distance before the plane of its face \[m\].
     pub(super) fn node(&self, history: &History, pair: [usize; 2], contact: usize, t: f64) -> [f64; 2] {
         let model = history.model();
-        let site = &model.contacts[contact];
+        let site = &model.sites[contact];
         let [node, face] = history.trajectories.sides(contact, t);
         let axes = |body: Option<usize>| body.map_or(DMat3::IDENTITY, |body| model.bodies[body].axes);
         let (own, others) = (axes(site.node_body), axes(site.face_body));

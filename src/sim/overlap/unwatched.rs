@@ -43,7 +43,7 @@ pub(super) fn of_pair(history: &History, number: usize, turned: &Turned) -> Unwa
         Kind::Spatial => 4,
     };
     let of_girder = |body| {
-        let own = pair.contacts.clone().filter(|&contact| model.contacts[contact].node_body == Some(body));
+        let own = pair.sites.clone().filter(|&contact| model.sites[contact].node_body == Some(body));
         own.collect::<Vec<usize>>()
     };
     let views: Vec<Vec<usize>> = pair.bodies.into_iter().flatten().map(of_girder).collect();
@@ -56,7 +56,7 @@ pub(super) fn of_pair(history: &History, number: usize, turned: &Turned) -> Unwa
     }
     // Not united: each ends where the node is in front of its face again.
     let of_node = |contact: usize| (contact, common(&disarmed(history, contact), &intervals));
-    Unwatched::Nodes(pair.contacts.clone().map(of_node).filter(|(_, intervals)| !intervals.is_empty()).collect())
+    Unwatched::Nodes(pair.sites.clone().map(of_node).filter(|(_, intervals)| !intervals.is_empty()).collect())
 }
 
 /// Intervals in which a contact is disarmed.

@@ -148,7 +148,7 @@ fn hits(history: &History) -> Vec<HitSeen> {
         }
         if let Some(hit) = hits.last_mut() {
             hit.until = hit.until.max(until);
-            let left = history.model().contacts[contact].geometry.arm.y > 0.0;
+            let left = history.model().sites[contact].geometry.arm.y > 0.0;
             hit.corners[usize::from(left)].get_or_insert(from);
         }
     }
@@ -181,7 +181,7 @@ fn jump(history: &History, hit: &HitSeen) -> DVec2 {
 
 /// Contact force on the first girder at `t` \[N\].
 fn force(history: &History, t: f64) -> DVec2 {
-    let on_first = |contact: usize| history.model().contacts[contact].node_body == Some(0);
+    let on_first = |contact: usize| history.model().sites[contact].node_body == Some(0);
     let all = history.contacts(t).into_iter();
     all.map(|now| now.force.truncate() * if on_first(now.contact) { 1.0 } else { -1.0 }).sum()
 }

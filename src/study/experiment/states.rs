@@ -57,7 +57,7 @@ fn state(history: &History, girder: usize, t: f64) -> State {
         return record.state(girder, t);
     }
     let site = |now: &&ContactNow| {
-        let site = &history.model().contacts[now.contact];
+        let site = &history.model().sites[now.contact];
         [site.node_body, site.face_body].contains(&Some(girder))
     };
     let all = history.contacts(t);

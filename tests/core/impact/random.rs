@@ -76,7 +76,7 @@ fn driven_in(history: &History) -> f64 {
     let mut deepest = 0.0f64;
     for hit in &record.hits {
         for &site in &hit.sites {
-            let site = &history.model().contacts[site];
+            let site = &history.model().sites[site];
             let frame = |body: Option<usize>| match body {
                 Some(body) => {
                     let m = history.motion(body, hit.t);

@@ -160,7 +160,7 @@ fn the_corners_get_what_the_point_gets() {
     let history = run(&scene);
     let touch = history.hardest().expect("they hit");
     let contact = history.contact_at(touch.contact, touch.peak_time).expect("closed at its peak");
-    let site = &history.model().contacts[touch.contact];
+    let site = &history.model().sites[touch.contact];
     let owner = history.motion(site.face_body.expect("a girder's face"), touch.peak_time);
     let world = |v: DVec3| owner.place + owner.attitude * v;
     let local = owner.attitude.inverse() * (contact.anchor - owner.place);

@@ -110,7 +110,7 @@ fn a_corner_that_meets_a_side_moves_both_as_one_point_does() {
     let history = run(&girders(&["", striking], 0.2));
     assert_eq!((history.overlaps(), history.touches().len()), (&[][..], 1), "one touch, carried");
     let touch = &history.touches()[0];
-    let site = &history.model().contacts[touch.contact];
+    let site = &history.model().sites[touch.contact];
     let at = history.motion(0, touch.start).place;
     let node = history.contact_at(touch.contact, touch.start + 1e-6).expect("closed").point;
     let (m, i2) = (2.0, history.model().bodies[0].gyration2);
@@ -129,8 +129,8 @@ fn a_corner_that_meets_a_side_moves_both_as_one_point_does() {
 
 /// Nodes of a pair over its faces at `t`, among which K and C are divided.
 fn site_sharers(history: &History, pair: usize, t: f64) -> f64 {
-    let over = history.model().pairs[pair].contacts.clone().filter(|&contact| {
-        let site = &history.model().contacts[contact];
+    let over = history.model().pairs[pair].sites.clone().filter(|&contact| {
+        let site = &history.model().sites[contact];
         let [node, face] = [site.node_body, site.face_body].map(|body| {
             let body = body.expect("girders");
             (history.motion(body, t), &history.model().bodies[body])

@@ -225,7 +225,7 @@ fn run(omega: f64, duration: f64) -> History {
 
 /// Displacements of the ends, as the gaps before the girders tell them \[m\].
 fn ends(history: &History, t: f64) -> [f64; 2] {
-    let gap = |pair: usize| readings::before_face(history, history.model().pairs[pair].contacts.start, t)[0] - GAP;
+    let gap = |pair: usize| readings::before_face(history, history.model().pairs[pair].sites.start, t)[0] - GAP;
     let [first, last] = [0, 2].map(|girder| history.motion(girder, t).displacement.x);
     [first + gap(0), last - gap(1)]
 }

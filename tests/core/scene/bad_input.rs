@@ -524,6 +524,8 @@ fn a_record_has_samples_or_a_file() {
     check("dt_s = 0.01\nsamples_m_s2 = [1, 2]\nscale = inf", "scale", "inf", "finite number");
     check("dt_s = 0.01\nsamples_m_s2 = [1, \"2\"]", "samples_m_s2[1]", "\"2\"", "a number");
     check("file = \"a.csv\"", "file", "\"a.csv\"", "has not been read");
+    let silent = "dt_s = 0.01\nsamples_m_s2 = [0, 0, 0]\nprocessing = { peak_g = 0.4 }";
+    check(silent, "processing.peak_g", "0.4", "nothing shakes");
     check("dt_s = 0.01\nsamples_m_s2 = [1, 2]\nchannel = 2", "channel", "samples_m_s2", "belongs to a file");
     check("file = \"a.dat\"\nunit = \"lb\"", "unit", "\"lb\"", "\"g\", \"gal\", \"m/s2\"");
     check("frequency_hz = 1", "frequency_hz", "1", "keys known here: samples_m_s2");

@@ -39,7 +39,7 @@ pub(in crate::app) fn show(ui: &mut Ui, document: &Document, replay: &Replay, ou
             Some(Target::Contact(contact)) => replay
                 .runner
                 .answer()
-                .map(|answer| answer.history.model().contacts.get(contact).map_or("", |site| site.node.as_str())),
+                .map(|answer| answer.history.model().sites.get(contact).map_or("", |site| site.node.as_str())),
             None => None,
         };
         ui.label(RichText::new(text::several(several, lead.unwrap_or_default())).weak());

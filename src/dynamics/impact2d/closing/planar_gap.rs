@@ -23,7 +23,7 @@ pub(in crate::dynamics::impact2d) struct PlanarSite {
 impl PlanarSite {
     /// A declared contact, by its number in the model.
     pub(in crate::dynamics::impact2d) fn of(model: &Model, site: usize) -> Self {
-        let site = &model.contacts[site];
+        let site = &model.sites[site];
         let placed = |body: Option<usize>| match body {
             Some(body) => model.bodies[body].planar_frame(&[0.0; planar::WIDTH]),
             None => crate::contact::Frame::fixed(site.fixed),

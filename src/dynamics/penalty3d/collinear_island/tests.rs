@@ -18,9 +18,9 @@ fn pressed(scene: &Scene) -> (Model, Vec<ActiveContact>) {
     let model = Model::compile(scene).expect("a valid scene");
     let stick = |site: usize| {
         let here = crate::contact::locate(
-            &model.contacts[site].geometry,
-            &frame(&model, model.contacts[site].node_body, site),
-            &frame(&model, model.contacts[site].face_body, site),
+            &model.sites[site].geometry,
+            &frame(&model, model.sites[site].node_body, site),
+            &frame(&model, model.sites[site].face_body, site),
         );
         let (k, c, c_t) = (4e4, 11.0, 7.0);
         let law = Law {
@@ -35,11 +35,11 @@ fn pressed(scene: &Scene) -> (Model, Vec<ActiveContact>) {
         };
         let mode = Mode::Stick { anchor: here.way };
         let closed = ClosedContact::new(law, mode, 0.0);
-        let ContactSite { node_body: node, face_body: face, .. } = model.contacts[site];
-        let home = model.contacts[site].geometry;
+        let ContactSite { node_body: node, face_body: face, .. } = model.sites[site];
+        let home = model.sites[site].geometry;
         ActiveContact::new(site, [node, face], closed, home)
     };
-    let mut active: Vec<ActiveContact> = (0..model.contacts.len()).map(stick).collect();
+    let mut active: Vec<ActiveContact> = (0..model.sites.len()).map(stick).collect();
     for a in &mut active {
         a.find_sections(&model, &layout(&model));
     }
@@ -74,7 +74,7 @@ fn line(model: &Model, active: &[ActiveContact]) -> Option<CollinearIsland> {
 }
 
 fn frame(model: &Model, body: Option<usize>, site: usize) -> Frame {
-    body.map_or(model.contacts[site].stand, |body| model.bodies[body].planar_frame(&[0.0; WIDTH]))
+    body.map_or(model.sites[site].stand, |body| model.bodies[body].planar_frame(&[0.0; WIDTH]))
 }
 
 #[test]

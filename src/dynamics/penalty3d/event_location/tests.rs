@@ -22,7 +22,7 @@ fn with_friction(active: &mut [ActiveContact], mu: f64) {
 
 /// Rate along the first tangent of a girder that moves along the world's y \[–\].
 fn along(model: &Model, active: &[ActiveContact]) -> f64 {
-    model.contacts[active[0].site].geometry.axes.x_axis.y
+    model.sites[active[0].site].geometry.axes.x_axis.y
 }
 
 fn expect(due: &[Due], reason: Reason, count: usize) {

@@ -34,7 +34,7 @@ fn inside(site: &ContactSite, here: &Local) -> bool {
 
 impl Contacts {
     pub(super) fn new(model: &Model) -> Self {
-        let count = model.contacts.len();
+        let count = model.sites.len();
         Self {
             states: vec![Contact::Open { armed: true }; count],
             anchors: vec![DVec2::ZERO; count],
@@ -45,7 +45,7 @@ impl Contacts {
 
     /// Nodes that are behind a face at the start stick where they are.
     pub(super) fn overlap(&mut self, model: &Model, frames: &[Frame]) {
-        for (number, site) in model.contacts.iter().enumerate() {
+        for (number, site) in model.sites.iter().enumerate() {
             let [node, face] = sides(site, frames);
             let here = locate(&site.geometry, &node, &face);
             if here.gap < 0.0 {
@@ -63,7 +63,7 @@ impl Contacts {
 
     /// Adds the forces of what touches.
     pub(super) fn push(&self, model: &Model, frames: &[Frame], wrenches: &mut [Wrench]) {
-        for (number, site) in model.contacts.iter().enumerate() {
+        for (number, site) in model.sites.iter().enumerate() {
             let Some(action) = self.action(model, number, frames) else { continue };
             if let Some(body) = site.node_body {
                 wrenches[body].push_with(action.force, action.node_arm, action.couple);
@@ -76,7 +76,7 @@ impl Contacts {
 
     /// Force of one contact; a node that came in since the last step ended is closed for the moment.
     fn action(&self, model: &Model, number: usize, frames: &[Frame]) -> Option<Action> {
-        let site = &model.contacts[number];
+        let site = &model.sites[number];
         let [node, face] = sides(site, frames);
         match &self.states[number] {
             Contact::Closed(closed) => {
@@ -95,7 +95,7 @@ impl Contacts {
     /// Brings every contact up to date; answers whether any changed its state.
     pub(super) fn settle(&mut self, model: &Model, frames: &[Frame]) -> bool {
         let mut changed = false;
-        for (number, site) in model.contacts.iter().enumerate() {
+        for (number, site) in model.sites.iter().enumerate() {
             if let Some(action) = self.action(model, number, frames) {
                 self.peak = self.peak.max(action.force.length());
             }
@@ -153,7 +153,7 @@ impl Contacts {
     /// Pairs whose last contact has opened share anew next time.
     fn part(&mut self, model: &Model) {
         for (number, pair) in model.pairs.iter().enumerate() {
-            if pair.contacts.clone().all(|c| self.states[c].closed().is_none()) {
+            if pair.sites.clone().all(|c| self.states[c].closed().is_none()) {
                 self.sharers[number] = 0;
             }
         }
@@ -161,7 +161,7 @@ impl Contacts {
 
     /// The pair's numbers as a contact has them.
     fn law(&self, model: &Model, number: usize, frames: &[Frame]) -> Law {
-        let at = model.contacts[number].pair;
+        let at = model.sites[number].pair;
         let pair = &model.pairs[at];
         let share = match self.sharers[at] {
             0 => Self::count(model, at, frames),
@@ -177,11 +177,11 @@ impl Contacts {
             return 1;
         }
         let is_inside = |&number: &usize| {
-            let site = &model.contacts[number];
+            let site = &model.sites[number];
             let [node, face] = sides(site, frames);
             inside(site, &locate(&site.geometry, &node, &face))
         };
-        pair.contacts.clone().filter(is_inside).count().max(1)
+        pair.sites.clone().filter(is_inside).count().max(1)
     }
 }
 

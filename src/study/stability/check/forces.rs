@@ -24,7 +24,7 @@ pub(super) fn check(history: &History, times: &[f64], figures: &mut Figures, com
         for contact in now {
             let mu = if contact.state == ContactState::Slip { contact.mu_kinetic } else { contact.mu_static };
             let beyond = contact.tangential_force.length() - mu * contact.normal_force.max(0.0);
-            let site = &history.model().contacts[contact.contact];
+            let site = &history.model().sites[contact.contact];
             let stiffness = history.model().pairs[contact.pair].contact.stiffness;
             let place = size(history) + contact.point.length().max(farthest) + site.face.size();
             let late = early_or_late(history, contact.pair, contact.normal_velocity);

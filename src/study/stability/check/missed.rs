@@ -35,12 +35,11 @@ pub(super) fn check(history: &History, times: &[f64], figures: &mut Figures, com
     }
     // Between all faces of two bodies a node may be deep behind one face and in by another: the overlap tells.
     // Of an open edge node only the crossing is anywhere.
-    let of_one_face =
-        |&contact: &usize| model.contacts[contact].corner.is_none() && model.contacts[contact].edge.is_none();
-    for contact in (0..model.contacts.len()).filter(of_one_face) {
+    let of_one_face = |&contact: &usize| model.sites[contact].corner.is_none() && model.sites[contact].edge.is_none();
+    for contact in (0..model.sites.len()).filter(of_one_face) {
         if let Some((t, depth)) = deepest(history, contact, times, &frames) {
             figures.missed = figures.missed.max(depth);
-            let site = &model.contacts[contact];
+            let site = &model.sites[contact];
             if depth > DEPTH * site.face.size() {
                 let detail = format!("{} is {depth:e} m inside {} at t = {t} s", site.node, site.face_name);
                 return complaints.push(Complaint::new(Check::Missed, detail));
@@ -51,7 +50,7 @@ pub(super) fn check(history: &History, times: &[f64], figures: &mut Figures, com
 
 /// When a contact's node is deepest in its face while open, and how deep.
 fn deepest(history: &History, contact: usize, times: &[f64], frames: &[Vec<Frame>]) -> Option<(f64, f64)> {
-    let site = &history.model().contacts[contact];
+    let site = &history.model().sites[contact];
     let side = |body: Option<usize>, all: &[Frame]| body.map_or(Frame::fixed(site.fixed), |b| all[b]);
     let size = site.face.size();
     let passed: Vec<f64> =
@@ -85,7 +84,7 @@ fn passes(kind: EventKind) -> bool {
 
 /// Whether the same node touches another face.
 fn elsewhere(history: &History, contact: usize, t: f64) -> bool {
-    let sites = &history.model().contacts;
+    let sites = &history.model().sites;
     let mine = &sites[contact];
     history
         .contacts(t)

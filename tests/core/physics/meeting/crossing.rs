@@ -30,7 +30,7 @@ fn crossing(kind: &str, stiffness: f64, [heading, lateral]: [f64; 2]) -> Scene {
 /// Impulses on the thrown girder along the side's normal and along the side \[N·s\], from the limit of a short touch.
 fn impulses(history: &History) -> [f64; 2] {
     let touch = &history.touches()[0];
-    let pair = history.model().contacts[touch.contact].pair;
+    let pair = history.model().sites[touch.contact].pair;
     let node = history.contact_at(touch.contact, touch.start + 1e-7).expect("closed").point;
     let (m, i2) = (2.0, history.model().bodies[0].gyration2);
     let arms = [0, 1].map(|girder| node - history.motion(girder, touch.start).place);

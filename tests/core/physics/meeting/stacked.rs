@@ -55,7 +55,7 @@ fn a_girder_between_two_others_carries_the_upper_one() {
     let pressed = |lower: usize, upper: usize| {
         let of = history.contacts(end);
         let between = of.iter().filter(|c| {
-            let site = &history.model().contacts[c.contact];
+            let site = &history.model().sites[c.contact];
             [site.node_body, site.face_body] == [Some(lower), Some(upper)]
                 || [site.face_body, site.node_body] == [Some(lower), Some(upper)]
         });

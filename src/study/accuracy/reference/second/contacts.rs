@@ -289,11 +289,11 @@ fn numbers(model: &Model, site: &ContactSite, poses: &[Pose], sharers: &mut usiz
     let given = &pair.contact;
     if *sharers == 0 {
         let is_inside = |&c: &usize| {
-            let other = &model.contacts[c];
+            let other = &model.sites[c];
             let [node, face] = sides(other, poses);
             View::of(other, &node, &face).inset(other, &face) >= 0.0
         };
-        let count = pair.contacts.clone().filter(is_inside).count().max(1);
+        let count = pair.sites.clone().filter(is_inside).count().max(1);
         *sharers = if given.sharing == Sharing::PerNode { 1 } else { count };
     }
     let masses = pair.bodies.map(|b| b.map(|b| model.bodies[b].mass));

@@ -42,7 +42,7 @@ impl Rate for Field<'_> {
         self.loads.clear();
         self.loads.resize(self.poses.len(), Load::default());
         let angles = self.size * self.poses.len();
-        for (c, site) in self.model.contacts.iter().enumerate() {
+        for (c, site) in self.model.sites.iter().enumerate() {
             out[angles + c] = contacts::load(site, &self.states[c], y[angles + c], &self.poses, &mut self.loads);
         }
         for link in &self.model.links {
@@ -78,13 +78,13 @@ pub(super) struct Run<'a> {
 impl<'a> Run<'a> {
     pub(super) fn new(model: &'a Model) -> Self {
         let mut y: Vec<f64> = model.bodies.iter().flat_map(|body| bodies::start(model.kind, body)).collect();
-        y.resize(y.len() + model.contacts.len(), 0.0);
+        y.resize(y.len() + model.sites.len(), 0.0);
         let size = bodies::size(model.kind);
-        let states = vec![State::Open { armed: true }; model.contacts.len()];
+        let states = vec![State::Open { armed: true }; model.sites.len()];
         let mut field = Field { model, states, size, poses: Vec::new(), loads: Vec::new() };
         field.pose(&y);
         let mut sharers = vec![0; model.pairs.len()];
-        for (c, site) in model.contacts.iter().enumerate() {
+        for (c, site) in model.sites.iter().enumerate() {
             field.states[c] = contacts::overlapping(model, site, &field.poses, &mut sharers[site.pair]);
         }
         let omega = fastest(model);
@@ -167,7 +167,7 @@ impl<'a> Run<'a> {
         self.y = y;
         self.t = t;
         self.field.pose(&self.y);
-        for (c, site) in self.field.model.contacts.iter().enumerate() {
+        for (c, site) in self.field.model.sites.iter().enumerate() {
             if matches!(self.field.states[c], State::Open { armed: false }) {
                 let [node, face] = contacts::sides(site, &self.field.poses);
                 // In front again by more than rounding.
@@ -187,7 +187,7 @@ impl<'a> Run<'a> {
             let all = contacts::watched(site, &field.states[c], y[angles + c], &field.poses);
             all.into_iter().map(move |(kind, f)| (c, kind, f))
         };
-        field.model.contacts.iter().enumerate().flat_map(of).collect()
+        field.model.sites.iter().enumerate().flat_map(of).collect()
     }
 
     /// The first events within a step that ends in `next`: how long after its start, and which.
@@ -252,7 +252,7 @@ impl<'a> Run<'a> {
         let model = self.field.model;
         self.field.pose(&self.y);
         for &(c, kind) in events {
-            let site = &model.contacts[c];
+            let site = &model.sites[c];
             let before = (self.field.states[c], self.y[angles + c]);
             let sharers = &mut self.sharers[site.pair];
             let (state, angle) = contacts::after(model, site, before, kind, &self.field.poses, sharers);
@@ -260,7 +260,7 @@ impl<'a> Run<'a> {
             self.y[angles + c] = angle;
         }
         for (number, pair) in model.pairs.iter().enumerate() {
-            if pair.contacts.clone().all(|c| matches!(self.field.states[c], State::Open { .. })) {
+            if pair.sites.clone().all(|c| matches!(self.field.states[c], State::Open { .. })) {
                 self.sharers[number] = 0;
             }
         }
@@ -296,7 +296,7 @@ impl<'a> Run<'a> {
             let view = contacts::View::of(site, &node, &face);
             contacts::force(&self.field.states[c], y[angles + c], &view, &face).map_or(0.0, |(f, _)| f.on_node.length())
         };
-        self.field.model.contacts.iter().enumerate().map(of).fold(0.0, f64::max)
+        self.field.model.sites.iter().enumerate().map(of).fold(0.0, f64::max)
     }
 }
 
