@@ -1350,9 +1350,9 @@ motion-pseudo-acceleration = 擬似加速度
 motion-pseudo-velocity = 擬似速度
 
 ## 場面と地動：報告書、確認、ウィンドウの語
-unused-factor = { $name } の motion_factor は無効：その地動は静止
+unused-factor = { $name } の motion_factor は効かない：その地動は静止
 unused-speed = { $name } は { $held } が拘束されている：その方向の初速は使わない
-unused-wave = [wave] は無効：動く地動がない
+unused-wave = [wave] は効かない：動く地動がない
 record-cut = { $place } の記録は { $length } s 続くが、計算は { $end } s で終わる：duration_s
 strong-motion-cut = { $place } の主要動は { $length } s まで続くが、計算は { $end } s で終わる：duration_s
 check-still = 静止

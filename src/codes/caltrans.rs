@@ -4,7 +4,7 @@ use super::aashto_guide::INCH;
 use super::demand::{Case, Code, Demand, Input};
 use crate::language::Text;
 use crate::scene::Support;
-use crate::sim::seat_on::SeatOn;
+use crate::sim::seats::seat_on::SeatOn;
 
 /// The code.
 pub(super) struct Caltrans;

@@ -7,7 +7,7 @@ use crate::plot::chart::{number, ticks};
 use crate::plot::draw::{line, text};
 use crate::plot::paper::{EDGE, EMPTY, GREY, INK, WHITE};
 use crate::sim::History;
-use crate::sim::seat_on::SeatOn;
+use crate::sim::seats::seat_on::SeatOn;
 use crate::sim::seats::{self, OrbitPoint, Seat, SeatCorner};
 use crate::tables::corner_angle;
 

@@ -57,6 +57,7 @@ mod tests {
 
     const SCENE: &str = r#"
         name = "idle"
+        duration_s = 1.0
         [motion]
         kind = "none"
         [[girder]]

@@ -4,7 +4,7 @@ use std::sync::{Arc, OnceLock};
 
 use rayon::prelude::*;
 
-use super::books::Books;
+use super::energy::power_integrals::PowerIntegrals;
 use super::impact::events;
 use super::report::{Overlap, Pounding, RunDifference};
 use super::trajectories::Trajectories;
@@ -47,7 +47,7 @@ pub struct History {
 #[derive(Clone, Debug, Default)]
 pub(super) struct Found {
     pub(super) touches: OnceLock<Vec<Touch>>,
-    pub(super) books: OnceLock<Books>,
+    pub(super) power_integrals: OnceLock<PowerIntegrals>,
     pub(super) overlaps: OnceLock<Vec<Overlap>>,
     pub(super) poundings: OnceLock<Vec<Pounding>>,
     pub(super) uprights: OnceLock<Vec<Upright>>,

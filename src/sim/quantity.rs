@@ -5,9 +5,9 @@
 
 use glam::DVec3;
 
-pub use super::energy_quantity::OfEnergy;
-pub use super::section_quantity::OfSection;
-use super::{ContactNow, ContactState, History, Unit, energy_quantity, readings, seats, section_quantity};
+pub use super::energy::quantity::OfEnergy;
+pub use super::sections::quantity::OfSection;
+use super::{ContactNow, ContactState, History, Unit, energy, readings, seats, sections};
 use crate::geometry::End;
 use crate::scene::Kind;
 
@@ -201,7 +201,7 @@ impl Quantity {
             }
             let seats = End::BOTH.into_iter().filter(|end| has_seat(history, i, *end));
             all.extend(seats.map(|end| (format!("{name}{}.seat", end.label()), Self::Seat(i, end))));
-            let sections = section_quantity::named(history, i).into_iter();
+            let sections = sections::quantity::named(history, i).into_iter();
             all.extend(sections.map(|(of, station, what)| (format!("{name}.{of}"), Self::Section(i, station, what))));
         }
         let listed = history.listed_pairs();
@@ -235,7 +235,7 @@ impl Quantity {
                 all.extend(OF_LINK.map(|(of, what)| (format!("{}.{of}", link.name), Self::Link(i, what))));
             }
         }
-        let energies = energy_quantity::named(history);
+        let energies = energy::quantity::named(history);
         all.extend(energies.map(|(of, what)| (format!("energy.{of}"), Self::Energy(what))));
         let axes = if model.kind == Kind::Spatial { 3 } else { 2 };
         let names = ["ground.x", "ground.y", "ground.z"].map(str::to_owned);
@@ -300,7 +300,7 @@ impl Quantity {
                     OfPier::ShearAlong(axis) => along(now.shear, axis),
                 }
             }),
-            Self::Section(i, station, what) => section_quantity::at(history, i, station, what, t),
+            Self::Section(i, station, what) => sections::quantity::at(history, i, station, what, t),
             Self::Pair(i, what) if i < model.pairs.len() => match what {
                 OfPair::Gap => readings::gap(history, i, t),
                 OfPair::Total => history.resultant(i, t).length(),
@@ -325,7 +325,7 @@ impl Quantity {
                 OfLink::Deformation => now.along.deformation[0],
                 OfLink::Force => now.along.resistance[0],
             }),
-            Self::Energy(what) => energy_quantity::at(history, what, t),
+            Self::Energy(what) => energy::quantity::at(history, what, t),
             Self::Ground(axis) => model.ground.acceleration(t)[axis.min(2)],
             Self::Girder(..) | Self::Corner(..) | Self::Seat(..) | Self::Pair(..) | Self::Contact(..) => 0.0,
         }

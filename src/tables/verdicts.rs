@@ -4,7 +4,8 @@ use serde::Serialize;
 
 use crate::language::Language;
 use crate::scene::Girder;
-use crate::sim::{History, verdict};
+use crate::sim::History;
+use crate::sim::seats::verdict;
 
 /// Whether a girder stays on its seats.
 #[derive(Clone, Debug, PartialEq, Serialize)]

@@ -9,7 +9,7 @@ use super::walls::{self, Wall};
 use crate::geometry::{End, Prism};
 use crate::scene::facing::{self, Side};
 use crate::scene::{FrictionLaw, Girder, Motion as GroundMotion, Scene, placed};
-use crate::sim::seat_on::SeatOn;
+use crate::sim::seats::seat_on::SeatOn;
 use crate::sim::seats::{Ledge, corners_at};
 use crate::sim::{Carrying, ContactNow, History, Hit, LinkNow, Motion, SolidId, State};
 

@@ -15,7 +15,7 @@ use crate::language::Text;
 use crate::scene::{DeviceId, Girder};
 use crate::sim::quantity::{OfPair, Quantity};
 use crate::sim::readings::{Extreme, Reading};
-use crate::sim::verdict::of_reading;
+use crate::sim::seats::verdict::of_reading;
 use crate::sim::{BearingsReading, ContactNow, History, Touch};
 use crate::view::contact_state;
 

@@ -10,8 +10,8 @@ use crate::scene::difference::Values;
 use crate::scene::domain::{self, Departure};
 use crate::sim::moving_ground::{MovedSupport, moved_supports};
 use crate::sim::readings::{self, Extreme, Passed, Reading};
+use crate::sim::seats::verdict::{self, Verdict};
 use crate::sim::seats::{self, OrbitPoint};
-use crate::sim::verdict::{self, Verdict};
 use crate::sim::{
     Balance, ContactState, DeviceReading, Dropped, ErrorEstimate, EventKind, History, Hit, Overlap, Quantity,
     RunDifference, Summary, TooDeep,

@@ -6,7 +6,7 @@ use crate::scene::{Girder, StandsOn};
 use crate::sim::quantity::{OfPair, Quantity};
 use crate::sim::readings::Extreme;
 use crate::sim::readings::Passed;
-use crate::sim::verdict::Verdict;
+use crate::sim::seats::verdict::Verdict;
 use crate::sim::{DeviceReading, Dropped, History, Touch};
 use crate::view::Target;
 

@@ -4,7 +4,7 @@ use crate::codes::Demand;
 use crate::geometry::End;
 use crate::language::{Text, values};
 use crate::sim::readings::{Limit, Passed};
-use crate::sim::verdict::Verdict;
+use crate::sim::seats::verdict::Verdict;
 use crate::sim::{Dropped, History, Overlap, TooDeep};
 
 use super::{force, length, short};

@@ -12,7 +12,7 @@ use crate::app::text;
 use crate::app::time::playback::Playback;
 use crate::app::time::time_axis::{TimeAxis, ticks};
 use crate::sim::readings::Passed;
-use crate::sim::verdict::Verdict;
+use crate::sim::seats::verdict::Verdict;
 use crate::sim::{ContactState, Overlap};
 
 /// Height of the ticks' row \[points\].

@@ -13,7 +13,7 @@ use crate::dynamics::model::bearing::{Bearing, BearingQuantities};
 use crate::language::{Text, said};
 use crate::scene::shown::escaped;
 use crate::scene::{Direction, Girder, Initial, Kind, Push, Scene, Seat, StandsOn};
-use crate::sim::on_bearings::bearings_as_given;
+use crate::sim::connections::bearing_quantities::bearings_as_given;
 
 /// All of it, a fact a line.
 pub(super) fn text(scene: &Scene, girder: &Girder, body: &Body) -> String {

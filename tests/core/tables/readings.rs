@@ -98,7 +98,7 @@ fn what_is_read_of_a_girder_ends_where_it_falls() {
     near(reading.bearings.expect("some").deformation.1.value, travel, 1e-9, "of the bearings");
     near(reading.drift[0].value, travel, 1e-9, "of a corner");
     assert!(history.touches().is_empty(), "no touch before the fall: {:?}", history.touches());
-    let verdict = girderbench::sim::verdict::verdict(&history, 0).expect("it falls");
+    let verdict = girderbench::sim::seats::verdict::verdict(&history, 0).expect("it falls");
     assert!(!verdict.stays() && verdict.words().starts_with("falls: "), "{}", verdict.words());
     let carrying = history.carrying(0, history.end());
     assert!(!carrying.is_empty() && carrying.iter().all(|now| *now == Carrying::Lost), "{carrying:?}");

@@ -2,8 +2,8 @@
 
 use glam::DVec3;
 
-use super::History;
 use crate::scene::Kind;
+use crate::sim::History;
 
 /// A support that was lost.
 #[derive(Clone, Debug, PartialEq)]

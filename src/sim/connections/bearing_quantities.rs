@@ -1,9 +1,9 @@
 //! What bearings make of a girder, as on ground that stands still, wherever they stand (`docs/physics.md#bearings`).
 
-use super::History;
 use crate::dynamics::Body;
 use crate::dynamics::model::bearing::{Bearing, BearingQuantities};
 use crate::scene::{Girder, ResolvedBearing, Setting};
+use crate::sim::History;
 
 /// The bearings of a girder with the stiffness and damping that they are given: those on piers and on supports that move are links
 /// of the model, and have none of their own.

@@ -2,10 +2,10 @@
 
 use glam::{DVec2, DVec3};
 
-use super::report::Extreme;
-use super::{History, peaks, touches};
 use crate::dynamics::model::compiled_model::Pier;
 use crate::scene::{BaseYield, ResolvedPier};
+use crate::sim::report::Extreme;
+use crate::sim::{History, peaks, touches};
 
 /// A pier at one instant.
 #[derive(Clone, Copy, Debug, PartialEq)]

@@ -4,7 +4,7 @@
 use std::sync::LazyLock;
 
 /// Nodes.
-pub(super) const COUNT: usize = 8;
+pub(in crate::sim) const COUNT: usize = 8;
 
 /// Nodes on \[−1, 1\] and their weights (Abramowitz and Stegun, table 25.4).
 const NODES: [(f64, f64); COUNT] = [
@@ -32,21 +32,21 @@ static SLOPES: LazyLock<[[f64; COUNT]; COUNT]> = LazyLock::new(|| {
 ///
 /// A node is where its time was rounded to: of a step of 1e-7 s that begins after 10 s, a hundred-millionth away from where it
 /// should be. What a steep power changes by over that is taken back by its interpolant's slope.
-pub(super) fn integrate<const N: usize>(a: f64, b: f64, mut f: impl FnMut(f64) -> [f64; N]) -> [f64; N] {
+pub(in crate::sim) fn integrate<const N: usize>(a: f64, b: f64, mut f: impl FnMut(f64) -> [f64; N]) -> [f64; N] {
     if a == b { [0.0; N] } else { Nodes::within(a, b).sum(|_, t| f(t)) }
 }
 
 /// Nodes within a cell with their weights: of integrands that share what has been computed at them.
-pub(super) struct Nodes {
+pub(in crate::sim) struct Nodes {
     /// Times of the nodes \[s\].
-    pub(super) times: [f64; COUNT],
+    pub(in crate::sim) times: [f64; COUNT],
     /// Their weights \[s\].
     weights: [f64; COUNT],
 }
 
 impl Nodes {
     /// Those of \[a, b\], which is not empty.
-    pub(super) fn within(a: f64, b: f64) -> Self {
+    pub(in crate::sim) fn within(a: f64, b: f64) -> Self {
         let (middle, half) = (f64::midpoint(a, b), (b - a) / 2.0);
         let times = NODES.map(|(x, _)| middle + half * x);
         let mut weights = NODES.map(|(_, w)| w);
@@ -61,7 +61,7 @@ impl Nodes {
     }
 
     /// Integrals of integrands by the number of a node and its time.
-    pub(super) fn sum<const N: usize>(&self, mut f: impl FnMut(usize, f64) -> [f64; N]) -> [f64; N] {
+    pub(in crate::sim) fn sum<const N: usize>(&self, mut f: impl FnMut(usize, f64) -> [f64; N]) -> [f64; N] {
         let mut sum = [0.0; N];
         for (node, (&t, weight)) in self.times.iter().zip(self.weights).enumerate() {
             for (s, v) in sum.iter_mut().zip(f(node, t)) {

@@ -7,20 +7,20 @@ use std::collections::BTreeMap;
 
 use rayon::prelude::*;
 
-use super::books::{Account, Books};
-use super::contact_account::{contact_account, contact_powers};
-use super::impact::forces;
-use super::ledger_steps::{given_power, step_borders};
-use super::quadrature::{COUNT, Nodes, integrate};
-use super::touches::MOST_LOOKS;
-use super::touches::flight_rate;
-use super::{EventKind, History, Ledger};
 use crate::contact::Frame;
 use crate::dynamics::free_flight::body_motion::BodyMotion;
 use crate::dynamics::impact2d::LastingInterval;
 use crate::dynamics::model::ground_now::GroundNow;
 use crate::dynamics::trajectory::stored_path::StoredMotion;
 use crate::motion::Ground;
+use crate::sim::energy::contact_account::{contact_account, contact_powers};
+use crate::sim::energy::ledger_steps::{given_power, step_borders};
+use crate::sim::energy::power_integrals::{Account, PowerIntegrals};
+use crate::sim::energy::quadrature::{COUNT, Nodes, integrate};
+use crate::sim::impact::forces;
+use crate::sim::touches::MOST_LOOKS;
+use crate::sim::touches::flight_rate;
+use crate::sim::{EventKind, History, Ledger};
 use glam::DVec3;
 
 /// Quadrature cells per look in free flight.
@@ -29,15 +29,15 @@ const PER_LOOK: f64 = 0.25;
 impl History {
     /// The energy ledger at `t`.
     pub fn ledger(&self, t: f64) -> Ledger {
-        let books = self.found.books.get_or_init(|| Books::open(self));
-        books.at(self, t.clamp(0.0, self.end()))
+        let integrals = self.found.power_integrals.get_or_init(|| PowerIntegrals::open(self));
+        integrals.at(self, t.clamp(0.0, self.end()))
     }
 }
 
-impl Books {
-    /// Books a whole history: its accounts in parallel, each for itself.
+impl PowerIntegrals {
+    /// Integrates all powers of a history: accounts in parallel, each by itself.
     fn open(history: &History) -> Self {
-        let mut books = Self {
+        let mut integrals = Self {
             bodies: (0..history.model().bodies.len()).into_par_iter().map(|body| body_account(history, body)).collect(),
             contacts: (0..history.model().sites.len())
                 .into_par_iter()
@@ -51,15 +51,15 @@ impl Books {
             initial: 0.0,
             kinetic: largest_kinetic(history),
         };
-        let start = books.stored(history, 0.0);
+        let start = integrals.stored(history, 0.0);
         // Hits at the very start have taken theirs already.
         let hits = history.impact().map_or(0.0, |record| {
             let hits = record.hits.iter().take_while(|hit| hit.t <= 0.0).map(|hit| hit.impulses.lost).sum::<f64>();
             hits + record.transitions.iter().take_while(|change| change.t <= 0.0).map(|change| change.lost).sum::<f64>()
         });
-        books.initial =
+        integrals.initial =
             start.kinetic + start.bearing + start.girder + start.gravity + start.contact + start.device + hits;
-        books
+        integrals
     }
 
     /// The ledger at `t`.

@@ -6,11 +6,11 @@
 
 use glam::{DMat3, DVec3};
 
-use super::report::Extreme;
-use super::seat_on::SeatOn;
-use super::{History, Motion, peaks, touches};
 use crate::dynamics::locate::root::root;
 use crate::geometry::{End, Prism};
+use crate::sim::report::Extreme;
+use crate::sim::seats::seat_on::SeatOn;
+use crate::sim::{History, Motion, peaks, touches};
 
 /// Part of the range of a quantity within which a low point between looks is closed in on: between looks, 24 a period of the
 /// fastest motion, a peak rises by less than a hundredth of the range.
@@ -49,7 +49,7 @@ impl Ledge {
     }
 
     /// The front edge as of a seat of length 0: what remains of it is how far a corner has moved onto it.
-    pub(super) fn without_length(history: &History, girder: usize, end: End) -> Self {
+    pub(in crate::sim) fn without_length(history: &History, girder: usize, end: End) -> Self {
         let body = &history.model().bodies[girder];
         let [from, to] = Prism::end_corners(end).map(|corner| body.prism.plan_corners()[corner]);
         let way = (to - from) / body.prism.end_length();
@@ -148,13 +148,13 @@ impl Seat {
 }
 
 /// Length of the seat under an end along the axis, where the scene gives one \[m\].
-pub(super) fn length(history: &History, girder: usize, end: End) -> Option<f64> {
+pub(in crate::sim) fn length(history: &History, girder: usize, end: End) -> Option<f64> {
     history.scene().girders.get(girder)?.seat.length(end)
 }
 
 /// What remains of a seat at its worse corner, square to its edge; of a seat without length how far the end has moved off, negative
 /// \[m\].
-pub(super) fn remaining(history: &History, girder: usize, end: End, t: f64) -> f64 {
+pub(in crate::sim) fn remaining(history: &History, girder: usize, end: End, t: f64) -> f64 {
     let ledge = Ledge::of(history, girder, end).unwrap_or_else(|| Ledge::without_length(history, girder, end));
     let over = Over::at(history, girder, &ledge, t);
     let remaining = Prism::end_corners(end).map(|corner| ledge.remaining(over.shift(history, corner)));

@@ -1,8 +1,8 @@
 //! Whether the energy ledger balances: what its residual may be, as the stability study holds every answer to
 //! (`docs/stability.md`).
 
-use super::{ContactNow, History, Touch};
 use crate::language::said;
+use crate::sim::{ContactNow, History, Touch};
 
 /// Residual per tolerance. A step errs by the tolerance, relative to the motion in hand, its energy by twice that; errors of many
 /// steps add up. Tuned: ten thousand seeds stay below.

@@ -1,7 +1,7 @@
 //! Section forces of elastic girders as quantities: `deck.axial_mid`, `deck.moment_quarter+x`, `deck.stress_mid`.
 
-use super::History;
 use crate::scene::Kind;
+use crate::sim::History;
 
 /// What of a section of an elastic girder (`docs/physics.md#flexible-girders`).
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -74,11 +74,11 @@ const OF_SECTION: [(&str, OfSection); 7] = [
     ("torque", OfSection::Torque),
 ];
 /// Stations with a name, in parts of half the length: the ends, the quarters, mid-span.
-pub(super) const STATIONS: [(&str, f64); 5] =
+pub(in crate::sim) const STATIONS: [(&str, f64); 5] =
     [("-x", -1.0), ("quarter-x", -0.5), ("mid", 0.0), ("quarter+x", 0.5), ("+x", 1.0)];
 
 /// Those of a girder, each with its name, the number of its station, and what it is; none of a rigid girder.
-pub(super) fn named(history: &History, girder: usize) -> Vec<(String, usize, OfSection)> {
+pub(in crate::sim) fn named(history: &History, girder: usize) -> Vec<(String, usize, OfSection)> {
     if history.flexible(girder).is_none() {
         return Vec::new();
     }
@@ -90,7 +90,7 @@ pub(super) fn named(history: &History, girder: usize) -> Vec<(String, usize, OfS
 }
 
 /// One of them at `t`, SI; 0 for what the run does not have.
-pub(super) fn at(history: &History, girder: usize, station: usize, what: OfSection, t: f64) -> f64 {
+pub(in crate::sim) fn at(history: &History, girder: usize, station: usize, what: OfSection, t: f64) -> f64 {
     let Some((flexible, (_, xi))) = history.flexible(girder).zip(STATIONS.get(station)) else { return 0.0 };
     let station = 0.5 * flexible.beam.length * xi;
     history.of_section(girder, &history.section_forces(girder, station, t), what)

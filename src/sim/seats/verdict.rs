@@ -1,12 +1,12 @@
 //! One sentence on the seats of a girder: whether it stays on them, what is left at the worst, or where and when it comes off
 //! (`docs/seats.md`).
 
-use super::History;
-use super::report::Extreme;
-use super::seats::{self, Seat};
-use super::uplift::TIPPED;
 use crate::geometry::End;
 use crate::language::{Text, values};
+use crate::sim::History;
+use crate::sim::report::Extreme;
+use crate::sim::seats::uplift::TIPPED;
+use crate::sim::seats::{self, Seat};
 
 /// What a run says of the seats of a girder.
 #[derive(Clone, Copy, Debug, PartialEq)]

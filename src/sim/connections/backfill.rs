@@ -2,9 +2,9 @@
 
 use glam::DVec3;
 
-use super::History;
 use crate::dynamics::model::compiled_model::Backwall;
 use crate::scene::ResolvedBackfill;
+use crate::sim::History;
 
 /// Part of the greatest push that a gap is by rounding alone \[–\]: a difference of two numbers of its size.
 const ROUNDED: f64 = 1e-12;

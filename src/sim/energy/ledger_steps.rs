@@ -2,10 +2,15 @@
 
 use glam::DVec3;
 
-use super::History;
+use crate::sim::History;
 
 /// Times in a stretch at which the steps of any of these bodies begin, with its ends.
-pub(super) fn step_borders(history: &History, bodies: impl Iterator<Item = usize>, from: f64, until: f64) -> Vec<f64> {
+pub(in crate::sim) fn step_borders(
+    history: &History,
+    bodies: impl Iterator<Item = usize>,
+    from: f64,
+    until: f64,
+) -> Vec<f64> {
     let mut borders = vec![from, until];
     for body in bodies {
         let begins = history.trajectories.path(body).spans_after(from).map(|span| span.from);
@@ -16,7 +21,7 @@ pub(super) fn step_borders(history: &History, bodies: impl Iterator<Item = usize
 }
 
 /// Power of what moves as given against the forces on it \[W\].
-pub(super) fn given_power(history: &History, pushed: [(Option<usize>, DVec3); 2], t: f64) -> f64 {
+pub(in crate::sim) fn given_power(history: &History, pushed: [(Option<usize>, DVec3); 2], t: f64) -> f64 {
     if history.model().moving.is_none() {
         return 0.0;
     }

@@ -1,13 +1,13 @@
 //! Largest section forces and stress of an elastic girder: in flights bounds of their second derivatives leave no peak unseen, in steps
 //! they are looked for several times.
 
-use super::peaks::{self, NEAR, exceeds, golden};
-use super::readings::Extreme;
-use super::{History, touches};
 use crate::dynamics::free_flight::body_motion::{BodyFlight, BodyMotion};
 use crate::dynamics::model::coordinates::section_forces::{Equilibrium, SectionForces, Station, Strained};
 use crate::dynamics::model::elastic_body::ElasticBody;
 use crate::dynamics::trajectory::stored_path::StoredMotion;
+use crate::sim::peaks::{self, NEAR, exceeds, golden};
+use crate::sim::readings::Extreme;
+use crate::sim::{History, touches};
 
 /// Fewest stations beside those where loads act.
 const FEWEST: usize = 17;
@@ -32,11 +32,11 @@ const DEEPEST: u32 = 40;
 
 /// How many values are searched: the largest |N| \[N\], |M|, |`M_y`| and |T| \[N·m\] of both sides of mid-span; the largest stress of the
 /// extreme fibre \[Pa\] and |N| of all stations.
-pub(super) const VALUES: usize = 6;
+pub(in crate::sim) const VALUES: usize = 6;
 
 /// Below which each of the [`VALUES`] of a girder of this half length \[m\] is rounding of the others: its force is 1e-9 of N, and of the
 /// moments over half the length.
-pub(super) fn rounding(values: &[f64; VALUES], half: f64) -> [f64; VALUES] {
+pub(in crate::sim) fn rounding(values: &[f64; VALUES], half: f64) -> [f64; VALUES] {
     let [axial, moment, vertical, torque, stress, along] = *values;
     let moments = moment.max(vertical).max(torque);
     let force = ROUNDING * axial.max(along).max(moments / half);
@@ -113,7 +113,7 @@ struct Seen {
 
 impl History {
     /// The largest of each of the [`VALUES`] over the run; without `fibre`, its stress by section forces, 0 in place of the last two.
-    pub(super) fn largest_in_sections(
+    pub(in crate::sim) fn largest_in_sections(
         &self,
         girder: usize,
         made: &ElasticBody,
@@ -168,7 +168,7 @@ impl History {
     }
 
     /// The largest value over the stations about the time at which it is largest of those that are looked at, and where.
-    pub(super) fn between_stations(
+    pub(in crate::sim) fn between_stations(
         &self,
         girder: usize,
         made: &ElasticBody,

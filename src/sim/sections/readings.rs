@@ -2,9 +2,6 @@
 
 use glam::DVec3;
 
-use super::peaks::largest_of_each;
-use super::readings::Extreme;
-use super::{History, Touch};
 use crate::dynamics::elastic::Fields;
 use crate::dynamics::model::coordinates::section_forces::{Equilibrium, SectionForces, Strained};
 use crate::dynamics::model::elastic_body::ElasticBody;
@@ -12,6 +9,9 @@ use crate::dynamics::model::flexible::Flexible;
 use crate::dynamics::model::pair::{Carrier, Pair};
 use crate::dynamics::model::wrench::Wrench;
 use crate::language::Text;
+use crate::sim::peaks::largest_of_each;
+use crate::sim::readings::Extreme;
+use crate::sim::{History, Touch};
 
 /// Bound of a neglected term from which a run warns.
 pub const NEGLIGIBLE: f64 = 1e-2;
@@ -63,7 +63,7 @@ pub struct ElasticHit {
 }
 
 /// The largest value of a section force, how that is read from section forces, and section forces with that value alone.
-pub(super) type LargestForce = (Extreme, fn(&SectionForces) -> f64, fn(f64) -> SectionForces);
+pub(in crate::sim) type LargestForce = (Extreme, fn(&SectionForces) -> f64, fn(f64) -> SectionForces);
 
 /// What a run did to an elastic girder.
 #[derive(Clone, Debug, PartialEq)]
@@ -104,7 +104,12 @@ impl History {
     }
 
     /// The same of a girder that is in this state at `t`.
-    pub(super) fn equilibrium_in(&self, girder: usize, made: &ElasticBody, (t, state): (f64, &[f64])) -> Equilibrium {
+    pub(in crate::sim) fn equilibrium_in(
+        &self,
+        girder: usize,
+        made: &ElasticBody,
+        (t, state): (f64, &[f64]),
+    ) -> Equilibrium {
         let body = &self.model().bodies[girder];
         let mut wrenches = vec![Wrench::default(); body.sections()];
         let pairs = self.model().pairs.iter().filter(|pair| pair.bodies.contains(&Some(girder)));
@@ -144,7 +149,7 @@ impl History {
     }
 
     /// Displacement against the mean axes of a point at this place, and its rate, in axes as placed \[m, m/s\]; 0 of a rigid girder.
-    pub(super) fn displaced(&self, girder: usize, place: DVec3, t: f64) -> [DVec3; 2] {
+    pub(in crate::sim) fn displaced(&self, girder: usize, place: DVec3, t: f64) -> [DVec3; 2] {
         let Some(made) = self.flexible(girder).and_then(|flexible| flexible.girder.as_ref()) else {
             return [DVec3::ZERO; 2];
         };
@@ -171,7 +176,7 @@ impl History {
     }
 
     /// The same from section forces.
-    pub(super) fn fibre_stress(&self, girder: usize, forces: &SectionForces) -> f64 {
+    pub(in crate::sim) fn fibre_stress(&self, girder: usize, forces: &SectionForces) -> f64 {
         self.flexible(girder).map_or(0.0, |flexible| self.stress_of(girder, flexible, forces))
     }
 
@@ -185,7 +190,7 @@ impl History {
 
     /// The largest |N|, |M| and |`M_y`| at mid-span of a girder, and its largest stress of the extreme fibre \[Pa\] with the station \[m\];
     /// `None` of one that does not bend.
-    pub(super) fn largest_of_sections(&self, girder: usize) -> Option<([LargestForce; 3], (Extreme, f64))> {
+    pub(in crate::sim) fn largest_of_sections(&self, girder: usize) -> Option<([LargestForce; 3], (Extreme, f64))> {
         let flexible = self.flexible(girder)?;
         let made = flexible.girder.as_ref()?;
         let fibre = |forces: &SectionForces| self.stress_of(girder, flexible, forces);
@@ -216,7 +221,7 @@ impl History {
         let fibre = |forces: &SectionForces| self.stress_of(girder, flexible, forces);
         let [axial, moment, vertical, torque, stress, thrust] = self.largest_in_sections(girder, made, Some(&fibre));
         let in_space = flexible.space.map(|_| [vertical, torque]);
-        let times = super::touches::looks(self, girder);
+        let times = crate::sim::touches::looks(self, girder);
         let [spin, bent] = largest_of_each(&times, &|t| made.spin_and_deflection(&self.state(girder, t)));
         let by_strain = made.strained(&self.state(girder, axial.t)).at(0.0).axial.abs();
         let (stress, stressed_at) = self.between_stations(girder, made, stress, &fibre);

@@ -1,6 +1,6 @@
 //! Entries of the energy ledger as quantities: `energy.friction`.
 
-use super::History;
+use crate::sim::History;
 
 /// What of the energy ledger (`docs/physics.md#energy-ledger`).
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -50,7 +50,7 @@ const OF_ENERGY: [(&str, OfEnergy); 13] = [
 ];
 
 /// Every entry that the run has, with its name.
-pub(super) fn named(history: &History) -> impl Iterator<Item = (&'static str, OfEnergy)> + use<> {
+pub(in crate::sim) fn named(history: &History) -> impl Iterator<Item = (&'static str, OfEnergy)> + use<> {
     let model = history.model();
     let has_devices = model.links.iter().any(|link| !link.device.is_linear());
     let bends = (0..model.girders().len()).any(|girder| history.flexible(girder).is_some());
@@ -63,7 +63,7 @@ pub(super) fn named(history: &History) -> impl Iterator<Item = (&'static str, Of
 }
 
 /// An entry at `t` \[J\].
-pub(super) fn at(history: &History, what: OfEnergy, t: f64) -> f64 {
+pub(in crate::sim) fn at(history: &History, what: OfEnergy, t: f64) -> f64 {
     let e = history.ledger(t);
     match what {
         OfEnergy::Kinetic => e.kinetic,

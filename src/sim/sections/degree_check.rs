@@ -1,13 +1,13 @@
 //! Whether the polynomials of elastic girders suffice: the same run with half as many again, or with two thirds of them where there can
 //! be no more.
 
-use super::quadrature::integrate;
-use super::section_peaks::rounding;
-use super::{History, Touch};
 use crate::dynamics::elastic::degree::{LARGEST_DEGREE, SMALLEST_DEGREE};
 use crate::geometry::End;
 use crate::scene::facing::SolidId;
 use crate::scene::{Degree, Scene};
+use crate::sim::energy::quadrature::integrate;
+use crate::sim::sections::largest::rounding;
+use crate::sim::{History, Touch};
 
 /// Instants at which places of the ends are compared.
 const COMPARED: u32 = 400;

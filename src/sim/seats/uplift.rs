@@ -2,20 +2,20 @@
 
 use rayon::prelude::*;
 
-use super::History;
-use super::peaks::largest;
-use super::readings::first;
-use super::report::{Extreme, Uplift, Upright};
-use super::touches;
 use crate::contact::Frame;
 use crate::dynamics::Body;
 use crate::dynamics::connection::Connection;
 use crate::scene::Kind;
+use crate::sim::History;
+use crate::sim::peaks::largest;
+use crate::sim::readings::first;
+use crate::sim::report::{Extreme, Uplift, Upright};
+use crate::sim::touches;
 
 /// Part of the load at rest below which a bearing carries nothing \[–\]: of a slider that is lifted rounding is left.
 const NOTHING: f64 = 1e-9;
 /// Tilt from which a girder has tipped \[°\]. Chosen: a road falls to the side by less than 6°.
-pub(super) const TIPPED: f64 = 10.0;
+pub(in crate::sim) const TIPPED: f64 = 10.0;
 
 impl History {
     /// Vertical force of a bearing on its girder, upwards \[N\]; 0 in a planar scene, and of a bearing that is not there.
@@ -29,7 +29,7 @@ impl History {
     }
 
     /// Whether a bearing is a slider in space that carries nothing at `t`.
-    pub(super) fn is_lifted(&self, girder: usize, number: usize, t: f64) -> bool {
+    pub(in crate::sim) fn is_lifted(&self, girder: usize, number: usize, t: f64) -> bool {
         let slides = self.bearing_links(girder, number).iter().any(|&link| self.model().links[link].device.lifts());
         slides && self.model().kind == Kind::Spatial && {
             let at_rest = self.model().bodies[girder].bearings[number].preload.z;

@@ -1,14 +1,14 @@
 //! What a contact loses in its dashpots and in friction, and what the ground does through it, step by step.
 
-use super::History;
-use super::books::Account;
-use super::ledger_steps::{given_power, step_borders};
-use super::quadrature::integrate;
 use crate::contact::{NormalLaw, locate};
 use crate::dynamics::penalty3d::contact_state::Contact;
+use crate::sim::History;
+use crate::sim::energy::ledger_steps::{given_power, step_borders};
+use crate::sim::energy::power_integrals::Account;
+use crate::sim::energy::quadrature::integrate;
 
 /// The account of one contact.
-pub(super) fn contact_account(history: &History, contact: usize) -> Account<4> {
+pub(in crate::sim) fn contact_account(history: &History, contact: usize) -> Account<4> {
     let mut account = Account::new();
     let site = &history.model().sites[contact];
     let states: Vec<(f64, Contact)> = history.trajectories.log(contact).states().collect();
@@ -40,7 +40,7 @@ pub(super) fn contact_account(history: &History, contact: usize) -> Account<4> {
 
 /// Powers lost in the normal dashpot, the tangential dashpot and friction, and that of the ground where one side moves as given
 /// \[W\].
-pub(super) fn contact_powers(history: &History, contact: usize, t: f64) -> [f64; 4] {
+pub(in crate::sim) fn contact_powers(history: &History, contact: usize, t: f64) -> [f64; 4] {
     let Some((closed, action)) = history.acting(contact, t) else { return [0.0; 4] };
     let [normal, tangential, friction] = closed.law.dissipated_powers(&action.forces);
     let site = &history.model().sites[contact];

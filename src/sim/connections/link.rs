@@ -2,11 +2,11 @@
 
 use glam::DVec3;
 
-use super::{History, Loop};
 use crate::contact::Frame;
 use crate::dynamics::connection::{Kinematics, Link, Phase, Separation};
 use crate::dynamics::model::wrench::Wrench;
 use crate::language::Text;
+use crate::sim::{History, Loop};
 
 /// A device at one instant.
 #[derive(Clone, Debug, PartialEq)]
@@ -106,7 +106,7 @@ impl History {
 
     /// Deformation and resistance of a device along its axes at `t`, and its force on the first point in world axes \[N\], by the poses of
     /// sections of bodies then.
-    pub(super) fn link_acting(
+    pub(in crate::sim) fn link_acting(
         &self,
         number: usize,
         t: f64,
@@ -154,7 +154,7 @@ impl History {
 
     /// Adds the forces of devices on a body, which is in this state at `t`, to the wrenches on its sections, each about the origin of
     /// the section's frame.
-    pub(super) fn push_links(&self, body: usize, (t, state): (f64, &[f64]), wrenches: &mut [Wrench]) {
+    pub(in crate::sim) fn push_links(&self, body: usize, (t, state): (f64, &[f64]), wrenches: &mut [Wrench]) {
         let frame = |other: usize, section: usize| {
             if other == body {
                 self.model().bodies[body].frame(section, state)
@@ -179,12 +179,12 @@ impl History {
     }
 
     /// Stored energy of a device \[J\].
-    pub(super) fn link_energy(&self, number: usize, t: f64) -> f64 {
+    pub(in crate::sim) fn link_energy(&self, number: usize, t: f64) -> f64 {
         self.link_motion(number, t).map_or(0.0, |(link, phase, motion)| link.device.stored_energy(&phase, &motion))
     }
 
     /// Power that a device dissipates with its ends in these poses at `t` \[W\].
-    pub(super) fn link_power(&self, number: usize, t: f64, frames: &[Frame; 2]) -> f64 {
+    pub(in crate::sim) fn link_power(&self, number: usize, t: f64, frames: &[Frame; 2]) -> f64 {
         let link = &self.model().links[number];
         let acting = self.link_phase(number, t).filter(|phase| link.device.acts(phase));
         acting.map_or(0.0, |phase| link.device.dissipated_power(&phase, &link.motion([&frames[0], &frames[1]]).0))

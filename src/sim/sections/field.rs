@@ -1,8 +1,8 @@
 //! A section force of an elastic girder over stations and time: where waves are seen to run and turn.
 
-use super::History;
-use super::section_quantity::OfSection;
 use crate::dynamics::model::coordinates::section_forces::SectionForces;
+use crate::sim::History;
+use crate::sim::sections::quantity::OfSection;
 
 /// Values over stations and times, SI.
 #[derive(Clone, Debug, PartialEq)]

@@ -2,10 +2,10 @@
 
 use glam::DVec3;
 
-use super::History;
 use crate::geometry::{End, Prism};
 use crate::motion::support::SupportMotion;
 use crate::scene::StandsOn;
+use crate::sim::History;
 
 /// What a seat is fixed to.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -19,7 +19,7 @@ pub enum SeatOn {
 }
 
 impl SeatOn {
-    pub(super) fn of(history: &History, girder: usize, end: End) -> Self {
+    pub(in crate::sim) fn of(history: &History, girder: usize, end: End) -> Self {
         let (scene, model) = (history.scene(), history.model());
         let on = scene.standing_under(&scene.girders[girder], end).unwrap_or(StandsOn::Ground);
         if let StandsOn::Pier(number) = on {
@@ -33,7 +33,7 @@ impl SeatOn {
     }
 
     /// Displacement, rotation about the vertical, and where the axis of that is; nothing for the ground of reference.
-    pub(super) fn at(self, history: &History, t: f64) -> Option<(DVec3, f64, DVec3)> {
+    pub(in crate::sim) fn at(self, history: &History, t: f64) -> Option<(DVec3, f64, DVec3)> {
         match self {
             Self::Ground => None,
             Self::Moved(motion) => Some((history.model().moving.as_ref()?.displacement(motion, t), 0.0, DVec3::ZERO)),

@@ -5,11 +5,11 @@
 
 use glam::DVec3;
 
-use super::History;
 use crate::contact::Frame;
 use crate::dynamics::connection::{Connection, Kinematics, Separation};
 use crate::dynamics::model::bearing::Bearing;
 use crate::scene::Kind;
+use crate::sim::History;
 
 /// Deformation and resistance along two axes.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
@@ -23,7 +23,7 @@ pub struct Loop {
 impl Loop {
     /// Of a motion and the force on the first point, both in the axes of a connection. Between points apart the first axis is the
     /// line between them, and the deformation its elongation; the second is square to it.
-    pub(super) fn of(motion: &Separation, force: DVec3, follows_line: bool) -> Self {
+    pub(in crate::sim) fn of(motion: &Separation, force: DVec3, follows_line: bool) -> Self {
         if !follows_line {
             return Self { deformation: [motion.moved.x, motion.moved.y], resistance: [-force.x, -force.y] };
         }
@@ -48,7 +48,7 @@ impl History {
     }
 
     /// The same by the poses of sections of bodies at `t`, within what was computed.
-    pub(super) fn bearing_loop_in(
+    pub(in crate::sim) fn bearing_loop_in(
         &self,
         (girder, number): (usize, usize),
         t: f64,
@@ -73,7 +73,11 @@ impl History {
     }
 
     /// Motion of a bearing's point of its girder against the ground, along the girder's axes as placed, with the girder in a pose at `t`.
-    pub(super) fn bearing_motion(&self, (girder, bearing): (usize, &Bearing), (t, frame): (f64, &Frame)) -> Separation {
+    pub(in crate::sim) fn bearing_motion(
+        &self,
+        (girder, bearing): (usize, &Bearing),
+        (t, frame): (f64, &Frame),
+    ) -> Separation {
         let body = &self.model().bodies[girder];
         let kinematics = if self.model().kind == Kind::Planar { Kinematics::Linear } else { Kinematics::Points };
         let arm = body.axes * bearing.place;
@@ -86,7 +90,7 @@ impl History {
     }
 
     /// Numbers of the links that a girder's bearing has in the model.
-    pub(super) fn bearing_links(&self, girder: usize, number: usize) -> &[usize] {
+    pub(in crate::sim) fn bearing_links(&self, girder: usize, number: usize) -> &[usize] {
         let supports = self.model().supports.get(girder);
         supports.and_then(|supports| supports.get(number)).map_or(&[], Vec::as_slice)
     }

@@ -2,18 +2,18 @@
 
 /// Running sums of a few integrals at the borders of their cells.
 #[derive(Clone, Debug)]
-pub(super) struct Account<const N: usize> {
+pub(in crate::sim) struct Account<const N: usize> {
     /// Start of each cell, its end, and the sums up to its start.
     cells: Vec<(f64, f64, [f64; N])>,
     total: [f64; N],
 }
 
 impl<const N: usize> Account<N> {
-    pub(super) fn new() -> Self {
+    pub(in crate::sim) fn new() -> Self {
         Self { cells: Vec::new(), total: [0.0; N] }
     }
 
-    pub(super) fn add(&mut self, from: f64, until: f64, amounts: [f64; N]) {
+    pub(in crate::sim) fn add(&mut self, from: f64, until: f64, amounts: [f64; N]) {
         self.cells.push((from, until, self.total));
         for (sum, amount) in self.total.iter_mut().zip(amounts) {
             *sum += amount;
@@ -21,7 +21,7 @@ impl<const N: usize> Account<N> {
     }
 
     /// Sums up to `t`; `rest` integrates over the part of the cell that `t` is in.
-    pub(super) fn at(&self, t: f64, rest: impl Fn(f64, f64) -> [f64; N]) -> [f64; N] {
+    pub(in crate::sim) fn at(&self, t: f64, rest: impl Fn(f64, f64) -> [f64; N]) -> [f64; N] {
         let n = self.cells.partition_point(|(from, ..)| *from < t);
         let Some(&(from, until, sums)) = n.checked_sub(1).and_then(|i| self.cells.get(i)) else { return [0.0; N] };
         if t >= until && n == self.cells.len() {
@@ -34,18 +34,18 @@ impl<const N: usize> Account<N> {
 
 /// Integrals of all powers of a run, from which the energy ledger is read.
 #[derive(Clone, Debug)]
-pub(super) struct Books {
+pub(in crate::sim) struct PowerIntegrals {
     /// Per body: work of the ground, work of pushes, losses in bearings and in the body itself.
-    pub(super) bodies: Vec<Account<4>>,
+    pub(in crate::sim) bodies: Vec<Account<4>>,
     /// Per contact: losses in the normal dashpot, the tangential dashpot and friction; work of ground that moves as given.
-    pub(super) contacts: Vec<Account<4>>,
+    pub(in crate::sim) contacts: Vec<Account<4>>,
     /// Per device: the loss; work of ground that moves as given.
-    pub(super) devices: Vec<Account<2>>,
+    pub(in crate::sim) devices: Vec<Account<2>>,
     /// Whether each of these is a bearing.
-    pub(super) bearings: Vec<bool>,
+    pub(in crate::sim) bearings: Vec<bool>,
     /// Per stretch of lasting contact of the impact model: the loss in friction.
-    pub(super) lasting: Vec<Account<1>>,
-    pub(super) initial: f64,
+    pub(in crate::sim) lasting: Vec<Account<1>>,
+    pub(in crate::sim) initial: f64,
     /// Instants in rising order, and the largest kinetic energy up to each.
-    pub(super) kinetic: Vec<(f64, f64)>,
+    pub(in crate::sim) kinetic: Vec<(f64, f64)>,
 }

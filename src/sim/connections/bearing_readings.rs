@@ -2,8 +2,8 @@
 
 use rayon::prelude::*;
 
-use super::report::Extreme;
-use super::{History, Loop, peaks, touches};
+use crate::sim::report::Extreme;
+use crate::sim::{History, Loop, peaks, touches};
 
 /// The bearing of a girder that goes farthest, and the one that resists most, both in plan.
 #[derive(Clone, Copy, Debug, PartialEq)]

@@ -1,10 +1,10 @@
 //! What a run did to the devices of its scene.
 
-use super::peaks::largest_of_each;
-use super::report::Extreme;
-use super::{History, LinkNow, touches};
 use crate::dynamics::connection::Phase;
 use crate::dynamics::model::compiled_model::ModelDevice;
+use crate::sim::peaks::largest_of_each;
+use crate::sim::report::Extreme;
+use crate::sim::{History, LinkNow, touches};
 
 /// What a run did to a device.
 #[derive(Clone, Debug, PartialEq)]
