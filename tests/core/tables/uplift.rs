@@ -3,7 +3,8 @@
 use std::f64::consts::TAU;
 
 use girderbench::scene::STANDARD_GRAVITY;
-use girderbench::sim::{History, verdict};
+use girderbench::sim::History;
+use girderbench::sim::seats::verdict;
 
 use crate::support::{run, scene, within};
 
