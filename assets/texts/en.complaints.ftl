@@ -315,7 +315,6 @@ stop-memory = the steps so far take { $bytes } MiB, more than the { $most } MiB 
 stop-pace = { $done } steps and evaluations since t = { $from } s: at this pace the run would take { $expected } of them, beyond what a run may take
 stop-stands = { $done } steps and evaluations at t = { $at } s, without getting on in time
 stop-work = { $work } steps and evaluations exceed the bound on the work of a run
-stop-bound = the bound on the work of a run is exceeded
 stop-too-fast = { $spent }: a contact, a bearing or the ground is far too fast for the duration; lower its stiffness, damping or frequency, or shorten the run
 stop-step = the step fell to { $step } s; a lower stiffness or a larger tolerance would be followed
 stop-starts-inside = it starts { $depth } m inside: rigid girders cannot overlap; move it out by its initial displacement or its place, or take the contact model

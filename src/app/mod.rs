@@ -52,9 +52,9 @@ mod viewport;
 pub use bench::Workbench;
 pub use command::{
     AngleCommand, AppearanceCommand, BridgeDraft, Command, CompareCommand, EditCommand, Export, FileCommand,
-    FilmFormat, FilmPlan, Filming, Flank, Follow, Grip, HandCommand, HandKey, Keep, Learn, LeaveCommand, Look, MapAxis,
-    MapCommand, MapDraft, Nudge, Pane, PathCommand, PlaceCommand, PlotCommand, QuakeCommand, RowDraft, RunCommand,
-    SelectCommand, Sight, TimeCommand, Tool, ViewCommand, Way, WindowCommand, Wish,
+    FilmCommand, FilmFormat, FilmPlan, Flank, Follow, Grip, HandCommand, HandKey, KeepCommand, LearnCommand,
+    LeaveCommand, Look, MapAxis, MapCommand, MapDraft, Nudge, Pane, PathCommand, PlaceCommand, PlotCommand,
+    QuakeCommand, RowDraft, RunCommand, SelectCommand, Sight, TimeCommand, Tool, ViewCommand, Way, WindowCommand, Wish,
 };
 pub use host::Wake;
 pub use learn::lessons::{Lesson, Try, lessons};

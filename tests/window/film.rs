@@ -9,7 +9,7 @@ use egui::Key;
 use egui::accesskit::Role;
 use egui_kittest::Harness;
 use egui_kittest::kittest::{NodeT as _, Queryable as _};
-use girderbench::app::{Command, FilmFormat, FilmPlan, Filming, TimeCommand, Workbench};
+use girderbench::app::{Command, FilmCommand, FilmFormat, FilmPlan, TimeCommand, Workbench};
 use girderbench::render::Image;
 use girderbench::scene::presets;
 
@@ -75,9 +75,9 @@ fn a_film_is_written_while_the_window_goes_on() {
     for (format, wanted) in [(FilmFormat::Gif, "film.gif"), (FilmFormat::Png, "pictures")] {
         let mut harness = open(presets::OPENING);
         let plan = short(ask(&mut harness), format);
-        harness.state_mut().apply(Command::Film(Filming::Plan(plan)));
+        harness.state_mut().apply(Command::Film(FilmCommand::Plan(plan)));
         let path = folder.path().join(wanted);
-        harness.state_mut().apply(Command::Film(Filming::Shoot(path.clone())));
+        harness.state_mut().apply(Command::Film(FilmCommand::Shoot(path.clone())));
         finish(&mut harness);
         assert!(
             harness.state().window.notice().is_some_and(|n| n.contains(wanted)),
@@ -121,8 +121,8 @@ fn a_cancelled_film_leaves_nothing_behind() {
     for (format, inner) in [(FilmFormat::Gif, "inner/film.gif"), (FilmFormat::Png, "inner/pictures")] {
         let mut harness = open(presets::OPENING);
         let long = FilmPlan { to: 5.0, fps: 50.0, ..short(ask(&mut harness), format) };
-        harness.state_mut().apply(Command::Film(Filming::Plan(long)));
-        harness.state_mut().apply(Command::Film(Filming::Shoot(folder.path().join(inner))));
+        harness.state_mut().apply(Command::Film(FilmCommand::Plan(long)));
+        harness.state_mut().apply(Command::Film(FilmCommand::Shoot(folder.path().join(inner))));
         while harness.state().tasks.films.progress().is_some_and(|(done, _)| done < 3) {
             harness.step();
             std::thread::sleep(Duration::from_millis(5));

@@ -5,7 +5,7 @@ use egui::{Key, Rect, Theme};
 use egui_kittest::Harness;
 use egui_kittest::kittest::{NodeT as _, Queryable as _};
 use girderbench::app::{
-    AppearanceCommand, Export, FileCommand, Learn, SelectCommand, TimeCommand, Way, Workbench, lessons,
+    AppearanceCommand, Export, FileCommand, LearnCommand, SelectCommand, TimeCommand, Way, Workbench, lessons,
 };
 use girderbench::language::{Language, Text};
 use girderbench::render::Image;
@@ -73,7 +73,7 @@ fn the_view_has_most_of_the_middle() {
 fn a_lesson_leaves_room_for_the_view_in_a_small_window() {
     let mut harness = builder([1024.0, 640.0]).build_ui_state(show, bench(presets::OPENING));
     for (number, lesson) in lessons().iter().enumerate() {
-        harness.state_mut().apply(Learn::Open(number));
+        harness.state_mut().apply(LearnCommand::Open(number));
         harness.run_steps(10);
         let rect = view(&harness);
         assert!(rect.width() >= 430.0 && rect.height() >= 280.0, "{}: {rect}", lesson.name);

@@ -4,7 +4,7 @@ use super::harness::{on_screen, open, press, settle, view};
 use egui::accesskit::Role;
 use egui_kittest::Harness;
 use egui_kittest::kittest::{NodeT as _, Queryable as _};
-use girderbench::app::{Command, EditCommand, FileCommand, Learn, Workbench, lessons};
+use girderbench::app::{Command, EditCommand, FileCommand, LearnCommand, Workbench, lessons};
 use girderbench::scene::edit::Edit;
 use girderbench::scene::{ViewPreset, presets};
 use glam::DVec3;
@@ -76,7 +76,7 @@ fn the_words_close_and_go_with_their_scene() {
     press(&mut harness, "Close the lesson");
     assert!(harness.state().learning.lesson().is_none() && harness.query_by_label(title).is_none(), "closed");
     assert_eq!(harness.state().files.document.scene().name, lessons()[0].name, "the scene stays");
-    harness.state_mut().apply(Command::Learn(Learn::Open(1)));
+    harness.state_mut().apply(Command::Learn(LearnCommand::Open(1)));
     harness.state_mut().apply(FileCommand::OpenPreset("straight-straight".into()));
     settle(&mut harness);
     assert!(harness.state().learning.lesson().is_none(), "another scene has other words");
@@ -85,11 +85,11 @@ fn the_words_close_and_go_with_their_scene() {
 #[test]
 fn a_thing_to_try_finds_its_scene_again() {
     let mut harness = open(presets::OPENING);
-    harness.state_mut().apply(Command::Learn(Learn::Open(0)));
+    harness.state_mut().apply(Command::Learn(LearnCommand::Open(0)));
     harness.state_mut().apply(EditCommand::Change { edit: Edit::Set("name=mine".into()), gesture: None });
     settle(&mut harness);
     assert_eq!(harness.state().files.document.scene().name, "mine", "another scene under the lesson's words");
-    harness.state_mut().apply(Command::Learn(Learn::Try(0)));
+    harness.state_mut().apply(Command::Learn(LearnCommand::Try(0)));
     settle(&mut harness);
     let mut tried = lessons()[0].scene().expect("good");
     lessons()[0].tries[0].edit().apply(&mut tried).expect("it fits");

@@ -8,7 +8,7 @@ use egui::accesskit::Role;
 use egui::{Event, Key, Modifiers};
 use egui_kittest::Harness;
 use egui_kittest::kittest::{NodeT as _, Queryable as _};
-use girderbench::app::{FilmPlan, Filming, Workbench};
+use girderbench::app::{FilmCommand, FilmPlan, Workbench};
 use girderbench::scene::presets;
 
 /// A window that asks for paths itself, as the menu has told it to.
@@ -147,7 +147,7 @@ fn every_export_and_a_film_go_where_the_path_says() {
         size: Some([160, 90]),
         ..harness.state().tasks.films.plan.expect("open")
     };
-    harness.state_mut().apply(Filming::Plan(plan));
+    harness.state_mut().apply(FilmCommand::Plan(plan));
     settle(&mut harness);
     press(&mut harness, "Choose where…");
     type_path(&mut harness, &folder.path().join("d.gif"));

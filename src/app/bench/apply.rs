@@ -5,8 +5,8 @@ use egui::{Theme, Ui};
 use super::window_state::Next;
 use super::workbench::Workbench;
 use crate::app::command::{
-    AngleCommand, AppearanceCommand, Command, CompareCommand, FileCommand, Filming, HandCommand, Learn, LeaveCommand,
-    MapCommand, RunCommand, ViewCommand,
+    AngleCommand, AppearanceCommand, Command, CompareCommand, FileCommand, FilmCommand, HandCommand, LearnCommand,
+    LeaveCommand, MapCommand, RunCommand, ViewCommand,
 };
 use crate::app::style::size::LECTURE;
 use crate::files::{Chosen, Settings};
@@ -29,24 +29,19 @@ impl Workbench {
         }
     }
 
-    /// Everything that commands can change and a frame shows.
+    /// Everything that commands can change and a frame shows; a part that is added has to be named here.
     fn state_shown(&self) -> impl PartialEq + use<> {
-        let document = (self.files.document.revision(), self.files.document.selection().clone());
-        let replay = (self.replay.playback.clone(), self.replay.runner.is_stale());
-        let beside = (
-            self.files.session.seen(),
-            self.tasks.films.plan,
-            self.tasks.paths.seen(),
-            self.learning,
-            (self.maps.seen(), self.angles.seen(), self.shaking.seen()),
-        );
+        let Self { files, replay, comparison, view, learning, maps, angles, shaking, plots, tasks, window, samples: _ } =
+            self;
+        let document = (files.document.revision(), files.document.selection().clone());
         (
-            document,
-            replay,
-            self.view.shown(),
-            (self.comparison.numbers(), self.comparison.differences()),
-            self.plots.clone(),
-            (self.window.clone(), beside),
+            (document, files.session.seen()),
+            (replay.playback.clone(), replay.runner.is_stale()),
+            (comparison.numbers(), comparison.differences()),
+            (view.shown(), plots.clone()),
+            (*learning, maps.seen(), angles.seen(), shaking.seen()),
+            (tasks.films.plan, tasks.paths.seen()),
+            window.clone(),
         )
     }
 
@@ -78,7 +73,7 @@ impl Workbench {
             Command::File(command) => self.apply_file(command),
             Command::Keep(command) => self.apply_keep(command),
             Command::Film(command) => self.apply_film(command),
-            Command::Learn(command @ Learn::Open(_)) if self.is_left_unsaved() => {
+            Command::Learn(command @ LearnCommand::Open(_)) if self.is_left_unsaved() => {
                 self.window.ask_before(Next::Learn(command));
             }
             Command::Learn(command) => self.apply_learn(command),
@@ -127,7 +122,7 @@ impl Workbench {
         }
     }
 
-    fn apply_film(&mut self, command: Filming) {
+    fn apply_film(&mut self, command: FilmCommand) {
         let replayed = (self.replay.runner.full_answer(), self.replay.stretch());
         let pictured = (self.view.shot(), self.files.document.scene().name.as_str());
         if let Some(words) = self.tasks.apply(command, replayed, pictured) {

@@ -4,7 +4,7 @@ use std::path::Path;
 use std::sync::Arc;
 
 use super::workbench::Workbench;
-use crate::app::command::{AppearanceCommand, EditCommand, FileCommand, Learn, TimeCommand, WindowCommand};
+use crate::app::command::{AppearanceCommand, EditCommand, FileCommand, LearnCommand, TimeCommand, WindowCommand};
 use crate::app::learn::lessons::lessons;
 use crate::app::link::{Link, Target};
 use crate::app::text;
@@ -31,7 +31,7 @@ impl Workbench {
             }
             Some(Target::Preset(name)) => self.apply(FileCommand::OpenPreset(name)),
             Some(Target::Lesson(name)) => match numbered(&name) {
-                Ok(number) => self.apply(Learn::Open(number)),
+                Ok(number) => self.apply(LearnCommand::Open(number)),
                 Err(words) => return self.window.say(words),
             },
             Some(Target::Text(words, lesson)) => match (read_scene(&words, "link"), lesson.as_deref().map(numbered)) {

@@ -4,7 +4,7 @@ use std::path::Path;
 use std::sync::Arc;
 
 use super::workbench::Workbench;
-use crate::app::command::{Export, FileCommand, Keep, Learn, PathCommand, Wish};
+use crate::app::command::{Export, FileCommand, KeepCommand, LearnCommand, PathCommand, Wish};
 use crate::app::disk::record;
 use crate::app::disk::scene_files::{Left, Saved};
 use crate::app::edits;
@@ -97,7 +97,7 @@ impl Workbench {
         answer
     }
 
-    pub(super) fn apply_keep(&mut self, command: Keep) {
+    pub(super) fn apply_keep(&mut self, command: KeepCommand) {
         match self.files.apply(command) {
             Ok(Left::Nothing) => {}
             Ok(Left::Recover(found)) => self.recover(&found),
@@ -110,12 +110,12 @@ impl Workbench {
         }
     }
 
-    pub(super) fn apply_learn(&mut self, command: Learn) {
+    pub(super) fn apply_learn(&mut self, command: LearnCommand) {
         match command {
-            Learn::Open(number) => self.open_lesson(number),
-            Learn::Reset => self.learning.number().into_iter().for_each(|number| self.open_lesson(number)),
-            Learn::Close => self.learning.close(),
-            Learn::Try(number) => {
+            LearnCommand::Open(number) => self.open_lesson(number),
+            LearnCommand::Reset => self.learning.number().into_iter().for_each(|number| self.open_lesson(number)),
+            LearnCommand::Close => self.learning.close(),
+            LearnCommand::Try(number) => {
                 let (Some(open), Some(lesson)) = (self.learning.number(), self.learning.lesson()) else { return };
                 if self.files.document.scene().name != lesson.name {
                     self.open_lesson(open);
@@ -265,15 +265,15 @@ mod tests {
     #[test]
     fn a_lesson_opens_at_its_time_and_its_tries_change_its_own_scene() {
         let mut bench = opened();
-        bench.apply(Command::Learn(Learn::Open(0)));
+        bench.apply(Command::Learn(LearnCommand::Open(0)));
         let lesson = &lessons()[0];
         bench.replay.runner.wait();
         assert_eq!(bench.replay.t(), lesson.at.min(bench.replay.end()), "where there is something to see");
         bench.apply(FileCommand::New);
         assert!(bench.learning.lesson().is_none(), "another scene closes it");
-        bench.apply(Command::Learn(Learn::Open(0)));
+        bench.apply(Command::Learn(LearnCommand::Open(0)));
         let before = bench.files.document.revision();
-        bench.apply(Command::Learn(Learn::Try(0)));
+        bench.apply(Command::Learn(LearnCommand::Try(0)));
         assert!(bench.files.document.revision() > before && bench.window.notice().is_none(), "tried");
     }
 

@@ -3,7 +3,7 @@
 use std::path::Path;
 
 use super::folds::Folds;
-use crate::app::command::{BridgeDraft, FileCommand, Learn, LeaveCommand, RowDraft, WindowCommand};
+use crate::app::command::{BridgeDraft, FileCommand, LearnCommand, LeaveCommand, RowDraft, WindowCommand};
 use crate::app::host::Told;
 use crate::language::Language;
 
@@ -15,7 +15,7 @@ pub(in crate::app) enum Next {
     /// Another scene is opened.
     File(FileCommand),
     /// A lesson is opened.
-    Learn(Learn),
+    Learn(LearnCommand),
 }
 
 /// Whether the scene that is worked on is about to be left.
@@ -176,10 +176,10 @@ mod tests {
     #[test]
     fn what_would_replace_unsaved_work_waits_until_it_is_saved() {
         let mut window = WindowState::default();
-        window.ask_before(Next::Learn(Learn::Open(1)));
+        window.ask_before(Next::Learn(LearnCommand::Open(1)));
         assert!(window.asks() && !window.closes(), "asked first");
         window.begin_saving();
-        assert_eq!(window.go_on(), Some(Next::Learn(Learn::Open(1))), "then the lesson");
+        assert_eq!(window.go_on(), Some(Next::Learn(LearnCommand::Open(1))), "then the lesson");
         assert_eq!(window.go_on(), None, "once");
         window.ask_before(Next::File(FileCommand::New));
         window.stay_open();

@@ -44,7 +44,7 @@ pub struct Workbench {
     pub tasks: Tasks,
     /// The window itself: its dialogs, its notice, its end.
     pub window: WindowState,
-    samples: Samples,
+    pub(super) samples: Samples,
 }
 
 impl Workbench {

@@ -138,7 +138,7 @@ pub enum FileCommand {
 
 /// What is kept beside the scene: recent files, unsaved work, a file changed by another program.
 #[derive(Clone, Debug, PartialEq, Eq)]
-pub enum Keep {
+pub enum KeepCommand {
     /// Bring back unsaved work that was found, by its number; the rest is asked about the next time.
     Recover(usize),
     /// Throw it away.

@@ -64,7 +64,7 @@ impl FilmPlan {
 
 /// The film dialog, and a film that is being written.
 #[derive(Clone, Debug, PartialEq)]
-pub enum Filming {
+pub enum FilmCommand {
     /// Open the dialog.
     Ask,
     /// Another plan.

@@ -2,7 +2,7 @@
 
 /// Lessons: scenes with words and things to try.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub enum Learn {
+pub enum LearnCommand {
     /// Open the lesson of this number.
     Open(usize),
     /// Do the thing to try of this number.

@@ -21,10 +21,10 @@ mod window;
 pub use angles::AngleCommand;
 pub use compare::CompareCommand;
 pub use edit::{BridgeDraft, EditCommand, Nudge, PlaceCommand, RowDraft};
-pub use file::{Export, FileCommand, Keep, PathCommand, Wish};
-pub use film::{FilmFormat, FilmPlan, Filming};
+pub use file::{Export, FileCommand, KeepCommand, PathCommand, Wish};
+pub use film::{FilmCommand, FilmFormat, FilmPlan};
 pub use hand::{Flank, Grip, HandCommand, HandKey};
-pub use learn::Learn;
+pub use learn::LearnCommand;
 pub use map::{MapAxis, MapCommand, MapDraft};
 pub use plot::PlotCommand;
 pub use quake::QuakeCommand;
@@ -68,11 +68,11 @@ groups! {
     /// Scene files, records, exports.
     File(FileCommand),
     /// Recent files, unsaved work, a file changed by another program.
-    Keep(Keep),
+    Keep(KeepCommand),
     /// A film of the run.
-    Film(Filming),
+    Film(FilmCommand),
     /// Lessons.
-    Learn(Learn),
+    Learn(LearnCommand),
     /// The map of a run's number over two keys.
     Map(MapCommand),
     /// The run's numbers over the angle of the shaking.

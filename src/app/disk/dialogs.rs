@@ -9,7 +9,7 @@ use std::sync::atomic::{AtomicBool, Ordering};
 use std::sync::mpsc::{Receiver, Sender, channel};
 use std::time::Duration;
 
-use crate::app::command::{Command, FileCommand, Filming, PathCommand, Wish};
+use crate::app::command::{Command, FileCommand, FilmCommand, PathCommand, Wish};
 use crate::app::host::{Choice, Filter, Wake, choose, now};
 use crate::app::text;
 use crate::files::{RECORD_FORMATS, as_file_name};
@@ -102,7 +102,7 @@ pub(super) fn then(wish: Wish, path: PathBuf) -> Command {
         Wish::Save => FileCommand::SaveTo(path).into(),
         Wish::Export(what) => FileCommand::Export(what, path).into(),
         Wish::Plots(_) => FileCommand::Plots(path).into(),
-        Wish::Film(_) => Filming::Shoot(path).into(),
+        Wish::Film(_) => FilmCommand::Shoot(path).into(),
     }
 }
 

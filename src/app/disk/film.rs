@@ -5,7 +5,7 @@ use std::sync::Arc;
 use std::sync::atomic::{AtomicBool, AtomicUsize, Ordering};
 use std::sync::mpsc::{Receiver, Sender, TryRecvError, channel};
 
-use crate::app::command::{FilmFormat, FilmPlan, Filming};
+use crate::app::command::{FilmCommand, FilmFormat, FilmPlan};
 use crate::app::host::{THREADS, Thread, Told, Wake, spawn};
 use crate::app::run::answer::Answer;
 use crate::app::text;
@@ -63,14 +63,14 @@ pub struct Films {
 
 impl Films {
     /// Does a command; answers with what the user is told.
-    pub(in crate::app) fn apply(&mut self, command: Filming, source: Source<'_>) -> Option<&'static str> {
+    pub(in crate::app) fn apply(&mut self, command: FilmCommand, source: Source<'_>) -> Option<&'static str> {
         match command {
-            Filming::Ask if !THREADS => return Some(text::NOT_ON_A_PAGE.as_str()),
-            Filming::Ask => self.plan = Some(FilmPlan::of(source.stretch[0], source.stretch[1])),
-            Filming::Plan(plan) => self.plan = Some(plan),
-            Filming::Never => self.plan = None,
-            Filming::Shoot(path) => self.shoot(source, path),
-            Filming::Cancel => {
+            FilmCommand::Ask if !THREADS => return Some(text::NOT_ON_A_PAGE.as_str()),
+            FilmCommand::Ask => self.plan = Some(FilmPlan::of(source.stretch[0], source.stretch[1])),
+            FilmCommand::Plan(plan) => self.plan = Some(plan),
+            FilmCommand::Never => self.plan = None,
+            FilmCommand::Shoot(path) => self.shoot(source, path),
+            FilmCommand::Cancel => {
                 self.job = None;
                 return Some(text::FILM_CANCELLED.as_str());
             }

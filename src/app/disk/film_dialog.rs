@@ -2,7 +2,7 @@
 
 use egui::{Align2, Area, Button, ComboBox, DragValue, Frame, Grid, Id, Modal, Order, ProgressBar, RichText, Ui, vec2};
 
-use crate::app::command::{Command, FileCommand, FilmFormat, FilmPlan, Filming, Wish};
+use crate::app::command::{Command, FileCommand, FilmCommand, FilmFormat, FilmPlan, Wish};
 use crate::app::disk::film::Films;
 use crate::app::text;
 use crate::app::time::clock::SPEEDS;
@@ -24,7 +24,7 @@ pub(in crate::app) fn show(ui: &mut Ui, films: &Films, scope: Scope, out: &mut V
     if let Some(plan) = films.plan {
         let modal = Modal::new(Id::unique("film")).show(ui, |ui| dialog(ui, scope, plan, out));
         if modal.should_close() {
-            out.push(Command::Film(Filming::Never));
+            out.push(Command::Film(FilmCommand::Never));
         }
     }
     if let Some((done, count)) = films.progress() {
@@ -40,7 +40,7 @@ fn progress(ui: &mut Ui, done: usize, count: u32, out: &mut Vec<Command>) {
         ui.label(format!("{} {done}/{count}", text::FILMING));
         ui.add(ProgressBar::new(done as f32 / count as f32).desired_width(140.0));
         if ui.button(text::CANCEL_FILM).clicked() {
-            out.push(Command::Film(Filming::Cancel));
+            out.push(Command::Film(FilmCommand::Cancel));
         }
     });
 }
@@ -66,12 +66,12 @@ fn dialog(ui: &mut Ui, scope: Scope, plan: FilmPlan, out: &mut Vec<Command>) {
             out.push(FileCommand::Ask(Wish::Film(plan.format)).into());
         }
         if ui.button(text::CLOSE).clicked() {
-            out.push(Command::Film(Filming::Never));
+            out.push(Command::Film(FilmCommand::Never));
         }
     });
     if new != plan {
         new.fps = new.fps.min(FilmPlan::fastest(new.format));
-        out.push(Command::Film(Filming::Plan(new)));
+        out.push(Command::Film(FilmCommand::Plan(new)));
     }
 }
 

@@ -4,7 +4,7 @@ use std::path::{Path, PathBuf};
 
 use egui::{Button, RichText, Ui};
 
-use crate::app::command::{Command, FileCommand, Keep};
+use crate::app::command::{Command, FileCommand, KeepCommand};
 use crate::app::text;
 
 /// Shows the list: a file that is there can be opened, one that has gone can be forgotten.
@@ -25,7 +25,7 @@ pub(in crate::app) fn show(ui: &mut Ui, recent: &[PathBuf], out: &mut Vec<Comman
     }
     ui.separator();
     if ui.add(Button::new(text::FORGET_ALL)).on_hover_text(text::FORGET_HINT).clicked() {
-        out.push(Command::Keep(Keep::ForgetAll));
+        out.push(Command::Keep(KeepCommand::ForgetAll));
         ui.close();
     }
 }
@@ -35,7 +35,7 @@ fn missing(ui: &mut Ui, file: &Path, out: &mut Vec<Command>) {
     ui.label(RichText::new(words).weak()).on_hover_text(file.display().to_string());
     let forget = ui.small_button(text::FORGET).on_hover_text(text::FORGET_HINT);
     if forget.clicked() {
-        out.push(Command::Keep(Keep::Forget(file.to_owned())));
+        out.push(Command::Keep(KeepCommand::Forget(file.to_owned())));
     }
 }
 

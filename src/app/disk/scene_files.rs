@@ -3,7 +3,7 @@
 use std::path::{Path, PathBuf};
 use std::time::Duration;
 
-use crate::app::command::{Keep, SelectCommand};
+use crate::app::command::{KeepCommand, SelectCommand};
 use crate::app::disk::export::told;
 use crate::app::disk::session_files::{Compared, SessionFiles};
 use crate::app::edits::Document;
@@ -111,20 +111,20 @@ impl SceneFiles {
     ///
     /// # Errors
     /// In words: a file that cannot be removed or written.
-    pub(in crate::app) fn apply(&mut self, command: Keep) -> Result<Left, String> {
+    pub(in crate::app) fn apply(&mut self, command: KeepCommand) -> Result<Left, String> {
         match command {
-            Keep::Recover(number) => {
+            KeepCommand::Recover(number) => {
                 return Ok(self.session.take_found(number).map_or(Left::Nothing, Left::Recover));
             }
-            Keep::Discard(number) => self.session.discard(number).map_err(|e| e.to_string())?,
-            Keep::Later => self.session.leave_found(),
-            Keep::Reload => {
+            KeepCommand::Discard(number) => self.session.discard(number).map_err(|e| e.to_string())?,
+            KeepCommand::Later => self.session.leave_found(),
+            KeepCommand::Reload => {
                 self.session.keep_mine(&mut self.document);
                 return Ok(self.document.file().map_or(Left::Nothing, |file| Left::Reload(file.to_owned())));
             }
-            Keep::KeepMine => self.session.keep_mine(&mut self.document),
-            Keep::Forget(file) => self.session.forget(&file)?,
-            Keep::ForgetAll => self.session.forget_all()?,
+            KeepCommand::KeepMine => self.session.keep_mine(&mut self.document),
+            KeepCommand::Forget(file) => self.session.forget(&file)?,
+            KeepCommand::ForgetAll => self.session.forget_all()?,
         }
         Ok(Left::Nothing)
     }
@@ -209,7 +209,7 @@ mod tests {
         left.session.wait();
         drop(left);
         let mut files = opened(SceneSource::New);
-        let Ok(Left::Recover(found)) = files.apply(Keep::Recover(0)) else { panic!("it was left") };
+        let Ok(Left::Recover(found)) = files.apply(KeepCommand::Recover(0)) else { panic!("it was left") };
         let unsaved = crate::files::load_unsaved(&found.path).expect("a scene");
         assert!(files.recover(&found, unsaved, Scene::clone).expect("fits"), "another scene");
         let path = folder.path().join("saved.toml");

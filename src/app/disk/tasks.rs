@@ -3,7 +3,7 @@
 use std::path::{Path, PathBuf};
 use std::sync::Arc;
 
-use crate::app::command::{Command, Filming, Wish};
+use crate::app::command::{Command, FilmCommand, Wish};
 use crate::app::disk::dialogs::Dialogs;
 use crate::app::disk::export;
 use crate::app::disk::film::{Films, Source};
@@ -113,7 +113,7 @@ impl Tasks {
     /// the user is told.
     pub(in crate::app) fn apply(
         &mut self,
-        command: Filming,
+        command: FilmCommand,
         (answer, stretch): (Option<&Arc<Answer>>, [f64; 2]),
         (shot, name): (Shot, &str),
     ) -> Option<&'static str> {
@@ -145,8 +145,8 @@ mod tests {
         let mut tasks = Tasks::default();
         tasks.set_silent();
         let mut film = |command| tasks.apply(command, (None, [1.0, 3.0]), (Shot::default(), "deck"));
-        assert_eq!(film(Filming::Ask), None, "nothing to tell");
-        assert_eq!(film(Filming::Cancel), Some(text::FILM_CANCELLED.as_str()), "it is said");
+        assert_eq!(film(FilmCommand::Ask), None, "nothing to tell");
+        assert_eq!(film(FilmCommand::Cancel), Some(text::FILM_CANCELLED.as_str()), "it is said");
         let plan = tasks.films.plan.expect("the dialog is open");
         assert_eq!((plan.from, plan.to), (1.0, 3.0), "what is in view");
         assert!(tasks.chosen().is_empty(), "no path was chosen");

@@ -2,7 +2,7 @@
 
 use egui::{Button, Label, RichText, Ui};
 
-use crate::app::command::{Command, Learn};
+use crate::app::command::{Command, LearnCommand};
 use crate::app::learn::lessons::{Learning, Lesson, lessons};
 use crate::app::text;
 
@@ -11,7 +11,7 @@ pub(in crate::app) fn menu(ui: &mut Ui, learning: Learning, out: &mut Vec<Comman
     for (number, lesson) in lessons().iter().enumerate() {
         let chosen = learning.lesson().is_some_and(|open| open.name == lesson.name);
         if ui.add(Button::selectable(chosen, lesson.title.as_str())).clicked() {
-            out.push(Command::Learn(Learn::Open(number)));
+            out.push(Command::Learn(LearnCommand::Open(number)));
             ui.close();
         }
     }
@@ -22,10 +22,10 @@ pub(in crate::app) fn show(ui: &mut Ui, lesson: &Lesson, tried: Option<usize>, o
     ui.add(Label::new(RichText::new(&lesson.title).heading()).wrap());
     ui.horizontal(|ui| {
         if ui.button(text::RESET).on_hover_text(text::RESET_HINT).clicked() {
-            out.push(Command::Learn(Learn::Reset));
+            out.push(Command::Learn(LearnCommand::Reset));
         }
         if ui.button(text::CLOSE_LESSON).clicked() {
-            out.push(Command::Learn(Learn::Close));
+            out.push(Command::Learn(LearnCommand::Close));
         }
     });
     for paragraph in &lesson.text {
@@ -38,7 +38,7 @@ pub(in crate::app) fn show(ui: &mut Ui, lesson: &Lesson, tried: Option<usize>, o
         ui.add_space(4.0);
         let label = format!("{}  {}", number + 1, try_it.words);
         if ui.add(Button::new(label).selected(tried == Some(number)).wrap()).clicked() {
-            out.push(Command::Learn(Learn::Try(number)));
+            out.push(Command::Learn(LearnCommand::Try(number)));
         }
         ui.add(Label::new(&try_it.text).wrap());
     }

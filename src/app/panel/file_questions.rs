@@ -5,7 +5,7 @@ use std::time::{Duration, SystemTime};
 
 use egui::{Id, Modal, ScrollArea, Ui};
 
-use crate::app::command::{Command, Keep};
+use crate::app::command::{Command, KeepCommand};
 use crate::app::disk::scene_files::SceneFiles;
 use crate::app::disk::session_files::FoundWork;
 use crate::app::text;
@@ -20,7 +20,12 @@ pub(in crate::app) fn show(ui: &mut Ui, files: &SceneFiles, out: &mut Vec<Comman
         if files.document.is_dirty() {
             words.push_str(text::RELOAD_REPLACES.as_str());
         }
-        ask(ui, &words, [(text::RELOAD.as_str(), Keep::Reload), (text::KEEP_MINE.as_str(), Keep::KeepMine)], out);
+        ask(
+            ui,
+            &words,
+            [(text::RELOAD.as_str(), KeepCommand::Reload), (text::KEEP_MINE.as_str(), KeepCommand::KeepMine)],
+            out,
+        );
     }
 }
 
@@ -33,7 +38,9 @@ fn unsaved(ui: &mut Ui, found: &[FoundWork], out: &mut Vec<Command>) {
             ui.add_space(4.0);
             ui.label(found_words(work, SystemTime::now()));
             ui.horizontal(|ui| {
-                for (words, wish) in [(text::RECOVER, Keep::Recover(number)), (text::DISCARD, Keep::Discard(number))] {
+                for (words, wish) in
+                    [(text::RECOVER, KeepCommand::Recover(number)), (text::DISCARD, KeepCommand::Discard(number))]
+                {
                     let button = if found.len() == 1 {
                         words.to_string()
                     } else {
@@ -48,11 +55,11 @@ fn unsaved(ui: &mut Ui, found: &[FoundWork], out: &mut Vec<Command>) {
     });
     ui.separator();
     if ui.button(text::LATER).clicked() {
-        out.push(Command::Keep(Keep::Later));
+        out.push(Command::Keep(KeepCommand::Later));
     }
 }
 
-fn ask<const N: usize>(ui: &Ui, words: &str, answers: [(&str, Keep); N], out: &mut Vec<Command>) {
+fn ask<const N: usize>(ui: &Ui, words: &str, answers: [(&str, KeepCommand); N], out: &mut Vec<Command>) {
     Modal::new(Id::unique("files")).show(ui, |ui| {
         ui.set_max_width(420.0);
         ui.label(words);

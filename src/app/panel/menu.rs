@@ -6,7 +6,7 @@ use egui::containers::menu::{MenuButton, MenuConfig};
 use egui::{Button, MenuBar, PopupCloseBehavior, Theme, Ui};
 
 use crate::app::command::{
-    AppearanceCommand, Command, EditCommand, Export, FileCommand, Filming, LeaveCommand, MapCommand, PathCommand,
+    AppearanceCommand, Command, EditCommand, Export, FileCommand, FilmCommand, LeaveCommand, MapCommand, PathCommand,
     PlaceCommand, SelectCommand, Tool, ViewCommand, WindowCommand, Wish,
 };
 use crate::app::disk::recent;
@@ -98,7 +98,7 @@ fn file(ui: &mut Ui, used: &[PathBuf], mut paths_here: bool, out: &mut Vec<Comma
         (text::SAVE_AS, "Ctrl Shift S", Command::File(FileCommand::Ask(Wish::Save))),
         (text::EXPORT_PICTURE, "", Command::File(FileCommand::Ask(Wish::Export(Export::Picture)))),
         (text::EXPORT_PRINT, "", Command::File(FileCommand::Ask(Wish::Export(Export::Print)))),
-        (text::EXPORT_FILM, "", Command::Film(Filming::Ask)),
+        (text::EXPORT_FILM, "", Command::Film(FilmCommand::Ask)),
         (text::EXPORT_TABLES, "", Command::File(FileCommand::Ask(Wish::Export(Export::Tables)))),
         (text::EXPORT_REPORT, "", Command::File(FileCommand::Ask(Wish::Export(Export::Report)))),
     ];

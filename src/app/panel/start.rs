@@ -5,7 +5,7 @@ use egui::{
 };
 use egui::{Vec2, WidgetInfo, vec2};
 
-use crate::app::command::{BridgeDraft, Command, FileCommand, Learn, WindowCommand};
+use crate::app::command::{BridgeDraft, Command, FileCommand, LearnCommand, WindowCommand};
 use crate::app::disk::recent;
 use crate::app::disk::scene_files::SceneFiles;
 use crate::app::edits;
@@ -102,7 +102,7 @@ fn others(ui: &mut Ui, files: &SceneFiles, out: &mut Vec<Command>) {
     ui.label(RichText::new(text::LEARN).strong());
     for (number, lesson) in lessons().iter().enumerate() {
         if ui.add(Button::new(&lesson.title).frame(false).truncate()).clicked() {
-            out.push(Learn::Open(number).into());
+            out.push(LearnCommand::Open(number).into());
         }
     }
     if !files.session.recent().is_empty() {

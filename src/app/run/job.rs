@@ -11,8 +11,8 @@ use crate::app::run::answer::Answer;
 use crate::scene::{Scene, SolverSettings};
 use crate::sim::Session;
 
-/// Tolerance of the coarse pass. deck-30m is then 0.2 µm from the exact run (docs/cost.md has that at 2e-4) at a sixth of the full
-/// pass's instructions.
+/// Tolerance of the coarse pass: the coarsest of the domain (docs/stability.md). Measured on deck-30m: 0.2 µm from the exact run, at a sixth
+/// of the full pass's instructions.
 const COARSE: f64 = 1e-4;
 
 /// An answer, and which pass it is of.

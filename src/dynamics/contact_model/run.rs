@@ -210,15 +210,15 @@ impl Mechanics for ContactRun {
         self.world.model.duration
     }
 
-    fn exceeds_bounds(&mut self, t: f64) -> bool {
+    fn exceeded(&mut self, t: f64) -> Option<Message> {
         if !self.bounds.is_due(self.schedule.work) {
-            return false;
+            return None;
         }
         let spent = self.spent(t);
-        self.bounds.exceeds(&spent)
+        self.bounds.exceeded(&spent).map(|bound| bound.reason())
     }
 
-    fn excess(&self, source: Source) -> (String, Message) {
+    fn place(&self, source: Source) -> String {
         let slots: Vec<usize> = match source.into() {
             EventSource::Island(number) => {
                 self.world.islands[number].as_ref().map(|island| island.slots.clone()).unwrap_or_default()
@@ -226,7 +226,7 @@ impl Mechanics for ContactRun {
             EventSource::Pair(number) => self.world.pairs[number].slots.into_iter().flatten().collect(),
             EventSource::Link(number) => self.world.links[number].slots.into_iter().flatten().collect(),
         };
-        (self.world.names(&slots), self.bounds.reason())
+        self.world.names(&slots)
     }
 
     fn handle(&mut self, source: Source, t: f64) {

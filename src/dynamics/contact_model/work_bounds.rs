@@ -3,7 +3,7 @@
 use crate::dynamics::contact_model::constants::{
     MEMORY_SHARE_OF_GROUP, PACE_SHARE, STEADY, WORK_BETWEEN_LOOKS, WORK_BOUND_PER_BODY, WORK_OVERRUN,
 };
-use crate::language::{Message, Text, message};
+use crate::language::{Message, message};
 
 /// What a run has spent.
 #[derive(Clone, Copy, Debug)]
@@ -26,15 +26,15 @@ pub(super) struct Spent {
     pub(super) bodies: [usize; 2],
 }
 
-/// The bound that a run has exceeded.
+/// A bound that a run has exceeded, with what it has spent.
 #[derive(Clone, Copy, Debug, PartialEq)]
-enum ExceededBound {
-    /// Of its work.
-    Work(usize),
-    /// Of its memory, and the bound \[bytes\].
-    Memory(usize, usize),
-    /// Of the work that is to be expected: from when on \[s\], done since then, and expected until the end.
-    Pace(f64, usize, f64),
+pub(super) enum ExceededBound {
+    /// That of its work.
+    Work { done: usize },
+    /// That of its memory \[bytes\].
+    Memory { taken: usize, most: usize },
+    /// That of the work that is to be expected until the end, after what was done since `from` \[s\].
+    Pace { from: f64, done: usize, expected: f64 },
 }
 
 /// A state of a run from which its pace is measured.
@@ -53,8 +53,6 @@ pub(super) struct WorkBounds {
     due: usize,
     /// From where the pace is measured.
     pace: PaceMark,
-    /// The bound that is exceeded.
-    exceeded: Option<ExceededBound>,
 }
 
 impl WorkBounds {
@@ -63,25 +61,24 @@ impl WorkBounds {
         work >= self.due
     }
 
-    /// Whether one of them is exceeded.
-    pub(super) fn exceeds(&mut self, spent: &Spent) -> bool {
+    /// The one that is exceeded.
+    pub(super) fn exceeded(&mut self, spent: &Spent) -> Option<ExceededBound> {
         let most = WORK_BOUND_PER_BODY.saturating_mul(spent.bodies[0]);
         self.due = (spent.work + WORK_BETWEEN_LOOKS).min(most + 1);
         let [own, all] = spent.bodies;
         let memory = (spent.memory / all.max(1)).saturating_mul(own).max(spent.memory / MEMORY_SHARE_OF_GROUP);
-        self.exceeded = if spent.work > most {
-            Some(ExceededBound::Work(spent.work))
+        if spent.work > most {
+            Some(ExceededBound::Work { done: spent.work })
         } else if spent.bytes > memory {
-            Some(ExceededBound::Memory(spent.bytes, memory))
+            Some(ExceededBound::Memory { taken: spent.bytes, most: memory })
         } else {
-            self.hopeless(spent, most)
-        };
-        self.exceeded.is_some()
+            self.by_pace(spent, most)
+        }
     }
 
     /// The work that is expected until the end, where a run that keeps its pace exceeds its bound by far, or, without contact, comes
     /// near it.
-    fn hopeless(&mut self, spent: &Spent, most: usize) -> Option<ExceededBound> {
+    fn by_pace(&mut self, spent: &Spent, most: usize) -> Option<ExceededBound> {
         let from = self.pace;
         let done = spent.work - from.work;
         if done < most / PACE_SHARE {
@@ -90,25 +87,26 @@ impl WorkBounds {
         self.pace = PaceMark { work: spent.work, t: spent.t, events: spent.events };
         let bound = if spent.touches || spent.events > from.events { WORK_OVERRUN } else { STEADY };
         let expected = done as f64 / (spent.t - from.t) * (spent.duration - spent.t);
-        (expected > bound * most as f64).then_some(ExceededBound::Pace(from.t, done, expected))
+        (expected > bound * most as f64).then_some(ExceededBound::Pace { from: from.t, done, expected })
     }
+}
 
-    /// Which bound is exceeded, and what would avoid it.
-    pub(super) fn reason(&self) -> Message {
-        let spent = match self.exceeded {
-            Some(ExceededBound::Memory(bytes, most)) => {
-                let [bytes, most] = [bytes, most].map(|bytes| format!("{:.0}", bytes as f64 / f64::from(1 << 20)));
+impl ExceededBound {
+    /// It in words, and what would avoid it.
+    pub(super) fn reason(self) -> Message {
+        let spent = match self {
+            Self::Memory { taken, most } => {
+                let [bytes, most] = [taken, most].map(|bytes| format!("{:.0}", bytes as f64 / f64::from(1 << 20)));
                 message!("stop-memory", "bytes" => bytes, "most" => most)
             }
-            Some(ExceededBound::Pace(at, done, expected)) if expected.is_infinite() => {
-                message!("stop-stands", "done" => done, "at" => format!("{at:e}"))
+            Self::Pace { from, done, expected } if expected.is_infinite() => {
+                message!("stop-stands", "done" => done, "at" => format!("{from:e}"))
             }
-            Some(ExceededBound::Pace(from, done, expected)) => {
+            Self::Pace { from, done, expected } => {
                 let [from, expected] = [format!("{from:e}"), format!("{expected:.0e}")];
                 message!("stop-pace", "done" => done, "from" => from, "expected" => expected)
             }
-            Some(ExceededBound::Work(work)) => message!("stop-work", "work" => work),
-            None => Text::new("stop-bound").into(),
+            Self::Work { done } => message!("stop-work", "work" => done),
         };
         message!("stop-too-fast", "spent" => spent)
     }
@@ -126,16 +124,17 @@ mod tests {
     fn work_is_bounded_to_the_step() {
         let mut bounds = WorkBounds::default();
         let at = |work| Spent { work, t: 9.0, ..BODY };
-        assert!(!bounds.exceeds(&at(WORK_BOUND_PER_BODY)), "as much as is allowed");
+        assert_eq!(bounds.exceeded(&at(WORK_BOUND_PER_BODY)), None, "as much as is allowed");
         assert!(bounds.is_due(WORK_BOUND_PER_BODY + 1), "the next one is looked at");
-        assert!(bounds.exceeds(&at(WORK_BOUND_PER_BODY + 1)), "one more");
-        assert!(bounds.reason().to_string().contains("exceed the bound on the work"), "{}", bounds.reason());
-        assert!(!WorkBounds::default().exceeds(&Spent { bodies: [2, 2], ..at(WORK_BOUND_PER_BODY + 1) }), "two bodies");
+        let words = bounds.exceeded(&at(WORK_BOUND_PER_BODY + 1)).expect("one more").reason().to_string();
+        assert!(words.contains("exceed the bound on the work"), "{words}");
+        let two = Spent { bodies: [2, 2], ..at(WORK_BOUND_PER_BODY + 1) };
+        assert_eq!(WorkBounds::default().exceeded(&two), None, "two bodies");
     }
 
     #[test]
     fn memory_is_bounded_by_the_share_of_the_group() {
-        let over = |bytes, bodies| WorkBounds::default().exceeds(&Spent { bytes, bodies, ..BODY });
+        let over = |bytes, bodies| WorkBounds::default().exceeded(&Spent { bytes, bodies, ..BODY }).is_some();
         assert!(!over(MEMORY, [1, 1]) && over(MEMORY + 1, [1, 1]), "the whole of it alone");
         assert!(!over(MEMORY / 2, [1, 2]) && over(MEMORY / 2 + 1, [1, 2]), "a half of two");
         assert!(!over(MEMORY / MEMORY_SHARE_OF_GROUP, [1, 1000]), "a little for each");
@@ -144,17 +143,15 @@ mod tests {
     #[test]
     fn a_pace_that_leads_nowhere_is_told_from_a_dense_stretch() {
         let window = WORK_BOUND_PER_BODY / PACE_SHARE;
-        let pace = |t| WorkBounds::default().exceeds(&Spent { work: window, t, ..BODY });
+        let pace = |t| WorkBounds::default().exceeded(&Spent { work: window, t, ..BODY }).is_some();
         let dense = window as f64 * BODY.duration / (WORK_OVERRUN * WORK_BOUND_PER_BODY as f64);
         assert!(!pace(1.01 * dense) && pace(0.99 * dense), "a thousand bounds until the end");
         let mut bounds = WorkBounds::default();
-        assert!(!bounds.exceeds(&Spent { work: window - 1, t: 1e-12, ..BODY }), "too short to tell");
-        assert!(bounds.exceeds(&Spent { work: window, t: 1e-12, ..BODY }), "now");
-        assert!(bounds.reason().to_string().contains("at this pace"), "{}", bounds.reason());
-        let mut stands = WorkBounds::default();
-        let excess = stands.exceeds(&Spent { work: window, ..BODY });
-        let words = stands.reason().to_string();
-        assert!(excess && words.contains("without getting on"), "{words}");
+        assert_eq!(bounds.exceeded(&Spent { work: window - 1, t: 1e-12, ..BODY }), None, "too short to tell");
+        let words = bounds.exceeded(&Spent { work: window, t: 1e-12, ..BODY }).expect("now").reason().to_string();
+        assert!(words.contains("at this pace"), "{words}");
+        let stands = WorkBounds::default().exceeded(&Spent { work: window, ..BODY }).expect("it stands");
+        assert!(stands.reason().to_string().contains("without getting on"), "{}", stands.reason());
         assert!(!pace(BODY.duration), "at the end nothing is left");
     }
 
@@ -163,9 +160,12 @@ mod tests {
         let window = WORK_BOUND_PER_BODY / PACE_SHARE;
         // Until here the whole takes as much as the bound.
         let t = BODY.duration / PACE_SHARE as f64;
-        let exceeds = |spent| WorkBounds::default().exceeds(&Spent { work: window, t, ..spent });
+        let exceeds = |spent| WorkBounds::default().exceeded(&Spent { work: window, t, ..spent }).is_some();
         assert!(exceeds(Spent { touches: false, ..BODY }), "nothing touches");
         assert!(!exceeds(Spent { touches: false, events: 1, ..BODY }) && !exceeds(BODY), "something has, or does");
-        assert!(!WorkBounds::default().exceeds(&Spent { work: window, t: 5.0 * t, touches: false, ..BODY }), "a fifth");
+        assert!(
+            !WorkBounds::default().exceeded(&Spent { work: window, t: 5.0 * t, touches: false, ..BODY }).is_some(),
+            "a fifth"
+        );
     }
 }

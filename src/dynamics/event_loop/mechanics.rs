@@ -18,11 +18,12 @@ pub trait Mechanics {
     /// Length of the run \[s\].
     fn duration(&self) -> f64;
 
-    /// Whether the event at `t` exceeds the bound on the work of a run or of one instant.
-    fn exceeds_bounds(&mut self, t: f64) -> bool;
+    /// What a stop says where the event at `t` exceeds a bound on the work of a run or of one instant: the bound, and a change of the scene
+    /// that would avoid it.
+    fn exceeded(&mut self, t: f64) -> Option<Message>;
 
-    /// What a stop says where a bound is exceeded: the bodies of the source, and a change of the scene that would avoid it.
-    fn excess(&self, source: Source) -> (String, Message);
+    /// Names of the bodies of a source.
+    fn place(&self, source: Source) -> String;
 
     /// Handles the event of a source at `t`.
     fn handle(&mut self, source: Source, t: f64);
@@ -42,8 +43,8 @@ pub fn advance(model: &mut impl Mechanics, until: f64) {
         let schedule = model.schedule_mut();
         schedule.now = t;
         schedule.work += 1;
-        if model.exceeds_bounds(t) {
-            let (place, reason) = model.excess(source);
+        if let Some(reason) = model.exceeded(t) {
+            let place = model.place(source);
             model.schedule_mut().give_up(t, place, reason);
             return;
         }
@@ -54,7 +55,7 @@ pub fn advance(model: &mut impl Mechanics, until: f64) {
     }
     // Also a time that was entered before the first event.
     if let Some(source) = model.schedule().queue.undefined() {
-        let (t, (place, _)) = (model.schedule().now, model.excess(source));
+        let (t, place) = (model.schedule().now, model.place(source));
         model.schedule_mut().give_up(t, place, Text::new("stop-undefined").into());
     } else if model.schedule().stop().is_none() {
         let undefined =
@@ -93,12 +94,12 @@ mod tests {
             1.0
         }
 
-        fn exceeds_bounds(&mut self, _: f64) -> bool {
-            self.schedule.work > self.most
+        fn exceeded(&mut self, _: f64) -> Option<Message> {
+            (self.schedule.work > self.most).then(|| "it strikes too often".into())
         }
 
-        fn excess(&self, source: Source) -> (String, Message) {
-            (format!("clock {}", source.number), "it strikes too often".into())
+        fn place(&self, source: Source) -> String {
+            format!("clock {}", source.number)
         }
 
         fn handle(&mut self, source: Source, t: f64) {

@@ -151,20 +151,19 @@ impl Mechanics for ImpactRun {
         self.run.world.model.duration
     }
 
-    fn exceeds_bounds(&mut self, t: f64) -> bool {
+    fn exceeded(&mut self, t: f64) -> Option<Message> {
         let most = WORK_PER_BODY.saturating_mul(self.run.world.bodies.len());
-        self.run.schedule.work > most || self.is_stuck(t)
+        let exceeds = self.run.schedule.work > most || self.is_stuck(t);
+        exceeds.then(|| message!("stop-nowhere", "work" => self.run.schedule.work, "same" => self.run.last.1))
     }
 
-    fn excess(&self, source: Source) -> (String, Message) {
+    fn place(&self, source: Source) -> String {
         let world = &self.run.world;
-        let place = if source == ImpactProgress::pair(source.number) {
+        if source == ImpactProgress::pair(source.number) {
             world.model.pairs[world.pairs[source.number].number].name.clone()
         } else {
             world.lasting[source.number].as_ref().map_or(String::new(), |contact| world.names(&contact.bodies))
-        };
-        let reason = message!("stop-nowhere", "work" => self.run.schedule.work, "same" => self.run.last.1);
-        (place, reason)
+        }
     }
 
     fn handle(&mut self, source: Source, t: f64) {

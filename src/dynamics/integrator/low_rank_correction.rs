@@ -28,10 +28,10 @@ pub(in crate::dynamics) struct LowRankCorrection {
     /// these.
     coupled: bool,
     /// Rates of the velocities per unit of force: columns of `B`, two per port.
-    push: Vec<f64>,
+    input_columns: Vec<f64>,
     /// Outputs per unit of the velocities: rows of `W`, two per port.
-    view: Vec<f64>,
-    /// Responses of the factored stage systems to the columns of `push`.
+    output_rows: Vec<f64>,
+    /// Responses of the factored stage systems to these columns.
     real: Vec<f64>,
     complex: [Vec<Complex64>; PAIRS],
     /// Outputs at one stage per unit of force at another, `W (s − J)⁻¹ B` in the basis of the stages:
@@ -56,19 +56,19 @@ impl LowRankCorrection {
     /// Takes the ports of a system with `n` leading components at state `y`.
     pub(in crate::dynamics) fn gather(&mut self, system: &impl ImplicitSystem, linear: &Jacobian, y: &[f64], n: usize) {
         (self.ports, self.size) = (system.port_count(), linear.size());
-        self.push.clear();
-        self.view.clear();
-        let (mut push, mut view) = (vec![0.0; 2 * n], vec![0.0; 2 * n]);
+        self.input_columns.clear();
+        self.output_rows.clear();
+        let (mut input, mut output) = (vec![0.0; 2 * n], vec![0.0; 2 * n]);
         for port in 0..self.ports {
-            push.fill(0.0);
-            view.fill(0.0);
-            system.port(port, y, &mut push, &mut view);
+            input.fill(0.0);
+            output.fill(0.0);
+            system.port(port, y, &mut input, &mut output);
             for column in 0..2 {
-                self.push.extend(linear.gather(&push[column * n..]));
-                self.view.extend(linear.gather(&view[column * n..]));
+                self.input_columns.extend(linear.gather(&input[column * n..]));
+                self.output_rows.extend(linear.gather(&output[column * n..]));
             }
         }
-        product(&self.view, &self.push, self.size, &mut self.at_once);
+        product(&self.output_rows, &self.input_columns, self.size, &mut self.at_once);
     }
 
     /// Whether the terms are solved coupled with the leading components: always where a term acts without an
@@ -96,22 +96,22 @@ impl LowRankCorrection {
             return;
         }
         self.real.resize(columns * n, 0.0);
-        for (push, found) in self.push.chunks_exact(n).zip(self.real.chunks_exact_mut(n)) {
-            systems.real.respond(push, found);
+        for (input, found) in self.input_columns.chunks_exact(n).zip(self.real.chunks_exact_mut(n)) {
+            systems.real.respond(input, found);
         }
-        product(&self.view, &self.real, n, &mut self.within);
+        product(&self.output_rows, &self.real, n, &mut self.within);
         let mut right = vec![Complex64::ZERO; n];
         self.between.clear();
         self.between.resize(STAGES * STAGES * columns * columns, 0.0);
         for (responses, system) in self.complex.iter_mut().zip(&systems.complex) {
             responses.resize(columns * n, Complex64::ZERO);
-            for (push, found) in self.push.chunks_exact(n).zip(responses.chunks_exact_mut(n)) {
-                right.iter_mut().zip(push).for_each(|(r, p)| *r = Complex64::new(*p, 0.0));
+            for (input, found) in self.input_columns.chunks_exact(n).zip(responses.chunks_exact_mut(n)) {
+                right.iter_mut().zip(input).for_each(|(r, p)| *r = Complex64::new(*p, 0.0));
                 system.respond(&right, found);
             }
         }
         for (kernel, responses) in self.complex_outputs.iter_mut().zip(&self.complex) {
-            product(&self.view, responses, n, kernel);
+            product(&self.output_rows, responses, n, kernel);
         }
         for (kl, out) in self.between.chunks_exact_mut(columns * columns).enumerate() {
             let (k, l) = (kl / STAGES, kl % STAGES);
@@ -131,24 +131,24 @@ impl LowRankCorrection {
         self.terms[stage].extend_from_slice(terms);
     }
 
-    /// Completes a Newton correction of the stages, from the solutions of the frozen Jacobian in `systems`. `follow`
+    /// Completes a Newton correction of the stages, from the solutions of the frozen Jacobian in `systems`. `auxiliary`
     /// holds the residuals of the auxiliary components stage by stage, replaced by their corrections; `rate(stage,
-    /// follower)` is the derivative `∂ẏᵢ/∂yᵢ` of an auxiliary component. `false` for a singular correction.
+    /// number)` is the derivative `∂ẏᵢ/∂yᵢ` of an auxiliary component. `false` for a singular correction.
     pub(in crate::dynamics) fn complete(
         &mut self,
         systems: &mut StageSystems,
-        follow: &mut [f64],
+        auxiliary: &mut [f64],
         h: f64,
         rate: impl Fn(usize, usize) -> f64,
     ) -> bool {
-        let width = follow.len() / STAGES;
+        let width = auxiliary.len() / STAGES;
         self.nonzero.clear();
         let terms = &self.terms;
         let lives = |c: &usize| terms.iter().any(|stage| stage[*c].input != DVec2::ZERO);
         self.nonzero.extend((0..terms[0].len()).filter(|c| terms[0][*c].auxiliary.is_some() || lives(c)));
         let (count, columns) = (self.nonzero.len(), 2 * self.ports);
         if !self.coupled {
-            return (0..width).all(|follower| Self::separately(follow, follower, h, &rate));
+            return (0..width).all(|number| Self::separately(auxiliary, number, h, &rate));
         }
         if count == 0 {
             return true;
@@ -162,8 +162,8 @@ impl LowRankCorrection {
             let ((k, which, ref to), (l, other, ref from)) = (unknowns[i], unknowns[j]);
             let own = if which != other {
                 0.0
-            } else if let Some(follower) = to.auxiliary {
-                INVERSE[k][l] / h - if k == l { rate(k, follower) } else { 0.0 }
+            } else if let Some(number) = to.auxiliary {
+                INVERSE[k][l] / h - if k == l { rate(k, number) } else { 0.0 }
             } else {
                 f64::from(u8::from(k == l))
             };
@@ -172,13 +172,13 @@ impl LowRankCorrection {
         if !done {
             return false;
         }
-        product(&self.view, &systems.real.found, self.size, &mut self.outputs);
+        product(&self.output_rows, &systems.real.found, self.size, &mut self.outputs);
         for (outputs, system) in self.complex_outputs.iter_mut().zip(&systems.complex) {
-            product(&self.view, &system.found, self.size, outputs);
+            product(&self.output_rows, &system.found, self.size, outputs);
         }
         self.right.clear();
         for &(k, _, to) in &self.unknowns {
-            let left = to.auxiliary.map_or(0.0, |follower| follow[k * width + follower]);
+            let left = to.auxiliary.map_or(0.0, |number| auxiliary[k * width + number]);
             let velocity = |row: usize| {
                 let turning = self.complex_outputs.iter().zip(&COMPLEX_RIGHT);
                 turning.fold(REAL_RIGHT[k] * self.outputs[row], |sum, (outputs, right)| {
@@ -190,8 +190,8 @@ impl LowRankCorrection {
         self.found.resize(STAGES * count, 0.0);
         self.lu.solve(&self.right, &mut self.found);
         for ((k, _, term), found) in self.unknowns.iter().zip(&self.found) {
-            if let Some(follower) = term.auxiliary {
-                follow[k * width + follower] = *found;
+            if let Some(number) = term.auxiliary {
+                auxiliary[k * width + number] = *found;
             }
         }
         self.respond(systems);
@@ -199,16 +199,16 @@ impl LowRankCorrection {
     }
 
     /// Correction of one auxiliary component at all stages, separately from the leading components.
-    fn separately(follow: &mut [f64], follower: usize, h: f64, rate: impl Fn(usize, usize) -> f64) -> bool {
-        let width = follow.len() / STAGES;
+    fn separately(auxiliary: &mut [f64], number: usize, h: f64, rate: impl Fn(usize, usize) -> f64) -> bool {
+        let width = auxiliary.len() / STAGES;
         let mut rows = [[0.0; STAGES + 1]; STAGES];
         for (k, row) in rows.iter_mut().enumerate() {
             row.iter_mut().zip(INVERSE[k]).for_each(|(entry, a)| *entry = a / h);
-            row[k] -= rate(k, follower);
-            row[STAGES] = follow[k * width + follower];
+            row[k] -= rate(k, number);
+            row[STAGES] = auxiliary[k * width + number];
         }
         let found = dense_lu::eliminate(&mut rows);
-        (0..STAGES).for_each(|k| follow[k * width + follower] = rows[k][STAGES]);
+        (0..STAGES).for_each(|k| auxiliary[k * width + number] = rows[k][STAGES]);
         found
     }
 
@@ -236,25 +236,25 @@ impl LowRankCorrection {
     }
 
     /// Completes the filtered error estimate with the terms of the first stage, from the solution of the frozen
-    /// Jacobian in the real system. `follow` holds the right-hand sides of the auxiliary components, replaced by
+    /// Jacobian in the real system. `auxiliary` holds the right-hand sides of the auxiliary components, replaced by
     /// their solutions. `false` for a singular correction.
     pub(in crate::dynamics) fn filter(
         &mut self,
         shift: f64,
         real: &mut NewtonMatrix<f64>,
-        follow: &mut [f64],
+        auxiliary: &mut [f64],
         rate: impl Fn(usize) -> f64,
     ) -> bool {
         let (n, columns, count) = (self.size, 2 * self.ports, self.terms[0].len());
         if !self.coupled {
-            follow.iter_mut().enumerate().for_each(|(follower, f)| *f /= shift - rate(follower));
+            auxiliary.iter_mut().enumerate().for_each(|(number, f)| *f /= shift - rate(number));
             return true;
         }
         if count == 0 {
             return true;
         }
         let (terms, within) = (&self.terms[0], &self.within);
-        let own = |c: &RankOneTerm| c.auxiliary.map_or(1.0, |follower| shift - rate(follower));
+        let own = |c: &RankOneTerm| c.auxiliary.map_or(1.0, |number| shift - rate(number));
         let done = self.lu.factor(count, |i, j| {
             let (to, from) = (&terms[i], &terms[j]);
             (if i == j { own(to) } else { 0.0 }) - through(within, columns, to, from)
@@ -262,10 +262,10 @@ impl LowRankCorrection {
         if !done {
             return false;
         }
-        product(&self.view, &real.found, n, &mut self.outputs);
+        product(&self.output_rows, &real.found, n, &mut self.outputs);
         self.right.clear();
         for to in terms {
-            let left = to.auxiliary.map_or(0.0, |follower| follow[follower]);
+            let left = to.auxiliary.map_or(0.0, |number| auxiliary[number]);
             self.right.push(left + to.output.dot(DVec2::from_slice(&self.outputs[2 * to.port..])));
         }
         self.found.resize(count, 0.0);
@@ -275,8 +275,8 @@ impl LowRankCorrection {
                 let column = &self.real[(2 * term.port + axis) * n..][..n];
                 real.found.iter_mut().zip(column).for_each(|(d, r)| *d += force * r);
             }
-            if let Some(follower) = term.auxiliary {
-                follow[follower] = *carried;
+            if let Some(number) = term.auxiliary {
+                auxiliary[number] = *carried;
             }
         }
         true

@@ -39,7 +39,7 @@ pub(in crate::dynamics) struct Radau {
     slopes: Vec<f64>,
     /// Rates of the auxiliary components stage by stage, and the residuals of their equations.
     rates: Vec<f64>,
-    follow: Vec<f64>,
+    auxiliary: Vec<f64>,
     scratch: Scratch,
     /// Length and polynomial, in increments, of the last accepted step.
     last: Option<(f64, Vec<[f64; STAGES]>)>,
@@ -150,16 +150,16 @@ impl Radau {
     /// Newton's method for the stages; whether it converged.
     fn solve(&mut self, system: &mut impl ImplicitSystem, t: f64, y: &[f64], h: f64) -> bool {
         let (n, mut before, mut rate) = (self.size, 0.0f64, 0.0f64);
-        let followers = n - self.leading;
-        self.rates.resize(STAGES * followers, 0.0);
-        self.follow.resize(STAGES * followers, 0.0);
+        let auxiliaries = n - self.leading;
+        self.rates.resize(STAGES * auxiliaries, 0.0);
+        self.auxiliary.resize(STAGES * auxiliaries, 0.0);
         for round in 0..NEWTON_ITERATIONS {
             for (stage, c) in C.iter().enumerate() {
                 let range = stage * n..(stage + 1) * n;
                 let state = &mut self.scratch.state;
                 state.iter_mut().zip(y).zip(&self.stages[range.clone()]).for_each(|((s, y), z)| *s = y + z);
                 system.slope(t + c * h, state, &mut self.slopes[range]);
-                self.rates[stage * followers..(stage + 1) * followers].copy_from_slice(system.auxiliary_rates());
+                self.rates[stage * auxiliaries..(stage + 1) * auxiliaries].copy_from_slice(system.auxiliary_rates());
                 self.low_rank.record(stage, system.rank_one_terms());
             }
             if !self.correct(h) {
@@ -179,7 +179,7 @@ impl Radau {
             self.rate = rate;
             // Remaining error as the geometric series of further corrections; with auxiliary components the first
             // ratio of two corrections is optimistic, and its root is used.
-            let ratio = if round == 1 && followers > 0 { rate.sqrt() } else { rate };
+            let ratio = if round == 1 && auxiliaries > 0 { rate.sqrt() } else { rate };
             if size == 0.0
                 || (round > 0 && ratio < 1.0 && ratio / (1.0 - ratio) * size <= NEWTON_RESIDUAL)
                 || size <= NEWTON_FIRST_SHARE * NEWTON_RESIDUAL
@@ -198,23 +198,23 @@ impl Radau {
     /// correction.
     fn correct(&mut self, h: f64) -> bool {
         let (n, leading) = (self.size, self.leading);
-        let followers = n - leading;
+        let auxiliaries = n - leading;
         self.systems.project(h, [&self.slopes, &self.stages], [n, leading]);
         for (k, row) in INVERSE.iter().enumerate() {
-            for (i, left) in (leading..n).zip(&mut self.follow[k * followers..]) {
+            for (i, left) in (leading..n).zip(&mut self.auxiliary[k * auxiliaries..]) {
                 let moved: f64 = row.iter().enumerate().map(|(l, a)| a * self.stages[l * n + i]).sum();
                 *left = self.slopes[k * n + i] - moved / h;
             }
         }
         let rates = &self.rates;
-        let rate = |k: usize, follower: usize| rates[k * followers + follower];
-        if !self.low_rank.complete(&mut self.systems, &mut self.follow, h, rate) {
+        let rate = |k: usize, number: usize| rates[k * auxiliaries + number];
+        if !self.low_rank.complete(&mut self.systems, &mut self.auxiliary, h, rate) {
             return false;
         }
         let correction = &mut self.scratch.correction;
         self.systems.expand(correction, n);
-        for (row, follow) in correction.chunks_exact_mut(n).zip(self.follow.chunks_exact(followers.max(1))) {
-            row[leading..].copy_from_slice(&follow[..followers]);
+        for (row, auxiliary) in correction.chunks_exact_mut(n).zip(self.auxiliary.chunks_exact(auxiliaries.max(1))) {
+            row[leading..].copy_from_slice(&auxiliary[..auxiliaries]);
         }
         true
     }
@@ -241,10 +241,10 @@ impl Radau {
             found.iter_mut().zip(stage).for_each(|(x, z)| *x += e * z);
         }
         found.iter_mut().zip(slope).for_each(|(x, f)| *x = f + *x * shift);
-        let (first, follow) = found.split_at_mut(leading);
+        let (first, auxiliary) = found.split_at_mut(leading);
         self.systems.real.solve(&self.systems.linear, first);
         let rates = &self.rates;
-        if !self.low_rank.filter(shift, &mut self.systems.real, follow, |follower| rates[follower]) {
+        if !self.low_rank.filter(shift, &mut self.systems.real, auxiliary, |number| rates[number]) {
             return f64::INFINITY;
         }
         self.systems.real.complete(&self.systems.linear, first);
