@@ -169,7 +169,7 @@ wrong-quake-coarse = 地盤の動きはそれより速い。もっと短い時�
 wrong-sweep-length = 周期が多く 1e6 個を超えるデータが要る。継続時間を短くするか、振動数を下げる
 wrong-cut = 切出しは { $whole } s の記録のデータを2個以上残すものとする
 wrong-taper = 両方のテーパーが残りの { $length } s に収まるものとする
-wrong-peak-of-nothing = 省く：記録の値はすべて 0 で、倍率では最大値を作れない
+wrong-peak-of-nothing = 書かない：記録の値はすべて 0 で、倍率では最大値を作れない
 wrong-padding = 小さくする。データは全部で 1e7 個まで
 wrong-unwritable = このシーンは書き出せない
 found-no-equals = `=` がない

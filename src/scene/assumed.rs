@@ -3,7 +3,7 @@
 //!
 //! The window marks their fields and the report lists them; a value that is changed is assumed no more.
 
-use crate::language::Text;
+use crate::language::{Text, six};
 use toml::{Table, Value};
 
 use super::path::{item_at, value_at};
@@ -18,13 +18,22 @@ fn is_within(path: &str, table: &str) -> bool {
     path.strip_prefix(table).is_some_and(|rest| rest.is_empty() || rest.starts_with('.'))
 }
 
+/// A value of a scene as it is told: numbers to six digits.
+fn told(value: &Value) -> String {
+    match value {
+        Value::Float(number) => six(*number),
+        Value::Array(list) => format!("[{}]", list.iter().map(told).collect::<Vec<_>>().join(", ")),
+        other => other.to_string(),
+    }
+}
+
 impl Scene {
     /// Every number that is assumed, by its path, as it stands in the file.
     pub fn assumed_numbers(&self) -> Vec<(String, String)> {
         let Ok(table) = Table::try_from(self) else { return Vec::new() };
         let leaves = self.assumed.iter().flat_map(|path| numbers(&table, path));
         leaves
-            .filter_map(|path| Some((value_at(&table, &path)?.to_string(), path)))
+            .filter_map(|path| Some((told(value_at(&table, &path)?), path)))
             .map(|(value, path)| (path, value))
             .collect()
     }
@@ -169,7 +178,7 @@ mod tests {
         let numbers = scene().assumed_numbers();
         let value = |path: &str| numbers.iter().find(|(known, _)| known == path).map(|(_, value)| value.as_str());
         assert_eq!(value("restrainer.east-left.slack_m"), Some("0.025"), "{numbers:?}");
-        assert_eq!(value("contact.stiffness_n_per_m"), Some("1000000000.0"), "{numbers:?}");
+        assert_eq!(value("contact.stiffness_n_per_m"), Some("1000000000"), "{numbers:?}");
         assert_eq!(value("restrainer.east-left.girder"), None, "a name is given");
         assert!(is_assumed(&scene().assumed, "restrainer.east-left.slack_m"), "with its table");
         assert!(!is_assumed(&scene().assumed, "restrainer.east-left2.slack_m"), "another's");

@@ -48,8 +48,8 @@ impl Values {
     }
 }
 
-/// The keys in which one of several tables of the scene file differs from any other, with those of the tables below: `length_m`,
-/// `bearings.frequency_hz`; without `name`.
+/// The keys in which one of several tables of the scene file differs from any other, with those of the tables below and the numbers of
+/// lists: `length_m`, `bearings.frequency_hz`, `position_m` and `position_m[0]`; without `name`.
 pub fn differing_keys<'a, T: Serialize + 'a>(one: &T, others: impl Iterator<Item = &'a T>) -> Vec<String> {
     let values = |table: &T| {
         let mut all = BTreeMap::new();
@@ -65,9 +65,19 @@ pub fn differing_keys<'a, T: Serialize + 'a>(one: &T, others: impl Iterator<Item
     }
     let (own, mut found) = (values(one), BTreeSet::new());
     for other in others.map(values) {
-        found.extend(own.differences(&other).into_iter().map(|difference| difference.place.to_owned()));
+        for Difference { place, values } in own.differences(&other) {
+            found.extend(components(values).map(|i| format!("{place}[{i}]")));
+            found.insert(place.to_owned());
+        }
     }
     found.into_iter().collect()
+}
+
+/// Which numbers of two lists differ; none of values that are no lists.
+fn components(values: [Option<&Value>; 2]) -> impl Iterator<Item = usize> {
+    let lists = values.map(|value| value.and_then(Value::as_array).map_or(&[][..], Vec::as_slice));
+    let count = lists[0].len().max(lists[1].len());
+    (0..count).filter(move |&i| lists[0].get(i) != lists[1].get(i)).collect::<Vec<_>>().into_iter()
 }
 
 /// Notes every value at a place and below, lists of tables by the names of their items.
@@ -112,6 +122,8 @@ mod tests {
         let longer = crate::scene::Girder { length: 25.0, ..other.clone() };
         let found = differing_keys(one, [other, &longer].into_iter());
         assert!(found.contains(&"length_m".to_owned()) && found.contains(&"position_m".to_owned()), "{found:?}");
+        let both = ["position_m[0]", "position_m[1]"].map(|key| found.iter().any(|found| found == key));
+        assert_eq!(both, [true, false], "one after the other along x: {found:?}");
         assert!(!found.iter().any(|key| key == "name" || key == "width_m"), "{found:?}");
     }
 

@@ -75,7 +75,7 @@ fn hit_row(history: &History, hit: &Hit) -> Vec<String> {
     words.into_iter().chain(numbers.map(number)).collect()
 }
 
-const TRANSITIONS: [&str; 9] = ["t", "girder", "pair", "from", "to", "state", "paper", "row", "conditions"];
+const TRANSITIONS: [&str; 10] = ["t", "girder", "pair", "from", "to", "state", "paper", "row", "conditions", "lost"];
 
 /// Every change of state, each girder's state at the start first; with the paper's name of the state and the row of its
 /// tables that fired. Empty under the contact model.
@@ -100,6 +100,7 @@ fn transition_row(history: &History, change: &Transition) -> Vec<String> {
         change.to.paper().to_owned(),
         row_label(change.row),
         change.row.map_or("", Row::conditions).to_owned(),
+        number(change.lost),
     ]
 }
 

@@ -74,6 +74,8 @@ pub struct Report {
     pub degree_check: Option<DegreeCheck>,
     /// Limits of the scene that were passed, the earliest first.
     pub limits_passed: Vec<PassedReport>,
+    /// In words, when and for how long lasting contacts went on without friction; impact model.
+    pub without_friction: Option<String>,
     /// Overlaps of two bodies that no contact carries, the earliest first.
     pub overlaps: Vec<OverlapReport>,
     /// Contacts pressed deeper than a tenth of the shortest side of either girder, at most one a pair.
@@ -190,6 +192,7 @@ impl Report {
             flexible: flexible::of(history),
             degree_check: options.degree_check,
             limits_passed: departures::passed(history),
+            without_friction: history.without_friction().map(|words| words.to_string()),
             overlaps: departures::overlaps(history),
             too_deep: departures::too_deep(history),
             dropped: departures::dropped(history),

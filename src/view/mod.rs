@@ -53,6 +53,7 @@ pub use framing::{InView, in_view};
 pub use input::{MOST_KEPT, Target, ViewInput};
 pub use list::{Background, DrawList};
 pub use moment::Moment;
+pub use palette::KEPT;
 pub use pick::pick;
 pub use scale::auto_force_scale;
 pub use words::{contact_state, impact_state, section_force};

@@ -60,12 +60,12 @@ pub(super) const TANGENTIAL: Rgba = Rgba::rgb(0xb8, 0x4f, 0x8d);
 pub(super) const DAMPING: Rgba = Rgba::rgb(0xe6, 0x9f, 0x00);
 /// Impulses of the impact model.
 pub(super) const IMPULSE: Rgba = Rgba::rgb(0x8c, 0x2d, 0x6b);
-/// Other runs, seen as ghosts.
-pub(super) const KEPT: [Rgba; MOST_KEPT] = [
-    Rgba::rgb(0x56, 0xb4, 0xe9),
-    Rgba::rgb(0xe6, 0x9f, 0x00),
+/// Other runs, seen as ghosts, in the order in which they are given out: the first is far from the blue of the run shown.
+pub const KEPT: [Rgba; MOST_KEPT] = [
     Rgba::rgb(0xcc, 0x79, 0xa7),
+    Rgba::rgb(0xe6, 0x9f, 0x00),
     Rgba::rgb(0x00, 0x9e, 0x73),
+    Rgba::rgb(0x56, 0xb4, 0xe9),
 ];
 /// An overlap that no contact carries.
 pub(super) const OVERLAP: Rgba = Rgba::rgb(0xc4, 0x1e, 0x3a);

@@ -5,6 +5,7 @@
 use std::fmt::Write as _;
 
 use crate::app::command::BridgeDraft;
+use crate::app::edits::change::micrometres;
 use crate::codes::least_seat;
 use crate::files::SceneSource;
 use crate::scene::{Scene, SceneErrors, format};
@@ -110,7 +111,8 @@ fn text(draft: BridgeDraft) -> String {
     // In the middle of their seats.
     let (end, side) = (tidy(0.5 * (span - seat)), tidy(0.4 * width));
     for number in 0..spans {
-        let x = tidy((number as f64 - (spans as f64 - 1.0) / 2.0) * (span + gap));
+        // To the micrometre: half a millimetre would make one gap another than the rest.
+        let x = micrometres((number as f64 - (spans as f64 - 1.0) / 2.0) * (span + gap));
         // Writing into memory cannot fail.
         let _ = write!(
             text,

@@ -150,8 +150,12 @@ fn row(ui: &mut Ui, look: &Look<'_>, key: &'static Key, slot: Slot<'_>) -> Optio
         Slot::Optional(value) => optional_row(ui, look, key, &label, value),
         Slot::Numbers(values) => {
             let mut change = None;
-            for (value, axis) in values.iter_mut().zip(["x", "y", "z"]).take(components(key, look.kind)) {
+            let components = values.iter_mut().zip(["x", "y", "z"]).take(components(key, look.kind));
+            for (i, (value, axis)) in components.enumerate() {
                 let unit = look.unit(key, *value);
+                // One number may be the same where another one differs.
+                let differs = place.differs(&format!("{}[{i}]", key.name));
+                let place = Place { differing: if differs { place.differing } else { &[] }, ..place };
                 change = number(ui, place, (key.name, &format!("{label} {axis}")), value, unit).or(change);
             }
             change

@@ -39,7 +39,8 @@ pub(in crate::app) fn show(
             let (rect, _) = ui.allocate_exact_size(egui::vec2(14.0, 14.0), egui::Sense::hover());
             ui.painter().rect_filled(rect.shrink(2.0), 2.0, PINS[pin.color]);
             let gone = ui.small_button(text::unpin(i + 1)).clicked();
-            ui.add(egui::Label::new(&pin.name).truncate());
+            // By the number that plots and the table give it.
+            ui.add(egui::Label::new(format!("{} {}: {}", text::PIN, i + 1, pin.name)).truncate());
             if gone {
                 out.push(CompareCommand::Unpin(i).into());
             }

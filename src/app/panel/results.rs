@@ -127,7 +127,7 @@ fn readings(history: &History, girder: usize, reading: &Reading) -> Vec<(&'stati
         rows.push((text::BEARING_FORCE.as_str(), at(&text::force(force.value), force), Spot::girder(girder, force.t)));
     }
     for seat in &reading.seats {
-        let least = seat.corners.map(|corner| corner.least.value);
+        let least = seat.corners.map(|corner| (corner.corner, corner.least.value));
         let words = text::seat_left(&length(&seat.least()), seat.ledge.placed(), least);
         let end = |t: f64| Spot { look: Look::End(girder, seat.ledge.end), ..Spot::girder(girder, t) };
         rows.push((text::seat_at(seat.ledge.end), words, end(seat.least().t)));

@@ -2,7 +2,7 @@
 
 use egui::{RichText, TextStyle, TextWrapMode, Ui, WidgetText};
 
-use crate::app::command::{Command, Look, TimeCommand, ViewCommand};
+use crate::app::command::{Command, Look, SelectCommand, TimeCommand, ViewCommand};
 use crate::app::panel::limits;
 use crate::app::run::answer::Answer;
 use crate::app::run::runner::Runner;
@@ -13,6 +13,7 @@ use crate::scene::Limits;
 use crate::sim::moving_ground;
 use crate::sim::readings::Passed;
 use crate::sim::{History, SolidId};
+use crate::view::Target;
 
 /// Shows the line: what became of the scene's run, limits that it passes, what draws. Where not all has room, figures yield to warnings.
 pub(in crate::app) fn show(
@@ -43,10 +44,12 @@ pub(in crate::app) fn show(
         }
         if let Some(answer) = runner.fresh_answer() {
             balance(ui, answer);
+            frictionless(ui, answer);
             outside(ui, answer);
             falls(ui, answer, out);
             overlaps(ui, answer, out);
             law_sense(ui, answer, out);
+            soils(ui, answer, out);
             drifting(ui, answer);
             cut = flag(ui, runner, runner.passed(limits).unwrap_or_default(), out);
         }
@@ -75,6 +78,28 @@ fn balance(ui: &mut Ui, answer: &Answer) {
     if !answer.balance.holds() {
         let words = RichText::new(text::UNBALANCED).color(Palette::of(ui).problem);
         ui.label(words).on_hover_text(answer.balance.to_string());
+    }
+}
+
+/// That contacts of the impact model went on without friction.
+fn frictionless(ui: &mut Ui, answer: &Answer) {
+    if let Some(words) = &answer.frictionless {
+        ui.label(RichText::new(text::FRICTIONLESS).color(Palette::of(ui).problem)).on_hover_text(words.to_string());
+    }
+}
+
+/// That soil was pushed further than its law goes; a click selects the abutment and goes to that moment.
+fn soils(ui: &mut Ui, answer: &Answer, out: &mut Vec<Command>) {
+    let beyond = || answer.soils().iter().filter_map(|soil| Some((soil, soil.fails()?)));
+    let Some((soil, _)) = beyond().next() else { return };
+    let words: Vec<String> = beyond().map(|(_, words)| words).collect();
+    let label = ui.link(RichText::new(text::SOIL_BEYOND).color(Palette::of(ui).problem));
+    if label.on_hover_text(format!("{}\n{}", words.join("\n"), text::GO_THERE)).clicked() {
+        let abutments = &answer.history.scene().abutments;
+        if let Some(number) = abutments.iter().position(|abutment| abutment.name == soil.abutment) {
+            out.push(SelectCommand::Only(Some(Target::Abutment(number))).into());
+        }
+        out.push(TimeCommand::StandAt(soil.t).into());
     }
 }
 

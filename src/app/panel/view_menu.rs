@@ -1,6 +1,6 @@
 //! How the view is looked at: the menu of views beyond the standing ones, and the slider of the exaggeration.
 
-use egui::{Button, Slider, Ui};
+use egui::{Button, ScrollArea, Slider, Ui};
 
 use crate::app::command::{AppearanceCommand, Command, Follow, Sight, ViewCommand};
 use crate::app::edits::Document;
@@ -16,8 +16,16 @@ use crate::view::{Bending, section_force};
 /// Most girders that the menu offers to go with; of more only the one that is selected. Chosen.
 const MOST_FOLLOWED: usize = 8;
 
-/// The menu of views beyond the standing ones.
+/// What the menu leaves of a window's height for the bar above it \[points\].
+const ABOVE: f32 = 60.0;
+
+/// The menu of views beyond the standing ones; where it is higher than the window it scrolls.
 pub(in crate::app) fn menu(ui: &mut Ui, view: &SceneView, document: &Document, out: &mut Vec<Command>) {
+    let room = ui.content_rect().height() - ABOVE;
+    ScrollArea::vertical().max_height(room).show(ui, |ui| items(ui, view, document, out));
+}
+
+fn items(ui: &mut Ui, view: &SceneView, document: &Document, out: &mut Vec<Command>) {
     if ui.add_enabled(view.has_been_turned(), Button::new(text::VIEW_BACK).shortcut_text("V")).clicked() {
         out.push(ViewCommand::Back.into());
     }

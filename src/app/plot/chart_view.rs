@@ -3,7 +3,7 @@
 use std::f32::consts::FRAC_PI_2;
 
 use egui::epaint::TextShape;
-use egui::{Align2, FontId, Id, Rect, Sense, Stroke, Ui, UiBuilder, Vec2, pos2, vec2};
+use egui::{Align2, FontId, Id, Label, Rect, RichText, Sense, Stroke, Ui, UiBuilder, Vec2, pos2, vec2};
 use egui_plot::{FilledArea, Plot, PlotBounds, PlotUi, VLine};
 
 use crate::app::command::{Command, PlotCommand};
@@ -39,6 +39,13 @@ pub(super) fn draw(
     let field = field(over);
     let range = shown.unwrap_or_else(|| chart.range());
     let axis = ValueAxis { range, edges: [field.top(), field.bottom()], log: chart.log };
+    let missing = || Label::new(RichText::new(&chart.missing).weak().small()).truncate();
+    if chart.curves.is_empty() && !chart.missing.is_empty() {
+        // Neither numbers nor an axis that could be moved.
+        ui.painter().rect_filled(field, 2.0, palette.track);
+        ui.put(field, missing());
+        return;
+    }
     interact(ui, chart, over, &axis, out);
     let most = axis.range.map(|end| if chart.log { 10f64.powf(end) } else { end.abs() });
     let (factor, unit) = fitting(chart.unit, most[0].max(most[1]));
@@ -48,7 +55,13 @@ pub(super) fn draw(
     pointed(ui, chart, over, &axis, palette);
     let beside = Rect::from_min_max(field.right_top(), over.place.max);
     legend::show(ui, chart, beside, (factor, &unit), palette);
+    if !chart.missing.is_empty() {
+        ui.put(Rect::from_min_size(field.min, vec2(field.width(), MISSING_HEIGHT)), missing());
+    }
 }
+
+/// Height of a line of small words \[points\].
+const MISSING_HEIGHT: f32 = 14.0;
 
 /// The mouse on the axis: the wheel zooms, a drag moves, a double click shows everything; with Alt the wheel does so over the
 /// field too.
@@ -178,8 +191,16 @@ mod tests {
             chosen: true,
         };
         let (curves_of, bands, entries) = (vec![drawn], Vec::new(), Vec::new());
-        let chart =
-            Chart { name: String::new(), unit: "N", curves: curves_of, bands, entries, filled: false, log: false };
+        let chart = Chart {
+            name: String::new(),
+            unit: "N",
+            curves: curves_of,
+            bands,
+            entries,
+            filled: false,
+            log: false,
+            missing: String::new(),
+        };
         let context = theme::context();
         let input = RawInput { screen_rect: Some(place), ..RawInput::default() };
         let mut output = context.run_ui(input, |ui| {

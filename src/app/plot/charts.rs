@@ -45,6 +45,8 @@ pub(super) struct Chart<'a> {
     pub(super) filled: bool,
     /// Whether it shows logarithms of magnitudes.
     pub(super) log: bool,
+    /// In words, what it was to show and the run does not have.
+    pub(super) missing: String,
 }
 
 impl Chart<'_> {
@@ -73,6 +75,7 @@ pub(super) fn standing<'a>(source: &Source<'_>, traces: &'a Traces, at: f64, pal
         ],
         filled: false,
         log: false,
+        missing: String::new(),
     };
     place.curves.extend(several(source, traces, (&traces.y, palette.y, dashed)));
     let mut theta = Chart {
@@ -88,6 +91,7 @@ pub(super) fn standing<'a>(source: &Source<'_>, traces: &'a Traces, at: f64, pal
         }],
         filled: false,
         log: false,
+        missing: String::new(),
     };
     beside(source, traces, [&mut place, &mut theta], at, palette);
     pinned(source, traces, [&mut place, &mut theta], at);
@@ -219,6 +223,7 @@ fn force<'a>(source: &Source<'_>, traces: &'a Traces, at: f64, palette: &Palette
         entries,
         filled: false,
         log: false,
+        missing: String::new(),
     }
 }
 
@@ -255,6 +260,7 @@ pub(super) fn own<'a>(panel: &'a Sampled, stack: &'a [Curve], values: &[[f64; 2]
         entries: panel.curves.iter().enumerate().map(entry).collect(),
         filled: panel.stacked,
         log,
+        missing: if panel.missing.is_empty() { String::new() } else { text::missing(&panel.missing) },
     }
 }
 

@@ -4,8 +4,8 @@ use egui_plot::GridMark;
 
 use crate::app::text;
 
-/// Least height of a chart: three ticks have room in it \[points\].
-pub(super) const LEAST_HEIGHT: f32 = 40.0;
+/// Least height of a chart \[points\]: between its free ends three numbers have room, whose distance is a quarter of that at least.
+pub(super) const LEAST_HEIGHT: f32 = 46.0;
 
 /// Least distance of two numbers along an axis \[points\].
 const APART: f32 = 12.0;
@@ -73,8 +73,8 @@ impl ValueAxis {
         let height = self.edges[1] - self.edges[0];
         let margin = self.per_point() * f64::from(END);
         let inside = [self.range[0] + margin, self.range[1] - margin];
-        let fit = f64::from((height - 2.0 * END) / APART).max(3.0);
-        if self.log { decades(inside, fit) } else { round(inside, fit) }
+        let room = f64::from((height - 2.0 * END) / APART);
+        if self.log { decades(inside, room.max(3.0)) } else { round(inside, room) }
     }
 }
 
@@ -102,9 +102,10 @@ impl Ticks {
     }
 }
 
-/// Multiples of the largest of 1, 2, 2.5, 5, … that has three of them inside; every other where not all fit.
-fn round([low, high]: [f64; 2], fit: f64) -> Ticks {
-    let span = high - low;
+/// Multiples of the largest of 1, 2, 2.5, 5, … that has three of them inside; every other where not all fit into a room of so many
+/// [`APART`].
+fn round([low, high]: [f64; 2], room: f64) -> Ticks {
+    let (span, fit) = (high - low, room.max(3.0));
     if !(span.is_finite() && span > 0.0) {
         return Ticks::default();
     }
@@ -121,7 +122,7 @@ fn round([low, high]: [f64; 2], fit: f64) -> Ticks {
     let count = multiples(step).1;
     // Five or six in too little room: every other one is three.
     let every: u8 = if count > fit && count >= 5.0 { 2 } else { 1 };
-    let crowded = step * f64::from(every) / span * fit < CROWDED;
+    let crowded = step * f64::from(every) / span * room < CROWDED;
     let less_round = LESS_ROUND.iter().map(|m| m * power).find(|step| multiples(*step).1 >= 3.0);
     let (step, every) = less_round.filter(|_| crowded).map_or((step, every), |step| (step, 1));
     let (first, count) = multiples(step);
@@ -220,7 +221,7 @@ mod tests {
             let ticks = axis.ticks();
             assert!(ticks.values.len() >= 3, "{axis:?}: {ticks:?}");
             let gaps = ticks.values.windows(2).map(|two| axis.y(two[0]) - axis.y(two[1]));
-            assert!(gaps.clone().all(|gap| gap > 7.0), "{axis:?}: {:?}", gaps.collect::<Vec<_>>());
+            assert!(gaps.clone().all(|gap| gap > 8.4), "{axis:?}: {:?}", gaps.collect::<Vec<_>>());
             let words: Vec<String> = ticks.values.iter().map(|v| ticks.words(*v, 1.0 / scale)).collect();
             assert!(words.windows(2).all(|two| two[0] != two[1]), "told apart: {words:?}");
         }

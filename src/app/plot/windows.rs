@@ -1,7 +1,7 @@
 //! Panels that are not over time, each in a small window over the view: a quantity against another, Fourier amplitudes, response
 //! spectra. The mouse moves and zooms both axes; a double click shows everything.
 
-use egui::{Id, Label, RichText, Stroke, Ui, Window, vec2};
+use egui::{Id, Label, RichText, Stroke, Ui, Vec2, Window, vec2};
 use egui_plot::{HoverPosition, Plot, PlotUi, Points};
 
 use crate::app::command::{Command, EditCommand};
@@ -52,7 +52,7 @@ fn one(ui: &Ui, source: &Source<'_>, number: usize, panel: &Sampled) -> bool {
         names(ui, panel, &unit.1);
         let height = (ui.available_height() - 20.0).max(90.0);
         let here = source.own_at(number, source.playback.clock.t);
-        draw(ui, (id, height, unit.0), panel, &here, &palette);
+        draw(ui, (id, height, unit.clone()), panel, &here, &palette);
         ui.vertical_centered(|ui| ui.label(RichText::new(panel.x.as_deref().unwrap_or_default()).small()));
     });
     open
@@ -68,13 +68,33 @@ fn names(ui: &mut Ui, panel: &Sampled, unit: &str) {
     });
 }
 
-fn draw(ui: &mut Ui, (id, height, factor): (Id, f32, f64), panel: &Sampled, here: &[[f64; 2]], palette: &Palette) {
+/// Zoom by the wheel, per point that it scrolls \[–\], as over the plots against time.
+const WHEEL: f32 = 0.005;
+
+/// Whether this is not the next frame after one in which it was shown too: a window that is opened anew shows everything.
+fn is_new(ui: &Ui, id: Id) -> bool {
+    let now = ui.ctx().cumulative_frame_nr();
+    let last = ui.data_mut(|data| data.get_temp_mut_or(id.with("shown"), now).to_owned());
+    ui.data_mut(|data| data.insert_temp(id.with("shown"), now));
+    now > last + 1
+}
+
+fn draw(
+    ui: &mut Ui,
+    (id, height, (factor, unit)): (Id, f32, (f64, String)),
+    panel: &Sampled,
+    here: &[[f64; 2]],
+    palette: &Palette,
+) {
     let (log, factors) = (panel.log, [1.0, factor]);
+    let titles = [panel.x.clone().unwrap_or_default(), panel.y.replacen(panel.unit, &unit, 1)];
     let scaled = move |p: &[f64; 2]| [0, 1].map(|n| if log[n] { p[n].abs().log10() } else { p[n] });
     let words = move |n: usize, value: f64| text::short(factors[n] * if log[n] { 10f64.powf(value) } else { value });
     let width = ui.available_width();
-    Plot::new(id.with("plot"))
-        .height(height)
+    let plot = Plot::new(id.with("plot"));
+    let plot = if is_new(ui, id) { plot.reset() } else { plot };
+    plot.height(height)
+        .allow_scroll(false)
         .grid_color(palette.line)
         .x_grid_spacer(move |grid| grid_marks(grid.bounds, width / 5.0, log[0]))
         .y_grid_spacer(move |grid| grid_marks(grid.bounds, height / 2.0, log[1]))
@@ -82,10 +102,18 @@ fn draw(ui: &mut Ui, (id, height, factor): (Id, f32, f64), panel: &Sampled, here
         .x_axis_formatter(move |mark, _| words(0, mark.value))
         .y_axis_formatter(move |mark, _| words(1, mark.value))
         .label_formatter(move |at| {
-            let (HoverPosition::NearDataPoint { position, .. } | HoverPosition::Elsewhere { position }) = at;
-            Some(format!("{}\n{}", words(0, position.x), words(1, position.y)))
+            let (name, position) = match at {
+                HoverPosition::NearDataPoint { plot_name, position, .. } => (format!("{plot_name}\n"), position),
+                HoverPosition::Elsewhere { position } => (String::new(), position),
+            };
+            let line = |n: usize, value: f64| format!("{}: {}", titles[n], words(n, value));
+            Some(format!("{name}{}\n{}", line(0, position.x), line(1, position.y)))
         })
         .show(ui, |plot: &mut PlotUi<'_>| {
+            let scrolled = plot.ctx().input(|i| i.smooth_scroll_delta.y);
+            if scrolled != 0.0 && plot.response().hovered() {
+                plot.zoom_bounds_around_hovered(Vec2::splat((WHEEL * scrolled).exp()));
+            }
             // Kept runs lie behind the one shown.
             for (i, (name, curve)) in panel.curves.iter().enumerate().rev() {
                 let points: Vec<[f64; 2]> =

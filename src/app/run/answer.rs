@@ -85,6 +85,8 @@ pub struct Answer {
     pub dropped: Option<Dropped>,
     /// Supports whose ground moves otherwise.
     pub moved: Vec<MovedSupport>,
+    /// In words, that contacts went on without friction.
+    pub frictionless: Option<Message>,
     /// What the scene gives and the run does not use.
     pub unused: Vec<Message>,
     found: Found,
@@ -127,6 +129,8 @@ impl Answer {
         let (outside, balance) = (domain::outside(history.scene()), history.balance());
         let (too_deep, dropped) = (history.too_deep(), history.dropped());
         let moved = moved_supports(history.scene(), history.model());
+        let mut runs = std::iter::once(&history).chain(history.beside());
+        let frictionless = runs.find_map(History::without_friction);
         let unused = history.scene().unused_values();
         Self {
             history,
@@ -142,6 +146,7 @@ impl Answer {
             too_deep,
             dropped,
             moved,
+            frictionless,
             unused,
             outside,
             found: Found::default(),
@@ -232,10 +237,14 @@ impl Answer {
         self.found.piers.get_or_init(|| tables::piers(&self.history)).get(number)
     }
 
-    /// What the run did to the soil behind the abutment of this name; found when first asked for.
+    /// What the run did to the soil behind abutments; found when first asked for.
+    pub fn soils(&self) -> &[BackfillReport] {
+        self.found.soils.get_or_init(|| tables::backfill(&self.history))
+    }
+
+    /// The same of the abutment of this name.
     pub fn soil(&self, abutment: &str) -> Option<&BackfillReport> {
-        let soils = self.found.soils.get_or_init(|| tables::backfill(&self.history));
-        soils.iter().find(|soil| soil.abutment == abutment)
+        self.soils().iter().find(|soil| soil.abutment == abutment)
     }
 
     /// The least that any seat of the first `MOST_VERDICTS` girders is left with, square to its edge, and whose it is \[m\]; none without

@@ -28,8 +28,6 @@ pub struct Comparison {
     pins: Vec<Pin>,
     /// Whether the plots show the differences from them.
     differences: bool,
-    /// How many have been kept since the window was opened.
-    count: usize,
     /// Which of the scenes that were opened they are of.
     work: u64,
     /// Those of other scenes, which are shown again when undo leads back to them.
@@ -99,9 +97,7 @@ impl Comparison {
         }
         let free = (0..MOST_PINS).find(|c| self.pins.iter().all(|p| p.color != *c));
         let color = free.ok_or(text::PINS_FULL.as_str())?;
-        self.count += 1;
-        let name = format!("{} {}: {what}", text::PIN, self.count);
-        self.pins.push(Pin { name, answer: answer.clone(), color });
+        self.pins.push(Pin { name: what.to_owned(), answer: answer.clone(), color });
         Ok(())
     }
 

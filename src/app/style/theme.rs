@@ -4,6 +4,7 @@ use egui::epaint::text::{FontInsert, FontPriority, InsertFontFamily};
 use egui::{Color32, Context, CornerRadius, FontData, FontFamily, Id, Stroke, Theme, Ui, Visuals};
 
 use crate::render;
+use crate::view::{KEPT, MOST_KEPT};
 
 /// The glyphs of the paper's own names of the six states and of the name of Japanese, which the font does not have.
 const PAPER_NAMES: &[u8] = include_bytes!("../../../assets/fonts/paper-names.otf");
@@ -14,14 +15,13 @@ pub(in crate::app) const STICK: Color32 = Color32::from_rgb(0x00, 0x72, 0xB2);
 /// Slip, as in the pictures.
 pub(in crate::app) const SLIP: Color32 = Color32::from_rgb(0xD5, 0x5E, 0x00);
 
-/// Runs that are kept, in the order in which they are given out: the first is far from the blue of the run shown. A ghost's dashes and a
-/// curve's differ too.
-pub(in crate::app) const PINS: [Color32; 4] = [
-    Color32::from_rgb(0xCC, 0x79, 0xA7),
-    Color32::from_rgb(0xE6, 0x9F, 0x00),
-    Color32::from_rgb(0x00, 0x9E, 0x73),
-    Color32::from_rgb(0x56, 0xB4, 0xE9),
-];
+/// Runs that are kept, as their ghosts in the view. A ghost's dashes and a curve's differ too.
+pub(in crate::app) const PINS: [Color32; MOST_KEPT] = [of_view(0), of_view(1), of_view(2), of_view(3)];
+
+const fn of_view(number: usize) -> Color32 {
+    let [r, g, b, _] = KEPT[number].0;
+    Color32::from_rgb(r, g, b)
+}
 
 /// Curves of the user's own panels, in their order; from the seventh on they begin again.
 pub(in crate::app) const OWN: [Color32; 6] = [

@@ -130,9 +130,9 @@ pub(in crate::app) fn ends_of_entry(number: usize) -> String {
     Text::new("ends-of-entry").with(&values!["number" => number])
 }
 
-/// How many are selected, whose numbers are shown, and what that means for what is typed.
-pub(in crate::app) fn several(count: usize, name: &str) -> String {
-    Text::new("several").with(&values!["count" => count, "name" => name])
+/// How many are selected, whose numbers are shown, and what that means for what is typed: what a girder is given all girders get.
+pub(in crate::app) fn several(count: usize, name: &str, girder: bool) -> String {
+    Text::new(if girder { "several" } else { "several-alone" }).with(&values!["count" => count, "name" => name])
 }
 
 /// How many are not shown.

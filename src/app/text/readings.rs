@@ -45,7 +45,11 @@ pub(in crate::app) fn seat_at(end: End) -> &'static str {
 
 /// What a code requires, what there is, and what the run used, square to the edge.
 pub(in crate::app) fn demand(demand: &Demand) -> String {
-    let [needed, there, used] = [demand.required, demand.provided, demand.used].map(length);
+    // In one unit: they are compared.
+    let of = [demand.required, demand.provided, demand.used];
+    let in_metres = of.iter().any(|length| length.abs() >= 1.0);
+    let [needed, there, used] =
+        of.map(|metres| if in_metres { format!("{} m", short(metres)) } else { format!("{} mm", short(1e3 * metres)) });
     let doubt = if demand.confirmed { "" } else { Text::new("from-memory").as_str() };
     let values = values![
         "needed" => needed,
@@ -72,9 +76,12 @@ pub(in crate::app) fn at_time(t: f64) -> String {
     Text::new("at-time").with(&values!["t" => format!("{t:.4}")])
 }
 
-/// What is left of a seat, `least` with its time, and at the corners, square to the edge \[m\].
-pub(in crate::app) fn seat_left(least: &str, seat: f64, corners: [f64; 2]) -> String {
-    let values = values!["least" => least, "seat" => length(seat), "corners" => corners.map(length).join(", ")];
+/// What is left of a seat, `least` with its time, and at the corners by their numbers in plan, square to the edge \[m\].
+pub(in crate::app) fn seat_left(least: &str, seat: f64, corners: [(usize, f64); 2]) -> String {
+    let corners = corners.map(|(number, left)| {
+        Text::new("seat-left-corner").with(&values!["corner" => number + 1, "left" => length(left)])
+    });
+    let values = values!["least" => least, "seat" => length(seat), "corners" => corners.join(", ")];
     Text::new("seat-left").with(&values)
 }
 

@@ -17,7 +17,7 @@ use crate::dynamics::contact_model::islands::{IslandStock, Start, end_flight};
 use crate::dynamics::contact_model::link_transitions::LinkTransitions;
 use crate::dynamics::contact_model::step_planning;
 use crate::dynamics::contact_model::step_store::StepStore;
-use crate::dynamics::contact_model::work_bounds::{Spent, WorkBounds};
+use crate::dynamics::contact_model::work_bounds::{ExceededBound, Spent, WorkBounds};
 use crate::dynamics::event_loop::event_queue::Source;
 use crate::dynamics::event_loop::mechanics::Mechanics;
 use crate::dynamics::event_loop::schedule::Schedule;
@@ -215,7 +215,7 @@ impl Mechanics for ContactRun {
             return None;
         }
         let spent = self.spent(t);
-        self.bounds.exceeded(&spent).map(|bound| bound.reason())
+        self.bounds.exceeded(&spent).map(ExceededBound::reason)
     }
 
     fn place(&self, source: Source) -> String {

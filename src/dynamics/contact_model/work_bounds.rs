@@ -164,7 +164,7 @@ mod tests {
         assert!(exceeds(Spent { touches: false, ..BODY }), "nothing touches");
         assert!(!exceeds(Spent { touches: false, events: 1, ..BODY }) && !exceeds(BODY), "something has, or does");
         assert!(
-            !WorkBounds::default().exceeded(&Spent { work: window, t: 5.0 * t, touches: false, ..BODY }).is_some(),
+            WorkBounds::default().exceeded(&Spent { work: window, t: 5.0 * t, touches: false, ..BODY }).is_none(),
             "a fifth"
         );
     }

@@ -194,7 +194,13 @@ fn log_change(
     let touching = |manifold: &&ContactManifold| concerns(world, instant, manifold.pair, place);
     let pair = pair.or_else(|| instant.manifolds.iter().find(touching).map(|manifold| manifold.pair));
     let to_wall = pair.is_some_and(|pair| world.model.pairs[pair].bodies.contains(&None));
-    let row = if to_wall && now != after_hits { Row::without_hit(after_hits, now) } else { None };
+    // The tables know one coefficient of a face and its corners, and friction that something agrees with.
+    let outside = |mode: &ContactMode| {
+        matches!(mode.friction, FrictionMode::SlipAtEnd { .. } | FrictionMode::Frictionless)
+            && concerns(world, instant, mode.pair, place)
+    };
+    let by_tables = to_wall && now != after_hits && !modes.iter().any(outside);
+    let row = if by_tables { Row::without_hit(after_hits, now) } else { None };
     let from = if first { now } else { after_hits };
     record.transitions.push(Transition { t: instant.t, body, pair, from, to: now, row, lost });
 }

@@ -54,6 +54,6 @@ pub(super) fn spans(record: &Record) -> Vec<(usize, usize, Vec<Span>)> {
 pub(super) fn contact_state(mode: &ContactMode) -> ContactState {
     match mode.friction {
         FrictionMode::Stick => ContactState::Stick,
-        FrictionMode::Slip(_) | FrictionMode::Frictionless => ContactState::Slip,
+        FrictionMode::Slip(_) | FrictionMode::SlipAtEnd { .. } | FrictionMode::Frictionless => ContactState::Slip,
     }
 }

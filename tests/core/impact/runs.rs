@@ -2,7 +2,9 @@
 
 use crate::support::within;
 use girderbench::dynamics::impact2d::State;
-use girderbench::scene::{Abutment, Direction, Flush, Girder, ImpactSettings, ModelKind, ModelSettings, Motion, Scene};
+use girderbench::scene::{
+    Abutment, Direction, Flush, Girder, ImpactSettings, ModelKind, ModelSettings, Motion, RecordMotion, Scene,
+};
 use girderbench::sim::History;
 
 fn girder(length: f64, width: f64, skew_deg: f64) -> Girder {
@@ -378,5 +380,36 @@ fn a_pressed_girder_comes_to_rest_at_a_wall_of_any_width() {
         assert_eq!(record.state(0, 1.0), State::Resting, "pressed onto the wall");
         // The band within which a point touches is 1e-9 of the girder's radius, 1.6e-8 m at 30 m; it is moved out to the face.
         within("place", history.motion(0, 1.0).displacement.x - 0.05, 1e-9);
+    }
+}
+
+/// A girder of 0.19 by 0.07 m pressed on its wall by 10 N while the ground's acceleration along the wall rises to 3 m/s² within a second.
+/// The pressure reaches the end of the face at T/N = b/a = 7/19, between the friction of the corner and that of the face: the face slides
+/// with that ratio, ÿ = −3 (t − t₀) from 6 t₀ = 10 b/a on.
+#[test]
+fn a_face_pressed_at_its_end_slides_by_the_lever_of_its_corner_however_the_ground_is_sampled() {
+    let ratio = 7.0 / 19.0;
+    let start = 10.0 * ratio / 6.0;
+    let exact = -0.5 * (1.0_f64 - start).powi(3);
+    for count in [1, 2, 10] {
+        let dt = 1.0 / f64::from(count);
+        let samples = (0..=2 * count).map(|n| 3.0 * (1.0 - (f64::from(n) * dt - 1.0).abs())).collect();
+        let record = RecordMotion { samples: Some(samples), dt: Some(dt), angle_deg: 90.0, ..RecordMotion::default() };
+        let mut deck = girder(0.19, 0.07, 90.0);
+        deck.push.force = [10.0, 0.0, 0.0];
+        let impact = ImpactSettings {
+            mu_static: 0.4,
+            mu_kinetic: 0.38,
+            corner_mu_static: Some(0.36),
+            corner_mu_kinetic: Some(0.35),
+            ..ImpactSettings::default()
+        };
+        let scene = Scene { motion: Motion::Record(record), ..scene(deck, 0.0, 1.0, impact) };
+        let history = run(&scene);
+        within(&format!("{count} samples a second: place [m]"), history.motion(0, 1.0).displacement.y - exact, 1e-9);
+        assert_eq!(history.motion(0, 1.0).theta, 0.0, "it stays on its face");
+        assert!(history.without_friction().is_none(), "with friction all the time");
+        let lost = history.ledger(1.0).loss_friction;
+        within("lost in friction [J]", lost - 10.0 * ratio * exact.abs(), 1e-8);
     }
 }

@@ -42,7 +42,8 @@ pub(in crate::app) fn show(ui: &mut Ui, document: &Document, replay: &Replay, ou
                 .map(|answer| answer.history.model().sites.get(contact).map_or("", |site| site.node.as_str())),
             None => None,
         };
-        ui.label(RichText::new(text::several(several, lead.unwrap_or_default())).weak());
+        let girder = matches!(document.selection().lead(), Some(Target::Girder(_)));
+        ui.label(RichText::new(text::several(several, lead.unwrap_or_default(), girder)).weak());
     }
     let form = Form { scene: document.scene(), problems: replay.runner.problems() };
     let fresh = replay.runner.fresh_answer().map(|answer| &**answer);

@@ -23,6 +23,14 @@ pub enum FrictionMode {
     Stick,
     /// Slip along `s` with this sign of `v_s`, ±1.
     Slip(f64),
+    /// Slip of a face whose whole pressure is at one of its ends. By the coefficient of the face the girder would turn onto that corner, by
+    /// that of the corner it would turn back: friction between the two keeps the face on the other (`docs/impact-model.md#states`).
+    SlipAtEnd {
+        /// Sign of `v_s`, ±1.
+        sign: f64,
+        /// Which of the two points carries the pressure.
+        end: usize,
+    },
     /// Without friction, where no motion is consistent with it (Painlevé).
     Frictionless,
 }
@@ -32,7 +40,7 @@ impl FrictionMode {
     pub fn slip_sign(self) -> Option<f64> {
         match self {
             Self::Stick => None,
-            Self::Slip(sign) => Some(sign),
+            Self::Slip(sign) | Self::SlipAtEnd { sign, .. } => Some(sign),
             Self::Frictionless => Some(0.0),
         }
     }
@@ -159,6 +167,16 @@ pub fn solve_reactions(
 fn unknowns(modes: &[ContactMode], points: &[Vec<ContactPoint>], numbers: &ImpactSettings) -> Vec<Unknown> {
     let mut all = Vec::new();
     for (number, (mode, points)) in modes.iter().zip(points).enumerate() {
+        if let (FrictionMode::SlipAtEnd { end, .. }, [first, second]) = (mode.friction, &points[..]) {
+            let (pressed, other) = if end == 0 { (first, second) } else { (second, first) };
+            let normal = |at: Option<usize>, point: &ContactPoint, force: DVec2| {
+                let (direction, bias) = (point.n, point.bias[0]);
+                Unknown { mode: number, at, point: *point, direction, bias, force }
+            };
+            // Both points lie on one line along the face: friction has the same moment at either.
+            all.extend([normal(Some(end), pressed, pressed.n), normal(None, other, other.s)]);
+            continue;
+        }
         let friction = match mode.friction.slip_sign() {
             None => 0.0,
             Some(sign) => -mode.friction_coefficients(numbers)[1] * sign,
@@ -267,6 +285,18 @@ mod tests {
         assert!(motion.along(&point, point.n, point.bias[0]).abs() < 1e-12, "no normal acceleration");
         assert!(motion.along(&point, point.s, point.bias[1]).abs() < 1e-12, "no tangential one");
         assert!(motion.accelerations[0].z.abs() > 1.0, "it turns about the corner");
+    }
+
+    #[test]
+    fn a_face_pressed_at_one_end_carries_the_friction_that_keeps_it_from_turning() {
+        // T a = N b about G: of a push of 10 N along x.
+        let (motion, point) = solved([10.0, 5.0], 2, FrictionMode::SlipAtEnd { sign: 1.0, end: 0 });
+        let reaction = motion.reactions[0];
+        assert!((reaction.total() - 10.0).abs() < 1e-12 && reaction.normal[1] == 0.0, "{reaction:?}");
+        assert!((reaction.tangential.abs() - 10.0 * 0.035 / 0.095).abs() < 1e-11, "{reaction:?}");
+        assert!(motion.accelerations[0].z.abs() < 1e-11, "it does not turn: {:?}", motion.accelerations);
+        let expected = 5.0 / 2.0 - 0.5 + reaction.tangential * point.s.y / 2.0;
+        assert!((motion.accelerations[0].y - expected).abs() < 1e-12, "{:?}", motion.accelerations);
     }
 
     #[test]

@@ -40,6 +40,8 @@ pub(in crate::dynamics::impact2d) enum Ending {
     BreaksAway(usize),
     /// The slip of the pair reaches 0.
     SlipStops(usize),
+    /// The friction that keeps a face pressed at one end on the other reaches the coefficient of the face or that of the corner.
+    LeavesEnd(usize),
 }
 
 /// Motion of a planned step.
@@ -275,15 +277,19 @@ impl LastingContact {
         let mut all = Vec::new();
         for (number, mode) in self.modes.iter().enumerate() {
             for (end, &site) in mode.sites.iter().enumerate() {
-                all.push(Switch { mode: number, end, ending: Ending::Opens(site) });
+                // The end without pressure has no reaction that could fall.
+                if !matches!(mode.friction, FrictionMode::SlipAtEnd { end: pressed, .. } if pressed != end) {
+                    all.push(Switch { mode: number, end, ending: Ending::Opens(site) });
+                }
                 all.push(Switch { mode: number, end, ending: Ending::LeavesFace(site) });
             }
-            let along = match mode.friction {
-                FrictionMode::Stick => Some(Ending::BreaksAway(mode.pair)),
-                FrictionMode::Slip(_) => Some(Ending::SlipStops(mode.pair)),
-                FrictionMode::Frictionless => None,
+            let along: &[Ending] = match mode.friction {
+                FrictionMode::Stick => &[Ending::BreaksAway(mode.pair)],
+                FrictionMode::Slip(_) => &[Ending::SlipStops(mode.pair)],
+                FrictionMode::SlipAtEnd { .. } => &[Ending::SlipStops(mode.pair), Ending::LeavesEnd(mode.pair)],
+                FrictionMode::Frictionless => &[],
             };
-            all.extend(along.map(|ending| Switch { mode: number, end: 0, ending }));
+            all.extend(along.iter().copied().map(|ending| Switch { mode: number, end: 0, ending }));
         }
         all
     }
@@ -299,7 +305,7 @@ impl LastingContact {
 
     /// One switching function at `t`, 0 without a solution. Where it depends on no reaction, none is solved for.
     fn switching_function(&self, model: &Model, piece: LinearPiece, switch: Switch, t: f64) -> f64 {
-        if matches!(switch.ending, Ending::Opens(_) | Ending::BreaksAway(_)) {
+        if matches!(switch.ending, Ending::Opens(_) | Ending::BreaksAway(_) | Ending::LeavesEnd(_)) {
             return self.switching_functions(model, piece, &[switch], t).map_or(0.0, |values| values[0]);
         }
         let y: Vec<f64> = (0..self.bodies.len()).flat_map(|place| self.state(place, t)).collect();
@@ -350,6 +356,13 @@ impl Switch {
                 let round_off = 2.0 * kinematics.force_round_off(&centre(&mode.points(model, kinematics)));
                 let most = mode.friction_coefficients(&model.impact)[0] * reaction.total() + round_off;
                 most - reaction.tangential.abs()
+            }
+            Ending::LeavesEnd(_) => {
+                let round_off = 2.0 * kinematics.force_round_off(&centre(&mode.points(model, kinematics)));
+                let (friction, pressure) = (reaction.tangential.abs(), reaction.total());
+                let [_, most] = mode.friction_coefficients(&model.impact);
+                let least = model.impact.corner_friction()[1];
+                (most * pressure - friction).min(friction - least * pressure) + round_off
             }
             Ending::SlipStops(_) => {
                 let centre = centre(&mode.points(model, kinematics));

@@ -42,24 +42,38 @@ pub struct Excluded {
 }
 
 impl Candidate {
+    /// Signs of a slip that may begin or goes on.
+    fn slips(&self) -> &'static [f64] {
+        match self.slip {
+            _ if self.stick_or_open => &[],
+            v if v > 0.0 => &[1.0],
+            v if v < 0.0 => &[-1.0],
+            _ => &[1.0, -1.0],
+        }
+    }
+
     /// Modes of the pair in the order in which they are tried; none is opening.
-    fn options(&self) -> Vec<Option<ContactMode>> {
+    fn options(&self, numbers: &ImpactSettings) -> Vec<Option<ContactMode>> {
         let mut all = vec![None];
         let faces = (self.sites.len() > 1).then(|| self.sites.clone());
         let kept = |sites: &Vec<usize>| self.excluded.site.is_none_or(|out| !sites.contains(&out));
         for sites in faces.into_iter().chain(self.sites.iter().map(|&site| vec![site])).filter(kept) {
-            let frictions: &[FrictionMode] = match self.slip {
-                _ if self.stick_or_open => &[FrictionMode::Stick],
-                v if v > 0.0 => &[FrictionMode::Slip(1.0)],
-                v if v < 0.0 => &[FrictionMode::Slip(-1.0)],
-                _ if self.excluded.stick => &[FrictionMode::Slip(1.0), FrictionMode::Slip(-1.0)],
-                _ => &[FrictionMode::Stick, FrictionMode::Slip(1.0), FrictionMode::Slip(-1.0)],
-            };
-            all.extend(
-                frictions.iter().map(|&friction| Some(ContactMode { pair: self.pair, sites: sites.clone(), friction })),
-            );
+            let sticks = self.stick_or_open || (self.slip == 0.0 && !self.excluded.stick);
+            let slips = self.slips().iter().map(|&sign| FrictionMode::Slip(sign));
+            let frictions = sticks.then_some(FrictionMode::Stick).into_iter().chain(slips);
+            all.extend(frictions.map(|friction| Some(ContactMode { pair: self.pair, sites: sites.clone(), friction })));
         }
+        all.extend(self.slips_at_an_end(numbers).map(Some));
         all
+    }
+
+    /// Slips of the face with its pressure at one end, where a corner has less friction than the face: what is left where the face would turn
+    /// onto the corner and the corner back onto the face. The reaction of the other end is 0, whether an event has just said so or not.
+    fn slips_at_an_end(&self, numbers: &ImpactSettings) -> impl Iterator<Item = ContactMode> + '_ {
+        let differs = self.sites.len() == 2 && numbers.corner_friction()[1] < numbers.mu_kinetic;
+        let of = |&sign: &f64| [0, 1].map(|end| FrictionMode::SlipAtEnd { sign, end });
+        let all = if differs { self.slips() } else { &[] };
+        all.iter().flat_map(of).map(|friction| ContactMode { pair: self.pair, sites: self.sites.clone(), friction })
     }
 }
 
@@ -71,7 +85,7 @@ pub fn select_modes(
     numbers: &ImpactSettings,
 ) -> Option<Vec<ContactMode>> {
     let consistency = Consistency { model, kinematics, candidates, numbers };
-    let options: Vec<Vec<Option<ContactMode>>> = candidates.iter().map(Candidate::options).collect();
+    let options: Vec<Vec<Option<ContactMode>>> = candidates.iter().map(|c| c.options(numbers)).collect();
     let combinations = options.iter().map(Vec::len).try_fold(1usize, usize::checked_mul);
     let choice = match combinations {
         Some(combinations) if combinations <= MODE_COMBINATIONS => (0..combinations).find_map(|number| {
@@ -175,11 +189,19 @@ impl Consistency<'_> {
             // Past the Painlevé bound a normal reaction would make the point approach.
             FrictionMode::Slip(sign) if w_n - mu_k * sign * w_ns <= 0.0 => false,
             FrictionMode::Frictionless => true,
-            FrictionMode::Slip(sign) => {
-                candidate.slip != 0.0
-                    || sign * motion.along(&centre, centre.s, centre.bias[1]) >= -IMPACT_FORCE_ROUNDING * self.scale()
+            FrictionMode::SlipAtEnd { sign, .. } => {
+                let (least, most) = (self.numbers.corner_friction()[1], mu_k);
+                let (friction, pressure) = (-sign * reaction.tangential, reaction.total());
+                let within = friction >= least * pressure - force && friction <= most * pressure + force;
+                within && (candidate.slip != 0.0 || self.begins_along(sign, motion, &centre))
             }
+            FrictionMode::Slip(sign) => candidate.slip != 0.0 || self.begins_along(sign, motion, &centre),
         }
+    }
+
+    /// Whether a slip with this sign agrees with the acceleration along the face.
+    fn begins_along(&self, sign: f64, motion: &ConstrainedMotion, centre: &ContactPoint) -> bool {
+        sign * motion.along(centre, centre.s, centre.bias[1]) >= -IMPACT_FORCE_ROUNDING * self.scale()
     }
 
     /// Largest acceleration in play \[m/s²\].
@@ -248,6 +270,30 @@ mod tests {
     }
 
     #[test]
+    fn a_face_that_neither_turns_onto_its_corner_nor_slips_flush_slides_with_its_pressure_at_the_corner() {
+        // b/a = 0.368 lies between the coefficients of corner and face.
+        let (model, kinematics, candidate) = block([10.0, 3.69], 0.0);
+        let of = |corner: f64| ImpactSettings {
+            mu_static: 0.4,
+            mu_kinetic: 0.38,
+            corner_mu_static: Some(corner + 0.01),
+            corner_mu_kinetic: Some(corner),
+            ..ImpactSettings::default()
+        };
+        let mode = |numbers: &ImpactSettings| {
+            let candidate = Candidate { excluded: Excluded { stick: true, site: None }, ..candidate.clone() };
+            select_modes(&model, &kinematics, &[candidate], numbers).and_then(|mut modes| modes.pop())
+        };
+        let at_end = mode(&of(0.35)).expect("a consistent mode");
+        assert!(
+            at_end.is_flush() && matches!(at_end.friction, FrictionMode::SlipAtEnd { sign: -1.0, .. }),
+            "{at_end:?}"
+        );
+        let turning = mode(&of(0.38)).expect("a consistent mode");
+        assert!(!turning.is_flush(), "with the friction of the face the corner turns it: {turning:?}");
+    }
+
+    #[test]
     fn what_an_event_has_ended_is_not_selected_again() {
         let broke = mode([10.0, 2.0], 0.0, 0.2, |candidate| candidate.excluded.stick = true).expect("in contact");
         assert_eq!(broke.friction, FrictionMode::Slip(-1.0), "stick has ended");
@@ -261,7 +307,7 @@ mod tests {
             let candidates = [candidate];
             let consistency =
                 Consistency { model: &model, kinematics: &kinematics, candidates: &candidates, numbers: &numbers };
-            let options: Vec<_> = candidates.iter().map(Candidate::options).collect();
+            let options: Vec<_> = candidates.iter().map(|c| c.options(&numbers)).collect();
             let relaxed = relax(&consistency, &options).expect("a consistent mode");
             let enumerated = select_modes(&model, &kinematics, &candidates, &numbers).expect("a consistent mode");
             assert_eq!(relaxed.into_iter().flatten().collect::<Vec<_>>(), enumerated, "push {force:?} N");

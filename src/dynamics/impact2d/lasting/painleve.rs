@@ -18,7 +18,7 @@ use crate::dynamics::impact2d::kinematics::Kinematics;
 use crate::dynamics::impact2d::lasting::candidates::{candidates, tangential_speed};
 use crate::dynamics::impact2d::lasting::constrained_motion::{ConstrainedMotion, ContactMode, FrictionMode};
 use crate::dynamics::impact2d::lasting::lasting_contact::Ending;
-use crate::dynamics::impact2d::lasting::mode_selection::{Candidate, select_modes};
+use crate::dynamics::impact2d::lasting::mode_selection::{Candidate, Excluded, select_modes};
 use crate::dynamics::impact2d::world::World;
 
 /// Candidates and their contact modes; velocities of the instant change where friction has to stop a slip. `ground` is the
@@ -32,6 +32,15 @@ pub(in crate::dynamics::impact2d) fn consistent_modes(
     let mut all = candidates(world, instant, ending);
     if let Some(modes) = modes_or_slow_stick(world, &instant.kinematics, &mut all) {
         return (all, modes);
+    }
+    if matches!(ending, Some(Ending::Opens(_))) {
+        // The face at rest has ended, not a slip along it with pressure at both ends.
+        for candidate in &mut all {
+            candidate.excluded = Excluded { stick: true, site: None };
+        }
+        if let Some(modes) = select_modes(&world.model, &instant.kinematics, &all, &world.model.impact) {
+            return (all, modes);
+        }
     }
     let mut slipping: Vec<(f64, usize, ContactPoint)> = all
         .iter()

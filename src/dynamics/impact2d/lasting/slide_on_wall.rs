@@ -6,7 +6,7 @@ use crate::dynamics::Model;
 use crate::dynamics::free_flight::sliding_face::SlidingFace;
 use crate::dynamics::impact2d::delassus::centre;
 use crate::dynamics::impact2d::kinematics::Kinematics;
-use crate::dynamics::impact2d::lasting::constrained_motion::ContactMode;
+use crate::dynamics::impact2d::lasting::constrained_motion::{ContactMode, FrictionMode};
 use crate::dynamics::model::body::Body;
 use crate::dynamics::model::coordinates::planar::{self, PlanarState};
 use crate::dynamics::model::motion_bounds::MotionBounds;
@@ -23,6 +23,9 @@ pub(in crate::dynamics::impact2d) fn slide_on_wall(
 ) -> Option<(SlidingFace, MotionBounds)> {
     let [mode] = modes else { return None };
     let (Some(sign), true) = (mode.friction.slip_sign(), mode.is_flush()) else { return None };
+    if let FrictionMode::SlipAtEnd { .. } = mode.friction {
+        return None;
+    }
     let (sides, girder) = (model.pairs[mode.pair].bodies, &model.bodies[body]);
     if !(sides.contains(&None) && girder.free[0] && girder.free[1]) {
         return None;
@@ -70,7 +73,6 @@ fn slide_bounds(
 mod tests {
     use super::*;
     use crate::dynamics::impact2d::example;
-    use crate::dynamics::impact2d::lasting::constrained_motion::FrictionMode;
     use crate::dynamics::model::coordinates::planar::WIDTH;
 
     /// Whether a straight girder at its wall, with this number of kept points, has a closed form.
