@@ -64,12 +64,13 @@ pub(super) fn hardest(history: &History) -> Option<(String, Vec<(String, String)
     } else {
         said!("report-impulse", "impulse" => format!("{:.3e}", touch.impulse))
     };
-    let corner =
-        site.node_body.zip(now.as_ref()).and_then(|(body, now)| nearest_corner(history, body, now.point.truncate(), t));
+    // An edge node is named by its edge: where on it the hit is, the nearest corner tells.
+    let edge = site.edge.as_ref().and(site.node_body).zip(now.as_ref());
+    let corner = edge.and_then(|(body, now)| nearest_corner(history, body, now.point.truncate(), t));
     let near = corner.map_or(String::new(), |number| said!("report-at-corner", "number" => number));
     let words = said!(
         "report-hit",
-        "node" => site.node.as_str(),
+        "node" => site.node_in_words(),
         "near" => near,
         "face" => site.face_name.to_string(),
         "force" => force,

@@ -207,13 +207,13 @@ fn name(
     (Round { middle, radius, ppp }, top): (Round, f32),
     palette: &Palette,
 ) -> Option<Mark> {
-    let node = &input.history?.model().sites.get(contact.contact)?.node;
+    let node = input.history?.model().sites.get(contact.contact)?.node_in_words();
     let size = (0.25 * radius).min((TEXT - 2.0) * ppp);
     Some(Mark::Text {
         at: Vec2::new(middle.x, 0.4 * top + 0.6 * (middle.y - radius)),
         align: Vec2::splat(0.5),
         size,
-        text: shown(node, LONGEST_NAME),
+        text: shown(&node, LONGEST_NAME),
         color: palette.faint_ink,
         plate: None,
     })

@@ -231,7 +231,7 @@ pub(in crate::app) fn show_contact(ui: &mut Ui, replay: &Replay, contact: usize,
     let Some(answer) = replay.runner.answer() else { return };
     let t = replay.t();
     let Some(site) = answer.history.model().sites.get(contact) else { return };
-    if ui.link(format!("{} | {}", site.node, site.face_name)).on_hover_text(text::GO_THERE).clicked() {
+    if ui.link(format!("{} | {}", site.node_in_words(), site.face_name)).on_hover_text(text::GO_THERE).clicked() {
         Spot::contact(contact, t).go(out);
     }
     if let Some(now) = answer.history.contact_at(contact, t) {

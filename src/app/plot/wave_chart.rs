@@ -4,7 +4,9 @@
 //! that a wave would fall between the times, nothing is drawn but a button that leads to the hardest hit.
 
 use egui::text::LayoutJob;
-use egui::{Align2, Button, Color32, FontId, Rect, Role, Sense, Shape, Stroke, Ui, WidgetInfo, pos2, vec2};
+use egui::{
+    Align2, Button, Color32, FontId, Painter, Pos2, Rect, Role, Sense, Shape, Stroke, Ui, WidgetInfo, pos2, vec2,
+};
 
 use crate::app::command::{Command, TimeCommand};
 use crate::app::plot::chart_view::{self, Over};
@@ -78,7 +80,21 @@ pub(super) fn draw(ui: &mut Ui, source: &Source<'_>, over: &Over<'_>, palette: &
         let (unit, size) = what.unit();
         text::at_station(&format!("{} {unit}", text::short(force / size)), station)
     });
+    if let (Some(at), Some(words)) = (pointed, &said) {
+        beside_pointer(&painter, (at, field), words, palette);
+    }
     bar(ui, over, (&title, said), (what, drawn.range), palette);
+}
+
+/// Words on a plate beside the mouse, on the side where the field has more room.
+fn beside_pointer(painter: &Painter, (at, field): (Pos2, Rect), words: &str, palette: &Palette) {
+    let galley = painter.layout_no_wrap(words.to_owned(), FontId::proportional(11.0), palette.force);
+    let left = at.x > field.center().x;
+    let (align, aside) = if left { (Align2::RIGHT_BOTTOM, -6.0) } else { (Align2::LEFT_BOTTOM, 6.0) };
+    let top = field.top() + galley.size().y + 2.0;
+    let plate = align.anchor_size(pos2(at.x + aside, (at.y - 4.0).max(top)), galley.size());
+    painter.rect_filled(plate.expand(2.0), 2.0, palette.track.gamma_multiply(0.9));
+    painter.galley(plate.min, galley, palette.force);
 }
 
 /// Lines of small letters between the values at both ends of a bar of this height \[points\].
@@ -88,7 +104,7 @@ fn rows_between(height: f32) -> usize {
     (height / LINE - 2.0).max(0.0) as usize
 }
 
-/// What the colours mean, at the right; the value pointed to.
+/// What the colours mean, at the right; to who reads the window aloud the value pointed to as well.
 fn bar(
     ui: &mut Ui,
     over: &Over<'_>,
@@ -122,9 +138,9 @@ fn bar(
             palette.force,
         );
     }
-    let words = said.unwrap_or_else(|| title.to_owned());
-    response.widget_info(|| WidgetInfo::labeled(Role::Label, true, &words));
-    let mut job = LayoutJob::simple(words, small, palette.weak, (place.right() - bar.right() - 8.0).max(20.0));
+    response.widget_info(|| WidgetInfo::labeled(Role::Label, true, said.as_deref().unwrap_or(title)));
+    let mut job =
+        LayoutJob::simple(title.to_owned(), small, palette.weak, (place.right() - bar.right() - 8.0).max(20.0));
     // Between the two values, as many lines as there is room for.
     job.wrap.max_rows = rows_between(place.height());
     if job.wrap.max_rows > 0 {

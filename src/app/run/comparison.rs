@@ -146,6 +146,6 @@ mod tests {
         assert!(kept.pins().is_empty(), "nothing of the scene before");
         kept.pin(&answer(0.1), "gap").expect("another scene's");
         kept.turn_to(0);
-        assert_eq!(kept.pins().first().map(|p| p.name.as_str()), Some("run 1: gap"), "its own again");
+        assert_eq!(kept.pins().first().map(|p| p.name.as_str()), Some("gap"), "its own again");
     }
 }

@@ -150,7 +150,7 @@ pub(in crate::app) const OVERLAP_MEANS: Text = Text::new("overlap-means");
 pub(in crate::app) fn law_sense(history: &History, too_deep: &[TooDeep], dropped: Option<&Dropped>) -> Vec<String> {
     let name = |contact: usize| {
         let site = &history.model().sites[contact];
-        (site.node.as_str(), &site.face_name)
+        (site.node_in_words(), &site.face_name)
     };
     let deep = too_deep.iter().map(|deep| {
         let (node, face) = name(deep.contact);

@@ -10,6 +10,7 @@ use crate::dynamics::model::edge_node::Edge;
 use crate::dynamics::model::edge_node::node_place::NodePlace;
 use crate::dynamics::model::face_choice::FaceChoice;
 use crate::geometry::{End, Face, Prism};
+use crate::language::{Text, values};
 use crate::scene::facing::{Flank, PairContact, Side, SolidId};
 
 /// A facing pair, compiled.
@@ -138,6 +139,11 @@ pub struct ContactSite {
 }
 
 impl ContactSite {
+    /// The node as people are told of it: a corner of a girder by its number in plan, from 1 on, as readings and seats have it.
+    pub fn node_in_words(&self) -> String {
+        node_in_words(&self.node)
+    }
+
     /// Node and face as placed, the node at a place of its own.
     #[inline]
     pub fn geometry_at(&self, place: &NodePlace) -> ContactGeometry {
@@ -192,5 +198,34 @@ impl ContactSite {
     /// Distances of the node from G of its own body, and of the same point from G of the face's body, as an upper bound \[m\].
     pub(in crate::dynamics) fn levers(&self, here: &Local) -> [f64; 2] {
         [self.point.length() + self.half_edge(), self.face.corners[0].length() + here.gap.abs() + here.at.length()]
+    }
+}
+
+/// A corner of a girder, `deck.corner1-top` in tables, in words; any other node by its name.
+fn node_in_words(node: &str) -> String {
+    let found = node.rsplit_once(".corner").and_then(|(girder, rest)| {
+        let (number, key) = match rest.split_once('-') {
+            None => (rest, "node-corner"),
+            Some((number, "bottom")) => (number, "node-corner-bottom"),
+            Some((number, "top")) => (number, "node-corner-top"),
+            Some(_) => return None,
+        };
+        let corner = number.parse::<usize>().ok()? + 1;
+        Some(Text::new(key).with(&values!["girder" => girder, "corner" => corner]))
+    });
+    found.unwrap_or_else(|| node.to_owned())
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn corners_are_told_by_their_numbers_in_plan() {
+        assert_eq!(node_in_words("deck.corner1"), "deck corner 2");
+        assert_eq!(node_in_words("a.corner9.corner0-top"), "a.corner9 corner 1, top", "the last part alone");
+        for other in ["wall.edge", "deck.corner1-side", "deck.cornerx"] {
+            assert_eq!(node_in_words(other), other);
+        }
     }
 }

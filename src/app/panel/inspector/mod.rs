@@ -30,20 +30,22 @@ pub(in crate::app) fn show(ui: &mut Ui, document: &Document, replay: &Replay, ou
     if several > 1 {
         let scene = document.scene();
         let lead = match document.selection().lead() {
-            Some(Target::Girder(i)) => scene.girders.get(i).map(|girder| girder.name.as_str()),
-            Some(Target::Abutment(i)) => scene.abutments.get(i).map(|abutment| abutment.name.as_str()),
-            Some(Target::Pier(i)) => scene.piers.get(i).map(|pier| pier.name.as_str()),
-            Some(Target::Device(id)) => {
-                scene.devices().into_iter().find(|(known, _)| *known == id).map(|(_, device)| device.ends().name)
-            }
+            Some(Target::Girder(i)) => scene.girders.get(i).map(|girder| girder.name.clone()),
+            Some(Target::Abutment(i)) => scene.abutments.get(i).map(|abutment| abutment.name.clone()),
+            Some(Target::Pier(i)) => scene.piers.get(i).map(|pier| pier.name.clone()),
+            Some(Target::Device(id)) => scene
+                .devices()
+                .into_iter()
+                .find(|(known, _)| *known == id)
+                .map(|(_, device)| device.ends().name.to_owned()),
             Some(Target::Contact(contact)) => replay
                 .runner
                 .answer()
-                .map(|answer| answer.history.model().sites.get(contact).map_or("", |site| site.node.as_str())),
+                .and_then(|answer| Some(answer.history.model().sites.get(contact)?.node_in_words())),
             None => None,
         };
         let girder = matches!(document.selection().lead(), Some(Target::Girder(_)));
-        ui.label(RichText::new(text::several(several, lead.unwrap_or_default(), girder)).weak());
+        ui.label(RichText::new(text::several(several, lead.as_deref().unwrap_or_default(), girder)).weak());
     }
     let form = Form { scene: document.scene(), problems: replay.runner.problems() };
     let fresh = replay.runner.fresh_answer().map(|answer| &**answer);

@@ -79,7 +79,7 @@ fn contacts(ui: &mut Ui, answer: Option<&Answer>, pair: &Facing, out: &mut Vec<C
     let Some(run) = model.pairs.iter().find(|p| p.name == pair.name) else { return };
     ui.horizontal_wrapped(|ui| {
         for contact in run.sites.clone().take(MOST_PAIRS) {
-            let name = format!("{} | {}", model.sites[contact].node, model.sites[contact].face_name);
+            let name = format!("{} | {}", model.sites[contact].node_in_words(), model.sites[contact].face_name);
             if ui.small_button(name).on_hover_text(text::CONTACTS_OF_PAIR).clicked() {
                 out.push(SelectCommand::Only(Some(Target::Contact(contact))).into());
             }

@@ -281,8 +281,8 @@ mod tests {
             ..ImpactSettings::default()
         };
         let mode = |numbers: &ImpactSettings| {
-            let candidate = Candidate { excluded: Excluded { stick: true, site: None }, ..candidate.clone() };
-            select_modes(&model, &kinematics, &[candidate], numbers).and_then(|mut modes| modes.pop())
+            select_modes(&model, &kinematics, std::slice::from_ref(&candidate), numbers)
+                .and_then(|mut modes| modes.pop())
         };
         let at_end = mode(&of(0.35)).expect("a consistent mode");
         assert!(
@@ -290,7 +290,7 @@ mod tests {
             "{at_end:?}"
         );
         let turning = mode(&of(0.38)).expect("a consistent mode");
-        assert!(!turning.is_flush(), "with the friction of the face the corner turns it: {turning:?}");
+        assert!(!turning.is_flush(), "with the friction of the face at the corner it turns: {turning:?}");
     }
 
     #[test]
