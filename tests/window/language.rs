@@ -10,12 +10,13 @@ use girderbench::language::Language;
 use girderbench::scene::presets;
 use girderbench::view::Target;
 
-use super::harness::{bench, builder, open, press, settle, show, slide};
+use super::harness::{bench, builder, open, press, reach, settle, show, slide};
 
 #[test]
 fn the_language_is_chosen_in_the_menu_of_views_and_taken_back() {
     let mut harness = open(presets::OPENING);
     press(&mut harness, "View");
+    reach(&mut harness, "日本語");
     press(&mut harness, "日本語");
     assert_eq!(harness.state().window.language, Language::Japanese, "chosen");
     harness.run_steps(4);
@@ -67,7 +68,7 @@ fn what_a_girder_is_shown_with_is_japanese() {
     harness.state_mut().apply(AppearanceCommand::Language(Language::Japanese));
     harness.state_mut().apply(SelectCommand::Only(Some(Target::Girder(0))));
     harness.run_steps(10);
-    for words in ["計算値", "計算の最大応答", "配置", "条件", "桁長 a₀", "質量 m", "落橋しない"]
+    for words in ["計算値", "計算の最大応答", "配置", "条件", "桁長 a₀", "質量 m", "桁かかり内にとどまる"]
     {
         assert!(harness.query_all_by_label_contains(words).next().is_some(), "{words}");
     }

@@ -94,6 +94,7 @@ fn everything_can_be_larger_and_the_panels_step_back_in_a_lecture() {
     for (words, size) in [("200 %", 2.0), ("150 %", 1.5)] {
         harness.get_by_label("View").click();
         harness.run_steps(10);
+        reach(&mut harness, words);
         harness.get_by_label(words).click();
         harness.run_steps(10);
         settle(&mut harness);
@@ -104,6 +105,8 @@ fn everything_can_be_larger_and_the_panels_step_back_in_a_lecture() {
     assert!(harness.query_by_label("Reset").is_some() && harness.query_by_label("Placed").is_none(), "a lesson alone");
     harness.get_by_label("View").click();
     harness.run_steps(10);
+    harness.get_by_label_contains("Lecture hall").scroll_to_me();
+    harness.run_steps(40);
     harness.get_by_label_contains("Lecture hall").click();
     settle(&mut harness);
     assert!(harness.query_by_label("What if").is_some(), "and back");
@@ -139,7 +142,7 @@ fn a_contact_is_selected_by_its_name_and_tells_its_history() {
     settle(&mut harness);
     let contact = harness.state().replay.runner.answer().expect("run").history.hardest().expect("a hit").contact;
     let site = harness.state().replay.runner.answer().expect("run").history.model().sites[contact].clone();
-    let name = format!("{} | {}", site.node, site.face_name);
+    let name = format!("{} | {}", site.node_in_words(), site.face_name);
     reach(&mut harness, &name);
     harness.get_by_label(&name).click();
     settle(&mut harness);

@@ -17,7 +17,7 @@ use crate::view::{Bending, section_force};
 const MOST_FOLLOWED: usize = 8;
 
 /// What the menu leaves of a window's height for the bar above it \[points\].
-const ABOVE: f32 = 60.0;
+const ABOVE: f32 = 36.0;
 
 /// The menu of views beyond the standing ones; where it is higher than the window it scrolls.
 pub(in crate::app) fn menu(ui: &mut Ui, view: &SceneView, document: &Document, out: &mut Vec<Command>) {

@@ -93,7 +93,7 @@ pub(super) fn numbers(
 ) {
     let (field, painter) = (field(over), ui.painter_at(over.place));
     ui.painter().rect_filled(field, 2.0, palette.track);
-    let (small, line) = (FontId::proportional(10.5), Stroke::new(0.7, palette.line));
+    let (small, line) = (FontId::proportional(axis.letters()), Stroke::new(0.7, palette.line));
     for t in ticks(over.axis.window, f64::from(field.width()) / 90.0) {
         painter.vline(over.axis.x(t), field.y_range(), line);
     }

@@ -4,8 +4,15 @@ use egui_plot::GridMark;
 
 use crate::app::text;
 
-/// Least height of a chart \[points\]: between its free ends three numbers have room, whose distance is a quarter of that at least.
-pub(super) const LEAST_HEIGHT: f32 = 46.0;
+/// Least height of a chart: three ticks have room in it \[points\].
+pub(super) const LEAST_HEIGHT: f32 = 40.0;
+
+/// Height of a chart from which its numbers have their usual size: between its free ends three of them, a quarter of that apart at least, lie
+/// on none another \[points\].
+const ROOMY: f32 = 46.0;
+
+/// Size of the numbers along an axis, usual and in a lower chart \[points\].
+const LETTERS: [f32; 2] = [10.5, 8.8];
 
 /// Least distance of two numbers along an axis \[points\].
 const APART: f32 = 12.0;
@@ -13,8 +20,8 @@ const APART: f32 = 12.0;
 /// How far the ends of an axis stay free of numbers, so that none reaches into the next chart \[points\].
 const END: f32 = 5.0;
 
-/// Distance of two numbers, in [`APART`], below which one lies on another: a line of them is 8.5 points high.
-const CROWDED: f64 = 8.5 / 12.0;
+/// Height of a line of numbers in parts of their size \[–\]: closer than that one lies on another.
+const LINE: f32 = 0.81;
 
 /// Steps for an axis in which no round one has three numbers with room between them, in parts of a power of ten. Neighbours differ
 /// by a third at most: the largest with three numbers is then more than a quarter of the axis.
@@ -74,7 +81,16 @@ impl ValueAxis {
         let margin = self.per_point() * f64::from(END);
         let inside = [self.range[0] + margin, self.range[1] - margin];
         let room = f64::from((height - 2.0 * END) / APART);
-        if self.log { decades(inside, room.max(3.0)) } else { round(inside, room) }
+        if self.log {
+            decades(inside, room.max(3.0))
+        } else {
+            round(inside, room, f64::from(LINE * self.letters() / APART))
+        }
+    }
+
+    /// Size of its numbers \[points\].
+    pub(super) fn letters(&self) -> f32 {
+        LETTERS[usize::from(self.edges[1] - self.edges[0] < ROOMY)]
     }
 }
 
@@ -103,8 +119,8 @@ impl Ticks {
 }
 
 /// Multiples of the largest of 1, 2, 2.5, 5, … that has three of them inside; every other where not all fit into a room of so many
-/// [`APART`].
-fn round([low, high]: [f64; 2], room: f64) -> Ticks {
+/// [`APART`], which none is closer to another than `line` of these.
+fn round([low, high]: [f64; 2], room: f64, line: f64) -> Ticks {
     let (span, fit) = (high - low, room.max(3.0));
     if !(span.is_finite() && span > 0.0) {
         return Ticks::default();
@@ -122,7 +138,7 @@ fn round([low, high]: [f64; 2], room: f64) -> Ticks {
     let count = multiples(step).1;
     // Five or six in too little room: every other one is three.
     let every: u8 = if count > fit && count >= 5.0 { 2 } else { 1 };
-    let crowded = step * f64::from(every) / span * room < CROWDED;
+    let crowded = step * f64::from(every) / span * room < line;
     let less_round = LESS_ROUND.iter().map(|m| m * power).find(|step| multiples(*step).1 >= 3.0);
     let (step, every) = less_round.filter(|_| crowded).map_or((step, every), |step| (step, 1));
     let (first, count) = multiples(step);
@@ -221,7 +237,7 @@ mod tests {
             let ticks = axis.ticks();
             assert!(ticks.values.len() >= 3, "{axis:?}: {ticks:?}");
             let gaps = ticks.values.windows(2).map(|two| axis.y(two[0]) - axis.y(two[1]));
-            assert!(gaps.clone().all(|gap| gap > 8.4), "{axis:?}: {:?}", gaps.collect::<Vec<_>>());
+            assert!(gaps.clone().all(|gap| gap > 0.8 * axis.letters()), "{axis:?}: {:?}", gaps.collect::<Vec<_>>());
             let words: Vec<String> = ticks.values.iter().map(|v| ticks.words(*v, 1.0 / scale)).collect();
             assert!(words.windows(2).all(|two| two[0] != two[1]), "told apart: {words:?}");
         }
