@@ -81,11 +81,8 @@ impl ValueAxis {
         let margin = self.per_point() * f64::from(END);
         let inside = [self.range[0] + margin, self.range[1] - margin];
         let room = f64::from((height - 2.0 * END) / APART);
-        if self.log {
-            decades(inside, room.max(3.0))
-        } else {
-            round(inside, room, f64::from(LINE * self.letters() / APART))
-        }
+        let line = f64::from(LINE * self.letters() / APART);
+        if self.log { decades(inside, room.max(3.0), line) } else { round(inside, room, line) }
     }
 
     /// Size of its numbers \[points\].
@@ -148,7 +145,7 @@ fn round([low, high]: [f64; 2], room: f64, line: f64) -> Ticks {
 }
 
 /// Powers of ten, and 2 and 5 times them where there are fewer than three; within less than a decade round values.
-fn decades([low, high]: [f64; 2], fit: f64) -> Ticks {
+fn decades([low, high]: [f64; 2], fit: f64, line: f64) -> Ticks {
     let at = |multiples: &[f64]| -> Vec<f64> {
         #[expect(clippy::cast_possible_truncation, reason = "decimal exponents of doubles")]
         let powers = (low.floor() as i64)..=(high.floor() as i64);
@@ -161,7 +158,7 @@ fn decades([low, high]: [f64; 2], fit: f64) -> Ticks {
     let powers: Vec<f64> = powers.into_iter().step_by(every).collect();
     let more = [powers, at(&[1.0, 3.0]), at(&[1.0, 2.0, 5.0])];
     let values = more.into_iter().find(|values| values.len() >= 3).unwrap_or_else(|| {
-        let linear = round([low, high].map(|end| 10f64.powf(end)), fit);
+        let linear = round([low, high].map(|end| 10f64.powf(end)), fit, line);
         linear.values.into_iter().map(f64::log10).collect()
     });
     Ticks { values, step: 1.0, log: true }
