@@ -22,6 +22,8 @@ const ABOVE: f32 = 36.0;
 /// The menu of views beyond the standing ones; where it is higher than the window it scrolls.
 pub(in crate::app) fn menu(ui: &mut Ui, view: &SceneView, document: &Document, out: &mut Vec<Command>) {
     let room = ui.content_rect().height() - ABOVE;
+    // A menu has the room of a small window until it asks for more.
+    ui.set_max_height(room);
     ScrollArea::vertical().max_height(room).show(ui, |ui| items(ui, view, document, out));
 }
 
