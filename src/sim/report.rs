@@ -85,7 +85,7 @@ impl ContactState {
 /// A closed contact at one instant. Forces act on the body that owns the node; the face's body gets the opposite.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct ContactNow {
-    /// Its number in [`Model::contacts`](crate::dynamics::Model::contacts).
+    /// Its number in [`Model::sites`](crate::dynamics::Model::sites).
     pub contact: usize,
     /// The facing pair, its number in [`Model::pairs`](crate::dynamics::Model::pairs).
     pub pair: usize,
