@@ -31,8 +31,12 @@ pub(super) fn warn(scene: &Scene, console: &mut Console) {
         console.note(&said!("warning-more-outside", "more" => more));
     }
     off_their_seats(scene, console);
-    for words in scene.unused_values().into_iter().take(MOST_WARNINGS) {
+    let unused = scene.unused_values();
+    for words in unused.iter().take(MOST_WARNINGS) {
         console.note(&said!("note", "words" => words.to_string()));
+    }
+    if let Some(more) = unused.len().checked_sub(MOST_WARNINGS).filter(|more| *more > 0) {
+        console.note(&said!("note", "words" => said!("more", "count" => more)));
     }
 }
 

@@ -71,12 +71,17 @@ impl Settings {
         scale.clamp(0.5, 4.0)
     }
 
+    /// Takes a choice for this window alone.
+    pub fn choose(&mut self, chosen: Chosen) {
+        self.chosen = chosen;
+    }
+
     /// Keeps what was chosen.
     ///
     /// # Errors
     /// When the file cannot be written; it is chosen all the same.
     pub fn keep(&mut self, chosen: Chosen) -> Result<(), WriteError> {
-        self.chosen = chosen;
+        self.choose(chosen);
         let written = Written {
             language: chosen.language.map(|language| language.code().to_owned()),
             theme: chosen.dark.map(|dark| (if dark { DARK } else { LIGHT }).to_owned()),

@@ -52,12 +52,13 @@ pub fn response(samples: &[f64], dt: f64, period: f64, damping: f64) -> Response
     let mut walk = |force: f64, rate: f64, steps: f64, (step, leap): (&Step, Option<&Step>)| {
         let mut done = 0.0;
         while done < steps {
-            let next = step.advance(state, force + rate * done * step.tau(), rate);
+            let here = force + rate * done * step.tau();
+            let next = step.advance(state, here, rate);
             let [about, x] = step.largest(state, next);
             if about > most * (1.0 - CUBIC) {
                 let inner = x > 0.0 && x < 1.0;
-                let driven = [force + rate * done * step.tau(), rate];
-                most = most.max(if inner { peak([omega, damping], state, driven, x * step.tau()) } else { about });
+                most =
+                    most.max(if inner { peak([omega, damping], state, [here, rate], x * step.tau()) } else { about });
             }
             (state, done) = (next, done + 1.0);
         }

@@ -1,7 +1,7 @@
 //! What a scene gives and its run does not use, in words.
 
 use super::shown::escaped;
-use super::{Direction, Girder, Motion, Scene};
+use super::{Direction, Girder, GroundId, Motion, Scene};
 use crate::language::{Message, Text, message};
 
 impl Scene {
@@ -15,7 +15,8 @@ impl Scene {
     /// A wave while no ground moves, and a support's factor of a ground that does not.
     fn idle_motions(&self) -> Vec<Message> {
         let still = |ground: Option<&str>| {
-            let motion = ground.map_or(Some(&self.motion), |name| self.motion_of_named(name));
+            let named = |name: &str| self.ground_named(name).map(GroundId::Named);
+            let motion = ground.map_or(Some(GroundId::Reference), named).and_then(|id| self.motion_of(id));
             matches!(motion, Some(Motion::None))
         };
         let wave = self.wave.filter(|_| self.motions().all(|(_, motion)| matches!(motion, Motion::None)));
@@ -24,10 +25,6 @@ impl Scene {
         let idle = abutments.chain(piers).filter(|(_, factor, ground)| factor.is_some() && still(*ground));
         let factors = idle.map(|(name, ..)| message!("unused-factor", "name" => escaped(name).into_owned()));
         wave.map(|_| Message::from(Text::new("unused-wave"))).into_iter().chain(factors).collect()
-    }
-
-    fn motion_of_named(&self, name: &str) -> Option<&Motion> {
-        self.grounds.iter().find(|ground| ground.name == name).map(|ground| &ground.motion)
     }
 }
 

@@ -203,7 +203,7 @@ impl History {
 
     /// Largest difference in displacement of G from another run of the same bodies \[m\].
     pub fn difference(&self, other: &Self) -> f64 {
-        self.apart(other, self.model().bodies.len().min(other.model().bodies.len())).place
+        self.differences(other).place
     }
 
     /// Largest differences of all bodies from another run of the same bodies.
@@ -213,13 +213,18 @@ impl History {
 
     /// Largest differences of the girders from those of another run, by their numbers, as far as both have them.
     pub fn girders_apart(&self, other: &Self) -> RunDifference {
-        self.apart(other, self.model().girders().len().min(other.model().girders().len()))
+        self.apart(other, self.girders_of_both(other))
+    }
+
+    fn girders_of_both(&self, other: &Self) -> usize {
+        self.model().girders().len().min(other.model().girders().len())
     }
 
     /// The same at `t` \[s\].
     pub fn girders_apart_at(&self, other: &Self, t: f64) -> RunDifference {
-        let both = self.model().girders().len().min(other.model().girders().len());
-        (0..both).map(|body| self.apart_at(other, body, t)).fold(RunDifference::default(), RunDifference::larger)
+        (0..self.girders_of_both(other))
+            .map(|body| self.apart_at(other, body, t))
+            .fold(RunDifference::default(), RunDifference::larger)
     }
 
     /// Largest differences of the first so many bodies, at evenly spaced instants.

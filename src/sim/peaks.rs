@@ -11,8 +11,8 @@ pub(super) fn exceeds(value: f64, seen: f64) -> bool {
     value > seen + PLATEAU * seen.abs()
 }
 
-/// Part of the highest look from which another one counts as the foot of a peak that may be higher \[–\]: looks are as close as a bearing, the
-/// ground and a contact let a value change by less.
+/// Part of the highest look from which a peak beside another look may be higher and is looked for \[–\]. Chosen: between looks, ten or more a
+/// period of the fastest motion, a value rises by less.
 pub(super) const NEAR: f64 = 0.9;
 /// Steps of a golden-section search: they leave `0.618³⁶ = 3e-8` of the interval. A peak is flat: its height is right to the last digits when
 /// its place is right to half of them.

@@ -109,6 +109,7 @@ fn everything_can_be_larger_and_the_panels_step_back_in_a_lecture() {
     harness.run_steps(40);
     harness.get_by_label_contains("Lecture hall").click();
     settle(&mut harness);
+    assert_eq!(harness.ctx.zoom_factor(), 1.5, "as large as was chosen");
     assert!(harness.query_by_label("What if").is_some(), "and back");
 }
 

@@ -18,7 +18,7 @@ impl Workbench {
     pub(in crate::app) fn apply_all(&mut self, ui: &Ui, commands: Vec<Command>) {
         let before = self.state_shown();
         for command in commands {
-            dress(ui, &command, self.view.display.sight.lecture);
+            dress(ui, &command, self.view.display.sight.lecture, self.files.session.chosen().scale);
             self.apply(command);
         }
         if let Some(answer) = self.replay.runner.answer() {
@@ -149,7 +149,7 @@ impl Workbench {
                 chosen.language = Some(language);
             }
             AppearanceCommand::Theme(theme) => chosen.dark = Some(theme == Theme::Dark),
-            AppearanceCommand::Scale(scale) => chosen.scale = Some(scale),
+            AppearanceCommand::Scale(scale) => chosen.scale = Some(Settings::scale_within(scale)),
         }
         let kept = self.files.session.keep(chosen);
         self.window.say_failure(kept);
@@ -199,8 +199,8 @@ pub(in crate::app) fn dress_as_chosen(context: &egui::Context, chosen: &Chosen) 
     }
 }
 
-/// What a command changes in egui's context: theme and size.
-fn dress(ui: &Ui, command: &Command, lecture: bool) {
+/// What a command changes in egui's context: theme and size; out of the lecture hall the one that was chosen.
+fn dress(ui: &Ui, command: &Command, lecture: bool, chosen: Option<f32>) {
     match command {
         Command::Appearance(AppearanceCommand::Theme(theme)) => ui.set_theme(*theme),
         Command::Appearance(AppearanceCommand::Scale(scale)) => ui.set_zoom_factor(Settings::scale_within(*scale)),
@@ -209,6 +209,6 @@ fn dress(ui: &Ui, command: &Command, lecture: bool) {
     if let Command::View(ViewCommand::Sight(sight)) = command
         && sight.lecture != lecture
     {
-        ui.set_zoom_factor(if sight.lecture { LECTURE } else { 1.0 });
+        ui.set_zoom_factor(if sight.lecture { LECTURE } else { chosen.unwrap_or(1.0) });
     }
 }

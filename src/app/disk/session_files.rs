@@ -115,12 +115,13 @@ impl SessionFiles {
         self.settings.chosen()
     }
 
-    /// Keeps what was chosen for the next start.
+    /// Keeps what was chosen, for the next start too where there is a folder for it.
     ///
     /// # Errors
     /// In words: the settings cannot be written.
     pub(in crate::app) fn keep(&mut self, chosen: Chosen) -> Result<(), String> {
         if self.folder.is_none() {
+            self.settings.choose(chosen);
             return Ok(());
         }
         self.settings.keep(chosen).map_err(|e| e.to_string())

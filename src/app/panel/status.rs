@@ -93,7 +93,7 @@ fn soils(ui: &mut Ui, answer: &Answer, out: &mut Vec<Command>) {
     let beyond = || answer.soils().iter().filter_map(|soil| Some((soil, soil.fails()?)));
     let Some((soil, _)) = beyond().next() else { return };
     let words: Vec<String> = beyond().map(|(_, words)| words).collect();
-    let label = ui.link(RichText::new(text::SOIL_BEYOND).color(Palette::of(ui).problem));
+    let label = ui.link(RichText::new(text::SOIL_OVERPUSHED).color(Palette::of(ui).problem));
     if label.on_hover_text(format!("{}\n{}", words.join("\n"), text::GO_THERE)).clicked() {
         let abutments = &answer.history.scene().abutments;
         if let Some(number) = abutments.iter().position(|abutment| abutment.name == soil.abutment) {

@@ -8,7 +8,7 @@ use egui_plot::{FilledArea, Plot, PlotBounds, PlotUi, VLine};
 
 use crate::app::command::{Command, PlotCommand};
 use crate::app::plot::charts::{Chart, Drawn};
-use crate::app::plot::value_axis::{Ticks, ValueAxis, fitting};
+use crate::app::plot::value_axis::{Ticks, ValueAxis, WHEEL, fitting};
 use crate::app::plot::{dashes, legend, resolution};
 use crate::app::style::theme::Palette;
 use crate::app::text;
@@ -79,7 +79,7 @@ fn interact(ui: &mut Ui, chart: &Chart<'_>, over: &Over<'_>, axis: &ValueAxis, o
     let (scroll, alt) = ui.input(|i| (i.smooth_scroll_delta.y, i.modifiers.alt));
     let at = ui.input(|i| i.pointer.hover_pos()).filter(|at| response.hovered() || (alt && field.contains(*at)));
     if let Some(at) = at.filter(|_| scroll != 0.0 && ui.rect_contains_pointer(over.place)) {
-        show(Some(axis.zoomed((-f64::from(scroll) * 0.005).exp(), at.y)));
+        show(Some(axis.zoomed(f64::from(-scroll * WHEEL).exp(), at.y)));
     }
     response.on_hover_text(text::VALUES_HINT);
 }

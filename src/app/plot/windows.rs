@@ -9,7 +9,7 @@ use crate::app::plot::charts::look;
 use crate::app::plot::resolution;
 use crate::app::plot::sampled::Sampled;
 use crate::app::plot::source::Source;
-use crate::app::plot::value_axis::{fitting, grid_marks};
+use crate::app::plot::value_axis::{WHEEL, fitting, grid_marks};
 use crate::app::style::theme::Palette;
 use crate::app::text;
 use crate::scene::edit::Edit;
@@ -67,9 +67,6 @@ fn names(ui: &mut Ui, panel: &Sampled, unit: &str) {
         ui.label(RichText::new(panel.y.replacen(panel.unit, unit, 1)).small().weak());
     });
 }
-
-/// Zoom by the wheel, per point that it scrolls \[–\], as over the plots against time.
-const WHEEL: f32 = 0.005;
 
 /// Whether this is not the next frame after one in which it was shown too: a window that is opened anew shows everything.
 fn is_new(ui: &Ui, id: Id) -> bool {

@@ -413,3 +413,27 @@ fn a_face_pressed_at_its_end_slides_by_the_lever_of_its_corner_however_the_groun
         within("lost in friction [J]", lost - 10.0 * ratio * exact.abs(), 1e-8);
     }
 }
+
+/// The same with kinetic friction of the face below b/a and static above: once the end opens, the face slides under pressure at both ends,
+/// ÿ = −(6 t − 3.6)/2 from t₀ on.
+#[test]
+fn a_face_that_opens_at_its_end_slides_flush_where_its_kinetic_friction_does_not_turn_it() {
+    let start: f64 = 10.0 * 7.0 / 19.0 / 6.0;
+    let record =
+        RecordMotion { samples: Some(vec![0.0, 3.0]), dt: Some(1.0), angle_deg: 90.0, ..RecordMotion::default() };
+    let mut deck = girder(0.19, 0.07, 90.0);
+    deck.push.force = [10.0, 0.0, 0.0];
+    let impact = ImpactSettings {
+        mu_static: 0.4,
+        mu_kinetic: 0.36,
+        corner_mu_static: Some(0.36),
+        corner_mu_kinetic: Some(0.35),
+        ..ImpactSettings::default()
+    };
+    let history = run(&Scene { motion: Motion::Record(record), ..scene(deck, 0.0, 0.99, impact) });
+    let (t, from) = (0.99_f64, start);
+    let speed = |t: f64| 0.5 * t.powi(3) - 0.9 * t * t;
+    let exact = -(speed(t) - speed(from) - (1.5 * from * from - 1.8 * from) * (t - from));
+    within("place [m]", history.motion(0, t).displacement.y - exact, 1e-9);
+    assert!(history.without_friction().is_none(), "with friction all the time");
+}

@@ -4,10 +4,11 @@
 //! Then, in this order,
 //!
 //! 1. slips below the stop speed become stick;
-//! 2. **impact without collision**: friction stops slips at once, the slowest first and as few as needed, by the least
+//! 2. a face at rest that opens at one end slips along it, with pressure at both ends, where its friction has fallen to the kinetic;
+//! 3. **impact without collision**: friction stops slips at once, the slowest first and as few as needed, by the least
 //!    impulses that stop them and let no point approach (an orthogonal projection in the mass metric: no energy is added);
-//! 3. otherwise the contacts go on without friction for one step of the integrator, which always has a solution, and are
-//!    selected again.
+//! 4. otherwise the contacts go on without friction to the end of the planned step, which always has a solution, and are
+//!    selected again; the run says so.
 
 use glam::DVec3;
 
@@ -33,13 +34,14 @@ pub(in crate::dynamics::impact2d) fn consistent_modes(
     if let Some(modes) = modes_or_slow_stick(world, &instant.kinematics, &mut all) {
         return (all, modes);
     }
-    if matches!(ending, Some(Ending::Opens(_))) {
-        // The face at rest has ended, not a slip along it with pressure at both ends.
-        for candidate in &mut all {
+    if let Some(Ending::Opens(site)) = ending {
+        // Of the contact that opens at one end: what has ended is the face at rest, not a slip with pressure at both ends.
+        let mut again = candidates(world, instant, ending);
+        for candidate in again.iter_mut().filter(|candidate| candidate.sites.contains(&site)) {
             candidate.excluded = Excluded { stick: true, site: None };
         }
-        if let Some(modes) = select_modes(&world.model, &instant.kinematics, &all, &world.model.impact) {
-            return (all, modes);
+        if let Some(modes) = select_modes(&world.model, &instant.kinematics, &again, &world.model.impact) {
+            return (again, modes);
         }
     }
     let mut slipping: Vec<(f64, usize, ContactPoint)> = all
