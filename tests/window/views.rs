@@ -109,7 +109,15 @@ fn everything_can_be_larger_and_the_panels_step_back_in_a_lecture() {
     harness.run_steps(40);
     harness.get_by_label_contains("Lecture hall").click();
     settle(&mut harness);
+    assert!(!harness.state().view.display.sight.lecture, "off");
     assert_eq!(harness.ctx.zoom_factor(), 1.5, "as large as was chosen");
+    // Panels that fold for want of room at that size are there again at the usual one.
+    harness.get_by_label("View").click();
+    harness.run_steps(10);
+    reach(&mut harness, "100 %");
+    harness.get_by_label("100 %").click();
+    harness.run_steps(10);
+    settle(&mut harness);
     assert!(harness.query_by_label("What if").is_some(), "and back");
 }
 
