@@ -52,10 +52,14 @@ impl Settings {
     pub fn open(file: PathBuf) -> Self {
         let bytes = read_regular(&file, LARGEST_INPUT).unwrap_or_default();
         let written: Written = toml::from_slice(&bytes).unwrap_or_default();
-        let dark = written.theme.and_then(|theme| [LIGHT, DARK].iter().position(|word| *word == theme));
+        let dark = |theme: String| match theme.as_str() {
+            LIGHT => Some(false),
+            DARK => Some(true),
+            _ => None,
+        };
         let chosen = Chosen {
             language: written.language.and_then(|code| code.parse().ok()),
-            dark: dark.map(|number| number == 1),
+            dark: written.theme.and_then(dark),
             scale: written.scale.filter(|scale| scale.is_finite()).map(Self::scale_within),
         };
         Self { file, chosen }

@@ -13,7 +13,7 @@ use crate::tables::{BackfillReport, PierReport, Report};
 const SMALL_SHARE: f64 = 1e-3;
 
 /// Where the answer does not hold or a designer must look, a line each: girders that bend beyond their model, bearings that lift or pull,
-/// bodies inside each other without a contact, contacts beyond the sense of their law.
+/// bodies inside each other without a contact, contacts beyond the sense of their law, contacts that went on without friction.
 pub(super) fn departures(report: &Report) -> String {
     let millimetres = |metres: f64| format!("{:.3} mm", 1e3 * metres);
     let time = |t: f64| format!("{t:.4}");
@@ -51,6 +51,7 @@ pub(super) fn departures(report: &Report) -> String {
     let line = |words: String| format!("<p class=\"no\">{}</p>\n", escape(&words));
     bending::departures(report)
         .chain(report.uncertain())
+        .chain(report.without_friction.clone())
         .chain(report.backfill.iter().filter_map(BackfillReport::fails))
         .chain(report.piers.iter().filter_map(PierReport::second_order_counts))
         .chain(lost)

@@ -101,8 +101,12 @@ struct Row {
 }
 
 impl Row {
-    fn new(name: &str, words: fn(&Answer) -> String, there: fn(&Answer) -> Option<Spot>) -> Self {
-        Self { name: name.to_owned(), words: Box::new(words), there: Some(Box::new(there)) }
+    fn new(name: &str, words: impl Fn(&Answer) -> String + 'static) -> Self {
+        Self { name: name.to_owned(), words: Box::new(words), there: None }
+    }
+
+    fn seen(self, there: impl Fn(&Answer) -> Option<Spot> + 'static) -> Self {
+        Self { there: Some(Box::new(there)), ..self }
     }
 }
 
@@ -115,31 +119,25 @@ const NONE: &str = "–";
 /// The numbers of these runs, of which the first is shown.
 fn rows(runs: &[&Answer]) -> Vec<Row> {
     let mut rows = vec![
-        Row::new(&text::MOVES, |a| text::length(a.summary.max_displacement), |a| Spot::farthest(&a.history)),
-        Row::new(
-            &text::TURNS,
-            |a| format!("{}°", text::short(a.summary.max_rotation.to_degrees())),
-            |a| Spot::most_turned(&a.history),
-        ),
+        Row::new(&text::MOVES, |a| text::length(a.summary.max_displacement)).seen(|a| Spot::farthest(&a.history)),
+        Row::new(&text::TURNS, |a| format!("{}°", text::short(a.summary.max_rotation.to_degrees())))
+            .seen(|a| Spot::most_turned(&a.history)),
     ];
     if runs.iter().any(|run| run.least_seat().is_some()) {
-        rows.push(Row::new(
-            &text::LEAST_SEAT,
-            |a| a.least_seat().map_or_else(|| NONE.to_owned(), |(_, least)| text::length(least.value)),
-            |a| a.least_seat().map(|(girder, least)| Spot::girder(girder, least.t)),
-        ));
+        let least = |a: &Answer| a.least_seat().map_or(NONE.to_owned(), |(_, least)| text::length(least.value));
+        let there = |a: &Answer| a.least_seat().map(|(girder, least)| Spot::girder(girder, least.t));
+        rows.push(Row::new(&text::LEAST_SEAT, least).seen(there));
     }
     rows.extend([
-        Row::new(&text::PEAK, |a| text::force(a.summary.peak_total), |a| Spot::hardest(&a.history)),
-        Row::new(&text::HITS, |a| a.summary.hits.to_string(), |a| Spot::first_touch(&a.history)),
-        Row { there: None, ..Row::new(&text::LOST, |a| text::energy(a.lost()), |_| None) },
+        Row::new(&text::PEAK, |a| text::force(a.summary.peak_total)).seen(|a| Spot::hardest(&a.history)),
+        Row::new(&text::HITS, |a| a.summary.hits.to_string()).seen(|a| Spot::first_touch(&a.history)),
+        Row::new(&text::LOST, |a| text::energy(a.lost())),
     ]);
     rows.extend(devices(runs).into_iter().map(|name| {
         let [of, at] = [name.to_owned(), name.to_owned()];
-        let words =
-            move |a: &Answer| a.device(&of).map_or_else(|| NONE.to_owned(), |reading| text::force(reading.force.value));
+        let words = move |a: &Answer| a.device(&of).map_or(NONE.to_owned(), |reading| text::force(reading.force.value));
         let there = move |a: &Answer| Spot::device(&a.history, a.device(&at)?);
-        Row { name: text::force_of(name), words: Box::new(words), there: Some(Box::new(there)) }
+        Row::new(&text::force_of(name), words).seen(there)
     }));
     rows
 }

@@ -71,8 +71,7 @@ fn names(ui: &mut Ui, panel: &Sampled, unit: &str) {
 /// Whether this is not the next frame after one in which it was shown too: a window that is opened anew shows everything.
 fn is_new(ui: &Ui, id: Id) -> bool {
     let now = ui.ctx().cumulative_frame_nr();
-    let last = ui.data_mut(|data| data.get_temp_mut_or(id.with("shown"), now).to_owned());
-    ui.data_mut(|data| data.insert_temp(id.with("shown"), now));
+    let last = ui.data_mut(|data| std::mem::replace(data.get_temp_mut_or(id.with("shown"), now), now));
     now > last + 1
 }
 

@@ -58,7 +58,7 @@ fn modes(world: &World, instant: &mut ImpactInstant, ending: Option<Ending>, gro
     let (mut candidates, modes) = consistent_modes(world, instant, ending, ground);
     let mut slips_on = false;
     for candidate in &mut candidates {
-        let sticks = modes.iter().any(|mode| mode.pair == candidate.pair && mode.friction == FrictionMode::Stick);
+        let sticks = modes.iter().any(|mode| mode.pair == candidate.pair && mode.friction.sticks());
         let v_s = tangential_speed(&instant.kinematics.cluster, &candidate.points);
         if candidate.slip == 0.0 && !sticks && v_s.abs() > instant.speed_noise {
             (candidate.slip, slips_on) = (v_s.signum(), true);
@@ -196,7 +196,7 @@ fn log_change(
     let to_wall = pair.is_some_and(|pair| world.model.pairs[pair].bodies.contains(&None));
     // The tables know one coefficient of a face and its corners, and friction that something agrees with.
     let outside = |mode: &ContactMode| {
-        matches!(mode.friction, FrictionMode::SlipAtEnd { .. } | FrictionMode::Frictionless)
+        matches!(mode.friction, FrictionMode::SlipAtEnd { .. } | FrictionMode::Wedged | FrictionMode::Frictionless)
             && concerns(world, instant, mode.pair, place)
     };
     let by_tables = to_wall && now != after_hits && !modes.iter().any(outside);

@@ -69,12 +69,19 @@ pub(super) const ACTIVE_SET_RESIDUAL: f64 = 1e-13;
 /// the load as if each gave by this little; the
 /// shares then keep ε/1e-12, some four digits, and sums of them all.
 pub(super) const REDUNDANCY_COMPLIANCE: f64 = 1e-12;
+/// Residual of accelerations, in parts of the free ones in the mass metric, up to which reactions within the friction cones balance \[–\]:
+/// ten thousand times [`REDUNDANCY_COMPLIANCE`], by which forces that balance themselves enter, as large as they are beside the pushes.
+pub(super) const CONE_RESIDUAL: f64 = 1e-8;
+/// Halvings of an interval that bracket the time from which on a mode is consistent again: to 1e-12 of the interval.
+pub(super) const CONSISTENCY_HALVINGS: usize = 40;
 
 // Contact modes.
 
 /// Combinations of contact modes that are tried one by one. A flush pair at rest has ten options, so three such pairs are
 /// enumerated and more are relaxed pair by pair.
 pub(super) const MODE_COMBINATIONS: usize = 4096;
+/// Combinations that are tried one by one where relaxation finds none: a combination costs some 4 µs, all of them half a second. Tuned.
+pub(super) const MODE_COMBINATIONS_LEFT: usize = 1 << 17;
 /// Sweeps over the pairs when modes are relaxed pair by pair. Tuned.
 pub(super) const MODE_SWEEPS: usize = 64;
 

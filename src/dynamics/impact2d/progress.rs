@@ -4,7 +4,11 @@ use crate::dynamics::event_loop::event_queue::Source;
 use crate::dynamics::event_loop::schedule::Schedule;
 use crate::dynamics::free_flight::body_motion::BodyFlight;
 use crate::dynamics::impact2d::closing::next_impact::next_impact;
-use crate::dynamics::impact2d::constants::{CUT_SHORT_WORK, EVENTS_BEFORE_LEAST_DURATION, LEAST_DURATION, LEAST_SCALE};
+use crate::dynamics::impact2d::constants::{
+    CONSISTENCY_HALVINGS, CUT_SHORT_WORK, EVENTS_BEFORE_LEAST_DURATION, LEAST_DURATION, LEAST_SCALE, SWITCHING_SAMPLES,
+};
+use crate::dynamics::impact2d::lasting::lasting_contact::Ending;
+use crate::dynamics::impact2d::lasting::painleve;
 use crate::dynamics::impact2d::record::{LastingInterval, Record};
 use crate::dynamics::impact2d::tracks::Motion;
 use crate::dynamics::impact2d::world::World;
@@ -80,12 +84,36 @@ impl ImpactProgress {
         let repeated = self.last.0 == contact.until && self.last.1 > EVENTS_BEFORE_LEAST_DURATION;
         let least = if repeated { LEAST_DURATION * duration } else { 0.0 };
         let planned = contact.plan(model, [place, speed], [least, cap]);
-        let until = contact.until;
-        match planned {
-            Ok(()) => self.schedule.queue.set(Self::lasting(number), until),
-            Err(reason) => self.schedule.give_up(until, self.world.names(&contact.bodies), reason.into()),
+        let mut until = contact.until;
+        if let Err(reason) = planned {
+            self.schedule.give_up(until, self.world.names(&contact.bodies), reason.into());
         }
+        let for_want_of_another = contact.is_for_want_of_another();
         self.world.lasting[number] = Some(contact);
+        if for_want_of_another
+            && let Some(t) = self.superseded(number, least)
+            && let Some(contact) = &mut self.world.lasting[number]
+        {
+            (until, contact.until, contact.ending) = (t, t, Some(Ending::Superseded));
+        }
+        self.schedule.queue.set(Self::lasting(number), until);
+    }
+
+    /// First time in the planned step of a lasting contact, whose modes are for want of others, from which on others agree with Coulomb's law
+    /// or its own hold no more \[s\].
+    fn superseded(&self, number: usize, least: f64) -> Option<f64> {
+        let contact = self.world.lasting[number].as_ref()?;
+        let slots = self.world.slots(&contact.bodies);
+        let changes = |t: f64| !painleve::must_go_on(&self.world, t, &slots, &contact.modes);
+        let (from, until) = ((contact.from + least).min(contact.until), contact.until);
+        let sample = |k: usize| from + (until - from) * k as f64 / SWITCHING_SAMPLES as f64;
+        let first = (1..SWITCHING_SAMPLES).find(|&k| changes(sample(k)))?;
+        let [mut before, mut after] = [sample(first - 1), sample(first)];
+        for _ in 0..CONSISTENCY_HALVINGS {
+            let middle = before.midpoint(after);
+            *if changes(middle) { &mut after } else { &mut before } = middle;
+        }
+        Some(after)
     }
 
     /// Stores the motion of a body until `t`.

@@ -8,7 +8,7 @@ use glam::DVec2;
 use crate::dynamics::impact2d::constants::{PLACE_ROUNDING, REDUNDANCY_COMPLIANCE, REST_SNAP_ROUNDINGS};
 use crate::dynamics::impact2d::delassus::{ContactPoint, centre};
 use crate::dynamics::impact2d::instant::ImpactInstant;
-use crate::dynamics::impact2d::lasting::constrained_motion::{ContactMode, FrictionMode};
+use crate::dynamics::impact2d::lasting::constrained_motion::ContactMode;
 use crate::dynamics::impact2d::world::World;
 use crate::dynamics::integrator::dense_lu::solve_regularised;
 use crate::dynamics::model::coordinates::planar::RATES;
@@ -54,7 +54,7 @@ fn kept_rows(world: &World, instant: &ImpactInstant, modes: &[ContactMode]) -> V
     for mode in modes {
         let points = mode.points(&world.model, &instant.kinematics);
         rows.extend(points.iter().map(|p| (*p, p.n, p.gap)));
-        if mode.friction == FrictionMode::Stick {
+        if mode.friction.sticks() {
             let centre = centre(&points);
             rows.push((centre, centre.s, 0.0));
         }
@@ -80,7 +80,7 @@ fn stop_resting_bodies(world: &World, instant: &mut ImpactInstant, modes: &[Cont
     for (place, state) in instant.states.iter_mut().enumerate() {
         let rests = modes.iter().any(|mode| {
             mode.is_flush()
-                && mode.friction == FrictionMode::Stick
+                && mode.friction.sticks()
                 && instant.kinematics.places(&world.model, mode.pair).contains(&Some(place))
         });
         let own = &world.bodies[instant.slots[place]];
@@ -97,6 +97,7 @@ fn stop_resting_bodies(world: &World, instant: &mut ImpactInstant, modes: &[Cont
 mod tests {
     use super::*;
     use crate::dynamics::impact2d::example;
+    use crate::dynamics::impact2d::lasting::constrained_motion::FrictionMode;
 
     /// A straight girder flush at its wall, then moved by `x` and given this velocity \[m\], \[m/s\].
     fn moved(x: f64, v: [f64; 2]) -> (World, ImpactInstant, ContactMode) {

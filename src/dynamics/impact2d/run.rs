@@ -91,8 +91,7 @@ impl ImpactRun {
     fn end_of_step(&mut self, number: usize, t: f64) {
         let Some(contact) = &self.run.world.lasting[number] else { return };
         let slots = self.run.world.slots(&contact.bodies);
-        let (ending, decide_anew) = (contact.ending, contact.is_frictionless());
-        if let Some(ending) = ending {
+        if let Some(ending) = contact.ending {
             if let Ending::LeavesFace(number) = ending
                 && let Some(site) = self.run.world.site(number)
             {
@@ -100,10 +99,6 @@ impl ImpactRun {
                 (site.beside, site.armed, site.kept) = (true, false, false);
             }
             self.act(t, &slots, Some(ending));
-            return;
-        }
-        if decide_anew {
-            self.act(t, &slots, None);
             return;
         }
         for &slot in &slots {

@@ -187,6 +187,13 @@ pub(in crate::dynamics) fn eliminate<const N: usize>(rows: &mut [[f64; N]]) -> b
     true
 }
 
+/// Whether the matrix of these entries has a pivot of at most `least` times its largest entry.
+pub(in crate::dynamics) fn is_singular(size: usize, entry: impl Fn(usize, usize) -> f64, least: f64) -> bool {
+    let mut lu = Lu::default();
+    let largest = (0..size * size).map(|i| entry(i / size, i % size).abs()).fold(0.0, f64::max);
+    !lu.factor(size, &entry) || lu.least_pivot() <= least * largest
+}
+
 /// Solves `A x = b` for `A_rc = entry(r, c)`, `b_r = right(r)`; `None` for entries that are not finite. To a singular
 /// `A`, `compliance` times its largest entry is added on the diagonal, so that redundant rows share the load equally.
 pub(in crate::dynamics) fn solve_regularised(

@@ -53,7 +53,7 @@ pub(super) fn spans(record: &Record) -> Vec<(usize, usize, Vec<Span>)> {
 
 pub(super) fn contact_state(mode: &ContactMode) -> ContactState {
     match mode.friction {
-        FrictionMode::Stick => ContactState::Stick,
+        FrictionMode::Stick | FrictionMode::Wedged => ContactState::Stick,
         FrictionMode::Slip(_) | FrictionMode::SlipAtEnd { .. } | FrictionMode::Frictionless => ContactState::Slip,
     }
 }

@@ -13,7 +13,7 @@ use crate::dynamics::impact2d::constants::REDUNDANCY_COMPLIANCE;
 use crate::dynamics::impact2d::delassus::{ContactPoint, centre};
 use crate::dynamics::impact2d::kinematics::Kinematics;
 use crate::dynamics::impact2d::{InlineVec, State};
-use crate::dynamics::integrator::dense_lu::solve_regularised;
+use crate::dynamics::integrator::dense_lu::{is_singular, solve_regularised};
 use crate::scene::ImpactSettings;
 
 /// Motion of a lasting contact along the face.
@@ -21,6 +21,9 @@ use crate::scene::ImpactSettings;
 pub enum FrictionMode {
     /// No relative motion.
     Stick,
+    /// No relative motion, of contacts that are statically indeterminate and hold by reactions other than those of least norm
+    /// ([`indeterminate`](super::indeterminate)).
+    Wedged,
     /// Slip along `s` with this sign of `v_s`, ±1.
     Slip(f64),
     /// Slip of a face whose whole pressure is at one of its ends. By the coefficient of the face the girder would turn onto that corner, by
@@ -36,10 +39,20 @@ pub enum FrictionMode {
 }
 
 impl FrictionMode {
+    /// Whether there is no relative motion along the face.
+    pub fn sticks(self) -> bool {
+        matches!(self, Self::Stick | Self::Wedged)
+    }
+
+    /// Whether it is selected anew as soon as another mode agrees with Coulomb's law.
+    pub fn is_for_want_of_another(self) -> bool {
+        matches!(self, Self::Wedged | Self::Frictionless)
+    }
+
     /// Sign of the slip, 0 without friction; none of a contact that sticks.
     pub fn slip_sign(self) -> Option<f64> {
         match self {
-            Self::Stick => None,
+            Self::Stick | Self::Wedged => None,
             Self::Slip(sign) | Self::SlipAtEnd { sign, .. } => Some(sign),
             Self::Frictionless => Some(0.0),
         }
@@ -65,11 +78,11 @@ impl ContactMode {
 
     /// The state c–f of a girder in this contact.
     pub fn state(&self) -> State {
-        match (self.is_flush(), self.friction) {
-            (true, FrictionMode::Stick) => State::Resting,
-            (true, _) => State::Sliding,
-            (false, FrictionMode::Stick) => State::Turning,
-            (false, _) => State::SlidingTurning,
+        match (self.is_flush(), self.friction.sticks()) {
+            (true, true) => State::Resting,
+            (true, false) => State::Sliding,
+            (false, true) => State::Turning,
+            (false, false) => State::SlidingTurning,
         }
     }
 
@@ -129,8 +142,24 @@ struct Unknown {
     force: DVec2,
 }
 
-/// Solves for the reactions of all contacts, `points` being theirs; none where a number is not finite.
-pub fn solve_reactions(
+/// Whether reactions of these contacts balance each other, so that those of a motion are not unique.
+pub(in crate::dynamics::impact2d) fn are_indeterminate(
+    kinematics: &Kinematics,
+    modes: &[ContactMode],
+    points: &[Vec<ContactPoint>],
+    numbers: &ImpactSettings,
+) -> bool {
+    let unknowns = unknowns(modes, points, numbers);
+    is_singular(unknowns.len(), |r, c| mobility(kinematics, [&unknowns[r], &unknowns[c]]), REDUNDANCY_COMPLIANCE)
+}
+
+/// Acceleration at one unknown per unit of another \[1/kg\].
+fn mobility(kinematics: &Kinematics, [row, column]: [&Unknown; 2]) -> f64 {
+    kinematics.cluster.mobility(&row.point, row.direction, &column.point, column.force)
+}
+
+/// Reactions of least norm, and the accelerations with them; none where a number is not finite.
+pub(in crate::dynamics::impact2d) fn least_reactions(
     kinematics: &Kinematics,
     modes: &[ContactMode],
     points: &[Vec<ContactPoint>],
@@ -139,10 +168,7 @@ pub fn solve_reactions(
     let unknowns = unknowns(modes, points, numbers);
     let mut accelerations = kinematics.free.clone();
     let without = ConstrainedMotion { reactions: Vec::new(), accelerations: kinematics.free.clone() };
-    let entry = |r: usize, c: usize| {
-        let (row, column) = (&unknowns[r], &unknowns[c]);
-        kinematics.cluster.mobility(&row.point, row.direction, &column.point, column.force)
-    };
+    let entry = |r: usize, c: usize| mobility(kinematics, [&unknowns[r], &unknowns[c]]);
     let right = |r: usize| -without.along(&unknowns[r].point, unknowns[r].direction, unknowns[r].bias);
     let solution = solve_regularised(unknowns.len(), entry, right, REDUNDANCY_COMPLIANCE)?;
     let mut reactions = vec![Reaction::default(); modes.len()];
@@ -191,7 +217,7 @@ fn unknowns(modes: &[ContactMode], points: &[Vec<ContactPoint>], numbers: &Impac
                 force: point.n + point.s * friction,
             });
         }
-        if mode.friction == FrictionMode::Stick {
+        if mode.friction.sticks() {
             let centre = centre(points);
             all.push(Unknown {
                 mode: number,
@@ -252,7 +278,7 @@ mod tests {
         let mode = ContactMode { pair: 0, sites, friction };
         let points = vec![mode.points(&model, &kinematics)];
         let numbers = ImpactSettings { mu_static: 0.2, mu_kinetic: 0.15, ..ImpactSettings::default() };
-        let motion = solve_reactions(&kinematics, &[mode], &points, &numbers).expect("a solution");
+        let motion = least_reactions(&kinematics, &[mode], &points, &numbers).expect("a solution");
         (motion, centre(&points[0]))
     }
 

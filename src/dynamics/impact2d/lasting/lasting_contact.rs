@@ -9,14 +9,16 @@ use glam::DVec3;
 
 use crate::dynamics::Model;
 use crate::dynamics::free_flight::sliding_face::SlidingFace;
+use crate::dynamics::impact2d::InlineVec;
 use crate::dynamics::impact2d::constants::{
     FIRST_STEP, NOT_FINITE_FACTOR, REJECTED_FACTOR, REJECTED_STEPS, STRETCHED_STEP, SWITCHING_SAMPLES,
 };
 use crate::dynamics::impact2d::delassus::centre;
 use crate::dynamics::impact2d::kinematics::{Kinematics, ground_acceleration};
 use crate::dynamics::impact2d::lasting::constrained_motion::{
-    ConstrainedMotion, ContactMode, FrictionMode, Reaction, solve_reactions,
+    ConstrainedMotion, ContactMode, FrictionMode, Reaction, least_reactions,
 };
+use crate::dynamics::impact2d::lasting::indeterminate::solve_reactions;
 use crate::dynamics::impact2d::lasting::slide_on_wall::slide_on_wall;
 use crate::dynamics::integrator::dense_output::{DENSE_TERMS, DenseOutput};
 use crate::dynamics::integrator::dop853::{Dop853, next_factor};
@@ -42,6 +44,8 @@ pub(in crate::dynamics::impact2d) enum Ending {
     SlipStops(usize),
     /// The friction that keeps a face pressed at one end on the other reaches the coefficient of the face or that of the corner.
     LeavesEnd(usize),
+    /// Other modes agree with Coulomb's law, where those in force are for want of others, or wedged contacts hold no more.
+    Superseded,
 }
 
 /// Motion of a planned step.
@@ -94,14 +98,20 @@ impl ConstrainedOde<'_> {
         let motion = solve_reactions(&kinematics, self.modes, &points, &self.model.impact);
         (kinematics, motion)
     }
+
+    fn accelerations(&self, t: f64, y: &[f64]) -> Option<InlineVec<DVec3>> {
+        let kinematics = self.kinematics(t, y);
+        let points: Vec<_> = self.modes.iter().map(|mode| mode.points(self.model, &kinematics)).collect();
+        Some(least_reactions(&kinematics, self.modes, &points, &self.model.impact)?.accelerations)
+    }
 }
 
 impl System for ConstrainedOde<'_> {
     fn slope(&mut self, t: f64, y: &[f64], out: &mut [f64]) {
-        let (_, motion) = self.motion(t, y);
+        let accelerations = self.accelerations(t, y);
         // Without a solution the slope is not finite, and the step is rejected.
         for (i, &body) in self.bodies.iter().enumerate() {
-            let a = motion.as_ref().map_or(DVec3::NAN, |motion| motion.accelerations[i]);
+            let a = accelerations.as_ref().map_or(DVec3::NAN, |all| all[i]);
             let (state, rate) = (&y[component(i)], &mut out[component(i)]);
             for (j, free) in planar::free(&self.model.bodies[body]).into_iter().enumerate() {
                 rate[j] = if free { state[RATES + j] } else { 0.0 };
@@ -146,14 +156,13 @@ impl LastingContact {
 
     /// Whether all bodies are at rest and stay so: every contact is a face that sticks, and all bodies are at rest.
     fn is_at_rest(&self) -> bool {
-        self.modes.iter().all(|mode| mode.is_flush() && mode.friction == FrictionMode::Stick)
+        self.modes.iter().all(|mode| mode.is_flush() && mode.friction.sticks())
             && planar::in_a_row(&self.y).iter().all(|state| state[RATES..] == [0.0; RATES])
     }
 
-    /// Whether any contact continues without friction for want of a consistent mode: modes are then selected again after every
-    /// step.
-    pub(in crate::dynamics::impact2d) fn is_frictionless(&self) -> bool {
-        self.modes.iter().any(|mode| mode.friction == FrictionMode::Frictionless)
+    /// Whether any contact has its mode for want of another: it ends as soon as others agree with Coulomb's law.
+    pub(in crate::dynamics::impact2d) fn is_for_want_of_another(&self) -> bool {
+        self.modes.iter().any(|mode| mode.friction.is_for_want_of_another())
     }
 
     /// Plans the next step from `until`, at most to `cap`; no event ends it within `least` \[s\]. `allowed` are the errors of a
@@ -277,8 +286,13 @@ impl LastingContact {
         let mut all = Vec::new();
         for (number, mode) in self.modes.iter().enumerate() {
             for (end, &site) in mode.sites.iter().enumerate() {
-                // The end without pressure has no reaction that could fall.
-                if !matches!(mode.friction, FrictionMode::SlipAtEnd { end: pressed, .. } if pressed != end) {
+                // The end without pressure has no reaction that could fall, and those of wedged contacts are not unique.
+                let pressed = match mode.friction {
+                    FrictionMode::SlipAtEnd { end: pressed, .. } => pressed == end,
+                    FrictionMode::Wedged => false,
+                    _ => true,
+                };
+                if pressed {
                     all.push(Switch { mode: number, end, ending: Ending::Opens(site) });
                 }
                 all.push(Switch { mode: number, end, ending: Ending::LeavesFace(site) });
@@ -287,7 +301,7 @@ impl LastingContact {
                 FrictionMode::Stick => &[Ending::BreaksAway(mode.pair)],
                 FrictionMode::Slip(_) => &[Ending::SlipStops(mode.pair)],
                 FrictionMode::SlipAtEnd { .. } => &[Ending::SlipStops(mode.pair), Ending::LeavesEnd(mode.pair)],
-                FrictionMode::Frictionless => &[],
+                FrictionMode::Frictionless | FrictionMode::Wedged => &[],
             };
             all.extend(along.iter().copied().map(|ending| Switch { mode: number, end: 0, ending }));
         }
@@ -364,6 +378,8 @@ impl Switch {
                 let least = model.impact.corner_friction()[1];
                 (most * pressure - friction).min(friction - least * pressure) + round_off
             }
+            // Found by its own search.
+            Ending::Superseded => f64::INFINITY,
             Ending::SlipStops(_) => {
                 let centre = centre(&mode.points(model, kinematics));
                 mode.friction.slip_sign().unwrap_or(0.0) * kinematics.cluster.speed(&centre, centre.s)

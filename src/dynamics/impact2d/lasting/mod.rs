@@ -2,6 +2,7 @@
 
 pub(in crate::dynamics::impact2d) mod candidates;
 pub mod constrained_motion;
+pub mod indeterminate;
 pub(in crate::dynamics::impact2d) mod lasting_contact;
 pub mod mode_selection;
 pub(in crate::dynamics::impact2d) mod painleve;

@@ -4,15 +4,18 @@
 //! else it slips in the direction whose own solution agrees. A face is kept while both of its ends are under pressure, which
 //! is `|η| ≤ b_f`. Where stick and slip are both consistent (high μ, before the Painlevé bound), stick is taken
 //! (`docs/physics.md#change-of-state`). A linear complementarity problem, solved by enumeration; with
-//! many pairs by relaxation, pair after pair.
+//! many pairs by relaxation, pair after pair, and by enumeration where that finds none.
 
 use crate::dynamics::Model;
-use crate::dynamics::impact2d::constants::{IMPACT_FORCE_ROUNDING, MODE_COMBINATIONS, MODE_SWEEPS};
+use crate::dynamics::impact2d::constants::{
+    IMPACT_FORCE_ROUNDING, MODE_COMBINATIONS, MODE_COMBINATIONS_LEFT, MODE_SWEEPS,
+};
 use crate::dynamics::impact2d::delassus::{ContactPoint, centre};
 use crate::dynamics::impact2d::kinematics::Kinematics;
 use crate::dynamics::impact2d::lasting::constrained_motion::{
-    ConstrainedMotion, ContactMode, FrictionMode, solve_reactions,
+    ConstrainedMotion, ContactMode, FrictionMode, are_indeterminate, least_reactions,
 };
+use crate::dynamics::impact2d::lasting::indeterminate::reactions_in_cones;
 use crate::scene::ImpactSettings;
 
 /// A pair that may stay in contact.
@@ -52,15 +55,15 @@ impl Candidate {
         }
     }
 
-    /// Modes of the pair in the order in which they are tried; none is opening.
-    fn options(&self, numbers: &ImpactSettings) -> Vec<Option<ContactMode>> {
+    /// Modes of the pair in the order in which they are tried, `still` being that of no relative motion; none is opening.
+    fn options(&self, numbers: &ImpactSettings, still: FrictionMode) -> Vec<Option<ContactMode>> {
         let mut all = vec![None];
         let faces = (self.sites.len() > 1).then(|| self.sites.clone());
         let kept = |sites: &Vec<usize>| self.excluded.site.is_none_or(|out| !sites.contains(&out));
         for sites in faces.into_iter().chain(self.sites.iter().map(|&site| vec![site])).filter(kept) {
             let sticks = self.stick_or_open || (self.slip == 0.0 && !self.excluded.stick);
             let slips = self.slips().iter().map(|&sign| FrictionMode::Slip(sign));
-            let frictions = sticks.then_some(FrictionMode::Stick).into_iter().chain(slips);
+            let frictions = sticks.then_some(still).into_iter().chain(slips);
             all.extend(frictions.map(|friction| Some(ContactMode { pair: self.pair, sites: sites.clone(), friction })));
         }
         all.extend(self.slips_at_an_end(numbers).map(Some));
@@ -84,15 +87,38 @@ pub fn select_modes(
     candidates: &[Candidate],
     numbers: &ImpactSettings,
 ) -> Option<Vec<ContactMode>> {
-    let consistency = Consistency { model, kinematics, candidates, numbers };
-    let options: Vec<Vec<Option<ContactMode>>> = candidates.iter().map(|c| c.options(numbers)).collect();
+    select(&Consistency { model, kinematics, candidates, numbers }, FrictionMode::Stick)
+}
+
+/// Modes of all candidates together of which those at rest are wedged: statically indeterminate, with some reactions within the friction
+/// cones; none where no combination is.
+pub(in crate::dynamics::impact2d) fn select_wedged(
+    model: &Model,
+    kinematics: &Kinematics,
+    candidates: &[Candidate],
+    numbers: &ImpactSettings,
+) -> Option<Vec<ContactMode>> {
+    // What has ended is a reaction of least norm.
+    let anew = |candidate: &Candidate| Candidate { excluded: Excluded::default(), ..candidate.clone() };
+    let candidates: Vec<Candidate> = candidates.iter().map(anew).collect();
+    let consistency = Consistency { model, kinematics, candidates: &candidates, numbers };
+    select(&consistency, FrictionMode::Wedged)
+}
+
+/// Modes of all candidates together, with this mode of no relative motion.
+fn select(consistency: &Consistency<'_>, still: FrictionMode) -> Option<Vec<ContactMode>> {
+    let options: Vec<Vec<Option<ContactMode>>> =
+        consistency.candidates.iter().map(|c| c.options(consistency.numbers, still)).collect();
     let combinations = options.iter().map(Vec::len).try_fold(1usize, usize::checked_mul);
-    let choice = match combinations {
-        Some(combinations) if combinations <= MODE_COMBINATIONS => (0..combinations).find_map(|number| {
+    let enumerate = |most: usize| {
+        (0..combinations.filter(|combinations| *combinations <= most)?).find_map(|number| {
             let choice = combination(number, &options);
             consistency.is_consistent(&choice, None).then_some(choice)
-        }),
-        _ => relax(&consistency, &options),
+        })
+    };
+    let choice = match combinations {
+        Some(combinations) if combinations <= MODE_COMBINATIONS => enumerate(MODE_COMBINATIONS),
+        _ => relax(consistency, &options).or_else(|| enumerate(MODE_COMBINATIONS_LEFT)),
     };
     choice.map(|choice| choice.into_iter().flatten().collect())
 }
@@ -141,7 +167,7 @@ impl Consistency<'_> {
         let modes: Vec<ContactMode> = choice.iter().flatten().cloned().collect();
         let points: Vec<Vec<ContactPoint>> =
             modes.iter().map(|mode| mode.points(self.model, self.kinematics)).collect();
-        let Some(motion) = solve_reactions(self.kinematics, &modes, &points, self.numbers) else { return false };
+        let Some(motion) = self.motion(&modes, &points) else { return false };
         let scale = self.scale();
         let mut before = 0;
         for (i, (option, candidate)) in choice.iter().zip(self.candidates).enumerate() {
@@ -166,6 +192,18 @@ impl Consistency<'_> {
         true
     }
 
+    /// Motion with these modes; none where wedged contacts are not indeterminate, or have no reactions within the friction cones.
+    fn motion(&self, modes: &[ContactMode], points: &[Vec<ContactPoint>]) -> Option<ConstrainedMotion> {
+        let motion = least_reactions(self.kinematics, modes, points, self.numbers)?;
+        if modes.iter().all(|mode| mode.friction != FrictionMode::Wedged) {
+            return Some(motion);
+        }
+        let indeterminate = are_indeterminate(self.kinematics, modes, points, self.numbers);
+        let reactions = || reactions_in_cones(self.kinematics, modes, points, self.numbers, &motion);
+        let reactions = indeterminate.then(reactions).flatten()?;
+        Some(ConstrainedMotion { reactions, ..motion })
+    }
+
     /// Whether reactions are compressive and the friction agrees with the motion along the face.
     fn satisfies_friction(
         &self,
@@ -188,7 +226,7 @@ impl Consistency<'_> {
             FrictionMode::Stick => reaction.tangential.abs() <= mu_s * reaction.total() + force,
             // Past the Painlevé bound a normal reaction would make the point approach.
             FrictionMode::Slip(sign) if w_n - mu_k * sign * w_ns <= 0.0 => false,
-            FrictionMode::Frictionless => true,
+            FrictionMode::Frictionless | FrictionMode::Wedged => true,
             FrictionMode::SlipAtEnd { sign, .. } => {
                 let (least, most) = (self.numbers.corner_friction()[1], mu_k);
                 let (friction, pressure) = (-sign * reaction.tangential, reaction.total());
@@ -307,7 +345,7 @@ mod tests {
             let candidates = [candidate];
             let consistency =
                 Consistency { model: &model, kinematics: &kinematics, candidates: &candidates, numbers: &numbers };
-            let options: Vec<_> = candidates.iter().map(|c| c.options(&numbers)).collect();
+            let options: Vec<_> = candidates.iter().map(|c| c.options(&numbers, FrictionMode::Stick)).collect();
             let relaxed = relax(&consistency, &options).expect("a consistent mode");
             let enumerated = select_modes(&model, &kinematics, &candidates, &numbers).expect("a consistent mode");
             assert_eq!(relaxed.into_iter().flatten().collect::<Vec<_>>(), enumerated, "push {force:?} N");

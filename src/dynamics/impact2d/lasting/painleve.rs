@@ -5,10 +5,14 @@
 //!
 //! 1. slips below the stop speed become stick;
 //! 2. a face at rest that opens at one end slips along it, with pressure at both ends, where its friction has fallen to the kinetic;
-//! 3. **impact without collision**: friction stops slips at once, the slowest first and as few as needed, by the least
+//! 3. contacts at rest that are statically indeterminate are *wedged* where some of their reactions lie in the friction cones
+//!    ([`indeterminate`](super::indeterminate));
+//! 4. **impact without collision**: friction stops slips at once, the slowest first and as few as needed, by the least
 //!    impulses that stop them and let no point approach (an orthogonal projection in the mass metric: no energy is added);
-//! 4. otherwise the contacts go on without friction to the end of the planned step, which always has a solution, and are
-//!    selected again; the run says so.
+//! 5. modes that the event of this instant has ended are tried again, beside others than those with which they ended;
+//! 6. otherwise the contacts go on without friction, which always has a solution; the run says so.
+//!
+//! What is wedged or goes on without friction does so until other modes agree with Coulomb's law.
 
 use glam::DVec3;
 
@@ -17,9 +21,12 @@ use crate::dynamics::impact2d::impulse::simultaneous;
 use crate::dynamics::impact2d::instant::ImpactInstant;
 use crate::dynamics::impact2d::kinematics::Kinematics;
 use crate::dynamics::impact2d::lasting::candidates::{candidates, tangential_speed};
-use crate::dynamics::impact2d::lasting::constrained_motion::{ConstrainedMotion, ContactMode, FrictionMode};
+use crate::dynamics::impact2d::lasting::constrained_motion::{
+    ConstrainedMotion, ContactMode, FrictionMode, least_reactions,
+};
+use crate::dynamics::impact2d::lasting::indeterminate::reactions_in_cones;
 use crate::dynamics::impact2d::lasting::lasting_contact::Ending;
-use crate::dynamics::impact2d::lasting::mode_selection::{Candidate, Excluded, select_modes};
+use crate::dynamics::impact2d::lasting::mode_selection::{Candidate, Excluded, select_modes, select_wedged};
 use crate::dynamics::impact2d::world::World;
 
 /// Candidates and their contact modes; velocities of the instant change where friction has to stop a slip. `ground` is the
@@ -44,15 +51,19 @@ pub(in crate::dynamics::impact2d) fn consistent_modes(
             return (again, modes);
         }
     }
-    let mut slipping: Vec<(f64, usize, ContactPoint)> = all
-        .iter()
-        .filter(|candidate| candidate.slip != 0.0)
-        .map(|c| (tangential_speed(&instant.kinematics.cluster, &c.points).abs(), c.pair, centre(&c.points)))
-        .collect();
-    slipping.sort_by(|a, b| a.0.total_cmp(&b.0));
+    let anew = candidates(world, instant, None);
+    if let Some(modes) = select_modes(&world.model, &instant.kinematics, &anew, &world.model.impact) {
+        return (anew, modes);
+    }
+    if let Some(modes) = select_wedged(&world.model, &instant.kinematics, &all, &world.model.impact) {
+        return (all, modes);
+    }
+    let mut slipping = slips(&instant.kinematics.cluster, &all);
     let before = instant.kinematics.cluster.clone();
     let stops = ending.filter(|ending| matches!(ending, Ending::SlipStops(_)));
-    for count in 1..=slipping.len() {
+    let mut count = 0;
+    while count < slipping.len() {
+        count += 1;
         let stopped: Vec<ContactPoint> = slipping[..count].iter().map(|slip| slip.2).collect();
         stop_slips(world, instant, &before, &stopped, ground);
         all = candidates(world, instant, stops);
@@ -61,12 +72,41 @@ pub(in crate::dynamics::impact2d) fn consistent_modes(
                 candidate.slip = 0.0;
             }
         }
-        if let Some(modes) = modes_or_slow_stick(world, &instant.kinematics, &mut all) {
+        if let Some(modes) = modes_or_slow_stick(world, &instant.kinematics, &mut all)
+            .or_else(|| select_wedged(&world.model, &instant.kinematics, &all, &world.model.impact))
+        {
             return (all, modes);
+        }
+        // What has begun to slip as others were stopped is stopped after those that had slipped.
+        if count == slipping.len() {
+            let begun = slips(&instant.kinematics.cluster, &all);
+            slipping.extend(begun.into_iter().take(1));
         }
     }
     let modes = frictionless_modes(&instant.kinematics, &all);
     (all, modes)
+}
+
+/// Candidates that slip, with speed, pair and middle, the slowest first.
+fn slips(cluster: &Cluster, all: &[Candidate]) -> Vec<(f64, usize, ContactPoint)> {
+    let slips = all.iter().filter(|candidate| candidate.slip != 0.0);
+    let mut slips: Vec<_> =
+        slips.map(|c| (tangential_speed(cluster, &c.points).abs(), c.pair, centre(&c.points))).collect();
+    slips.sort_by(|a, b| a.0.total_cmp(&b.0));
+    slips
+}
+
+/// Whether at `t` no modes of these bodies agree with Coulomb's law and those in force, for want of others, still hold.
+pub(in crate::dynamics::impact2d) fn must_go_on(world: &World, t: f64, slots: &[usize], modes: &[ContactMode]) -> bool {
+    let instant = ImpactInstant::new(world, t, slots);
+    let (kinematics, numbers) = (&instant.kinematics, &world.model.impact);
+    let holds = || {
+        let points: Vec<_> = modes.iter().map(|mode| mode.points(&world.model, kinematics)).collect();
+        let is_wedged = modes.iter().any(|mode| mode.friction == FrictionMode::Wedged);
+        let motion = least_reactions(kinematics, modes, &points, numbers);
+        !is_wedged || motion.is_some_and(|m| reactions_in_cones(kinematics, modes, &points, numbers, &m).is_some())
+    };
+    modes_or_slow_stick(world, kinematics, &mut candidates(world, &instant, None)).is_none() && holds()
 }
 
 /// Consistent modes, if need be with slips below the stop speed turned into stick.
