@@ -113,7 +113,7 @@ impl Workbench {
     pub(super) fn apply_learn(&mut self, command: LearnCommand) {
         match command {
             LearnCommand::Open(number) => self.open_lesson(number),
-            LearnCommand::Reset => self.learning.number().into_iter().for_each(|number| self.open_lesson(number)),
+            LearnCommand::Reset => self.begin_lesson_anew(),
             LearnCommand::Close => self.learning.close(),
             LearnCommand::Try(number) => {
                 let (Some(open), Some(lesson)) = (self.learning.number(), self.learning.lesson()) else { return };
@@ -122,7 +122,7 @@ impl Workbench {
                 }
                 let Some(to_try) = self.learning.to_try(number) else { return };
                 self.edit(to_try.edit());
-                self.learning.note(number, self.files.document.revision());
+                self.learning.note(number);
                 // Its run may not be there yet: the time is kept inside it when it comes.
                 self.replay.playback.clock.t = to_try.at.unwrap_or(self.replay.playback.clock.t);
             }
@@ -159,6 +159,20 @@ impl Workbench {
                 self.replay.playback.clock.t = lesson.at.min(self.replay.end());
             }
             Err(errors) => self.window.say(errors.to_string()),
+        }
+    }
+
+    /// Brings the scene of the lesson that is open back: an edit, as what was tried is, beside which kept runs stay.
+    fn begin_lesson_anew(&mut self) {
+        let (Some(open), Some(lesson)) = (self.learning.number(), self.learning.lesson()) else { return };
+        match lesson.scene() {
+            Ok(scene) if self.files.document.scene().name == lesson.name => {
+                self.view.look_as(&scene);
+                self.edit(Edit::Scene(Box::new(scene)));
+                self.learning.open(open);
+                self.replay.playback.clock.t = lesson.at;
+            }
+            _ => self.open_lesson(open),
         }
     }
 
@@ -233,7 +247,7 @@ impl Workbench {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::app::command::{Command, EditCommand, LeaveCommand, PlaceCommand};
+    use crate::app::command::{Command, CompareCommand, EditCommand, LeaveCommand, PlaceCommand};
     use crate::app::learn::lessons::lessons;
     use crate::scene::presets;
 
@@ -275,6 +289,22 @@ mod tests {
         let before = bench.files.document.revision();
         bench.apply(Command::Learn(LearnCommand::Try(0)));
         assert!(bench.files.document.revision() > before && bench.window.notice().is_none(), "tried");
+    }
+
+    #[test]
+    fn a_lesson_that_begins_anew_keeps_the_runs_to_compare_with() {
+        let mut bench = opened();
+        bench.apply(Command::Learn(LearnCommand::Open(0)));
+        bench.apply(Command::Learn(LearnCommand::Try(0)));
+        bench.replay.runner.wait();
+        bench.apply(CompareCommand::Pin);
+        bench.apply(Command::Learn(LearnCommand::Reset));
+        let (scene, lesson) = (bench.files.document.scene(), &lessons()[0]);
+        assert_eq!(*scene, lesson.scene().expect("part of the program"), "as it opens");
+        assert_eq!((bench.learning.number(), bench.learning.in_force(scene)), (Some(0), None), "nothing is tried");
+        assert_eq!(bench.comparison.pins().len(), 1, "what was tried is still there to compare with");
+        bench.apply(EditCommand::Undo);
+        assert_ne!(*bench.files.document.scene(), lesson.scene().expect("part of the program"), "as it was tried");
     }
 
     #[test]

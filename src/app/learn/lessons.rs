@@ -170,8 +170,8 @@ impl Try {
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
 pub struct Learning {
     open: Option<usize>,
-    /// What was tried last, and the revision of the scene since then.
-    tried: Option<(usize, u64)>,
+    /// What was tried last.
+    tried: Option<usize>,
 }
 
 impl Learning {
@@ -187,14 +187,16 @@ impl Learning {
         *self = Self::default();
     }
 
-    /// Notes that this was tried, and that the scene has this revision since.
-    pub(in crate::app) fn note(&mut self, number: usize, revision: u64) {
-        self.tried = Some((number, revision));
+    /// Notes that this was tried.
+    pub(in crate::app) fn note(&mut self, number: usize) {
+        self.tried = Some(number);
     }
 
-    /// What was tried, if the scene of this revision is as that left it.
-    pub(in crate::app) fn tried(self, revision: u64) -> Option<usize> {
-        self.tried.filter(|(_, then)| *then == revision).map(|(number, _)| number)
+    /// What was tried last, where this scene has all that it sets.
+    pub(in crate::app) fn in_force(self, scene: &Scene) -> Option<usize> {
+        let number = self.tried?;
+        let mut with = scene.clone();
+        (self.to_try(number)?.edit().apply(&mut with).is_ok() && with == *scene).then_some(number)
     }
 
     /// Number of the lesson that is open.
@@ -234,6 +236,20 @@ mod tests {
             translated += usize::from(japanese.title != english.title);
         }
         assert_eq!(translated, IN_JAPANESE.len());
+    }
+
+    #[test]
+    fn what_was_tried_is_in_force_while_the_scene_has_what_it_sets() {
+        let mut learning = Learning::default();
+        let lesson = learning.open(0).expect("the first");
+        let mut scene = lesson.scene().expect("part of the program");
+        assert_eq!(learning.in_force(&scene), None, "nothing was tried");
+        lesson.tries[0].edit().apply(&mut scene).expect("it fits");
+        learning.note(0);
+        assert_eq!(learning.in_force(&scene), Some(0), "as it left the scene");
+        scene.duration *= 2.0;
+        assert_eq!(learning.in_force(&scene), Some(0), "beside another change");
+        assert_eq!(learning.in_force(&lesson.scene().expect("part of the program")), None, "taken back");
     }
 
     #[test]

@@ -191,7 +191,7 @@ fn panels(bench: &Workbench, ui: &mut Ui, out: &mut Vec<Command>) {
 /// The lesson that is open, beside the view.
 fn lesson(bench: &Workbench, ui: &mut Ui, folded: Folded, out: &mut Vec<Command>) {
     let Some(lesson) = bench.learning.lesson() else { return };
-    let tried = bench.learning.tried(bench.files.document.revision());
+    let tried = bench.learning.in_force(bench.files.document.scene());
     beside(ui, (Pane::Lesson, folded), out, |ui, out| {
         fold::head(ui, Pane::Lesson, out, |_, _| ());
         // A lesson begins at its head, wherever the one before was left.
