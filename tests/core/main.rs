@@ -15,6 +15,7 @@ mod motion {
 }
 
 mod impact {
+    mod lasting;
     mod limit;
     mod random;
     mod readings;

@@ -87,6 +87,9 @@ pub(super) const MODE_SWEEPS: usize = 64;
 
 // Integration of lasting contact.
 
+/// Distance beyond the border of its face at which a point leaves it, in parts of the body's radius \[–\]: the places of two ends that lie flush
+/// edge on edge round by some ε of their size, a thousandth of this.
+pub(super) const BORDER: f64 = 1e-12;
 /// Intervals between samples of each switching function per step. A step spans a quarter of the ground's period at most, so
 /// that two samples are at most 5.6° of it apart; excursions between samples are found by
 /// [`first_rise`](crate::dynamics::locate::first_rise).

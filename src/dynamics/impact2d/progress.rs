@@ -7,8 +7,8 @@ use crate::dynamics::impact2d::closing::next_impact::next_impact;
 use crate::dynamics::impact2d::constants::{
     CONSISTENCY_HALVINGS, CUT_SHORT_WORK, EVENTS_BEFORE_LEAST_DURATION, LEAST_DURATION, LEAST_SCALE, SWITCHING_SAMPLES,
 };
-use crate::dynamics::impact2d::lasting::lasting_contact::Ending;
 use crate::dynamics::impact2d::lasting::painleve;
+use crate::dynamics::impact2d::lasting::switch::Ending;
 use crate::dynamics::impact2d::record::{LastingInterval, Record};
 use crate::dynamics::impact2d::tracks::Motion;
 use crate::dynamics::impact2d::world::World;
@@ -43,11 +43,9 @@ impl ImpactProgress {
 
     /// Searches the next impact of a pair from `t` on and enters it in the queue.
     pub(in crate::dynamics::impact2d) fn search(&mut self, pair: usize, t: f64) {
+        self.world.arm_in_front(pair, t);
         for site in self.world.pairs[pair].sites.clone() {
-            let track = &mut self.world.sites[site];
-            if track.in_front_at.take().is_some_and(|at| at <= t) {
-                track.arm();
-            }
+            self.world.sites[site].in_front_at = None;
         }
         let found = next_impact(&mut self.world, pair, t);
         self.schedule.effort.searches += 1;

@@ -12,7 +12,7 @@ use crate::dynamics::impact2d::after_impact::resume;
 use crate::dynamics::impact2d::constants::{EVENTS_AT_ONE_INSTANT, RUN_SPEED_ROUNDING, TOUCH, WORK_PER_BODY};
 use crate::dynamics::impact2d::impulse::sequential::impulses;
 use crate::dynamics::impact2d::instant::ImpactInstant;
-use crate::dynamics::impact2d::lasting::lasting_contact::Ending;
+use crate::dynamics::impact2d::lasting::switch::Ending;
 use crate::dynamics::impact2d::progress::ImpactProgress;
 use crate::dynamics::impact2d::record::Record;
 use crate::dynamics::impact2d::tracks::BodyTrack;
@@ -93,10 +93,13 @@ impl ImpactRun {
         let slots = self.run.world.slots(&contact.bodies);
         if let Some(ending) = contact.ending {
             if let Ending::LeavesFace(number) = ending
-                && let Some(site) = self.run.world.site(number)
+                && let Some(left) = self.run.world.site(number)
             {
-                let site = &mut self.run.world.sites[site];
+                let site = &mut self.run.world.sites[left];
                 (site.beside, site.armed, site.kept) = (true, false, false);
+                if let Some(pair) = self.run.world.pairs.iter().position(|pair| pair.sites.contains(&left)) {
+                    self.run.world.take_up_passed(pair, left, t);
+                }
             }
             self.act(t, &slots, Some(ending));
             return;
@@ -166,6 +169,7 @@ impl Mechanics for ImpactRun {
         if source != ImpactProgress::pair(number) {
             self.end_of_step(number, t);
         } else if self.run.world.pairs[number].impact_due {
+            self.run.world.arm_in_front(number, t);
             let slots: InlineVec<usize> = self.run.world.pairs[number].slots.into_iter().flatten().collect();
             self.act(t, &slots, None);
         } else {

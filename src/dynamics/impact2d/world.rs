@@ -176,6 +176,28 @@ impl World {
         reached && point.inset >= -near
     }
 
+    /// Arms the points of a pair that have come to be in front of their face by `t`.
+    pub(in crate::dynamics::impact2d) fn arm_in_front(&mut self, pair: usize, t: f64) {
+        for site in self.pairs[pair].sites.clone() {
+            let track = &mut self.sites[site];
+            if track.in_front_at.take_if(|at| *at <= t).is_some() {
+                track.arm();
+            }
+        }
+    }
+
+    /// Takes up the corners of the other side that a corner passes as it leaves its face over an edge at `t`: they are at their face from then
+    /// on, where they had been beside it.
+    pub(in crate::dynamics::impact2d) fn take_up_passed(&mut self, pair: usize, left: usize, t: f64) {
+        let near = TOUCH * self.radius(pair);
+        for site in self.pairs[pair].sites.clone().filter(|&site| site != left) {
+            let point = self.point(site, pair, t);
+            if point.gap.abs() <= near && point.inset.abs() <= near {
+                self.sites[site].arm();
+            }
+        }
+    }
+
     /// Whether any declared contact of a pair touches at `t`.
     pub(in crate::dynamics::impact2d) fn pair_touches(&self, pair: usize, t: f64) -> bool {
         self.pairs[pair].sites.clone().any(|site| self.touches(site, pair, &self.point(site, pair, t)))

@@ -4,8 +4,8 @@ use crate::dynamics::impact2d::constants::{IMPACT_SPEED_ROUNDING, NORMAL_DRIFT, 
 use crate::dynamics::impact2d::delassus::{Cluster, ContactPoint, centre};
 use crate::dynamics::impact2d::impulse::collision::ContactManifold;
 use crate::dynamics::impact2d::instant::{ImpactInstant, manifolds};
-use crate::dynamics::impact2d::lasting::lasting_contact::Ending;
 use crate::dynamics::impact2d::lasting::mode_selection::{Candidate, Excluded};
+use crate::dynamics::impact2d::lasting::switch::Ending;
 use crate::dynamics::impact2d::world::World;
 
 /// Whether every touching point separates.

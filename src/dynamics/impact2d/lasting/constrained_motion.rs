@@ -91,6 +91,12 @@ impl ContactMode {
         if self.is_flush() { [numbers.mu_static, numbers.mu_kinetic] } else { numbers.corner_friction() }
     }
 
+    /// Least and largest coefficient of kinetic friction of a face whose pressure is at one end: between those of the face and of a corner.
+    pub fn friction_at_end(&self, numbers: &ImpactSettings) -> [f64; 2] {
+        let ([_, face], [_, corner]) = (self.friction_coefficients(numbers), numbers.corner_friction());
+        [corner.min(face), corner.max(face)]
+    }
+
     /// The kept points.
     pub fn points(&self, model: &Model, kinematics: &Kinematics) -> Vec<ContactPoint> {
         self.sites.iter().map(|&site| kinematics.point(model, site)).collect()

@@ -93,7 +93,7 @@ fn generators(modes: &[ContactMode], points: &[Vec<ContactPoint>], numbers: &Imp
         let (along, at): ([f64; 2], Option<usize>) = match mode.friction {
             FrictionMode::Stick | FrictionMode::Wedged => ([-mu_s, mu_s], None),
             FrictionMode::Slip(sign) => ([-mu_k * sign; 2], None),
-            FrictionMode::SlipAtEnd { sign, end } => ([-mu_k * sign, -numbers.corner_friction()[1] * sign], Some(end)),
+            FrictionMode::SlipAtEnd { sign, end } => (mode.friction_at_end(numbers).map(|mu| -mu * sign), Some(end)),
             FrictionMode::Frictionless => ([0.0; 2], None),
         };
         let edges = if along[0] == along[1] { &along[..1] } else { &along[..] };

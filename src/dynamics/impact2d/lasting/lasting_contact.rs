@@ -13,13 +13,13 @@ use crate::dynamics::impact2d::InlineVec;
 use crate::dynamics::impact2d::constants::{
     FIRST_STEP, NOT_FINITE_FACTOR, REJECTED_FACTOR, REJECTED_STEPS, STRETCHED_STEP, SWITCHING_SAMPLES,
 };
-use crate::dynamics::impact2d::delassus::centre;
 use crate::dynamics::impact2d::kinematics::{Kinematics, ground_acceleration};
 use crate::dynamics::impact2d::lasting::constrained_motion::{
     ConstrainedMotion, ContactMode, FrictionMode, Reaction, least_reactions,
 };
 use crate::dynamics::impact2d::lasting::indeterminate::solve_reactions;
 use crate::dynamics::impact2d::lasting::slide_on_wall::slide_on_wall;
+use crate::dynamics::impact2d::lasting::switch::{Ending, Switch};
 use crate::dynamics::integrator::dense_output::{DENSE_TERMS, DenseOutput};
 use crate::dynamics::integrator::dop853::{Dop853, next_factor};
 use crate::dynamics::integrator::system::System;
@@ -30,23 +30,6 @@ use crate::dynamics::trajectory::segment::SegmentMotion;
 use crate::dynamics::trajectory::step_polynomial::StepPolynomial;
 use crate::language::Text;
 use crate::motion::{Ground, LinearPiece};
-
-/// Event that ends an interval of lasting contact.
-#[derive(Clone, Copy, Debug, PartialEq)]
-pub(in crate::dynamics::impact2d) enum Ending {
-    /// The normal reaction of the declared contact falls to 0.
-    Opens(usize),
-    /// The declared contact reaches the border of the face.
-    LeavesFace(usize),
-    /// The tangential reaction of the pair reaches the friction cone.
-    BreaksAway(usize),
-    /// The slip of the pair reaches 0.
-    SlipStops(usize),
-    /// The friction that keeps a face pressed at one end on the other reaches the coefficient of the face or that of the corner.
-    LeavesEnd(usize),
-    /// Other modes agree with Coulomb's law, where those in force are for want of others, or wedged contacts hold no more.
-    Superseded,
-}
 
 /// Motion of a planned step.
 #[derive(Clone, Debug)]
@@ -154,9 +137,10 @@ impl LastingContact {
         Self { bodies, modes, since: t, from: t, until: t, ending: None, planned: None, y, step: 0.0 }
     }
 
-    /// Whether all bodies are at rest and stay so: every contact is a face that sticks, and all bodies are at rest.
-    fn is_at_rest(&self) -> bool {
+    /// Whether all bodies are at rest and stay so: every contact is a face that sticks, one of them on a wall, and all bodies are at rest.
+    fn is_at_rest(&self, model: &Model) -> bool {
         self.modes.iter().all(|mode| mode.is_flush() && mode.friction.sticks())
+            && self.modes.iter().any(|mode| model.pairs[mode.pair].bodies.contains(&None))
             && planar::in_a_row(&self.y).iter().all(|state| state[RATES..] == [0.0; RATES])
     }
 
@@ -184,7 +168,8 @@ impl LastingContact {
             self.until = cap.min(t + slide.sight);
             self.planned = Some(PlannedMotion::Slide(Box::new(slide), bounds));
         } else {
-            let dense = if self.is_at_rest() { self.rest(cap) } else { self.integrate(model, piece, allowed, cap)? };
+            let dense =
+                if self.is_at_rest(model) { self.rest(cap) } else { self.integrate(model, piece, allowed, cap)? };
             self.until = if dense.from + dense.step >= cap { cap } else { dense.from + dense.step };
             self.planned = Some(PlannedMotion::Step(dense));
         }
@@ -347,42 +332,6 @@ impl LastingContact {
                 && t < first.at
             {
                 (first.at, self.until, self.ending) = (t, t, Some(switch.ending));
-            }
-        }
-    }
-}
-
-/// A switching function: its event, the contact mode by its place in the list, and which of the kept points.
-#[derive(Clone, Copy, Debug)]
-struct Switch {
-    mode: usize,
-    end: usize,
-    ending: Ending,
-}
-
-impl Switch {
-    /// Normal reaction \[N\], distance from the border of the face \[m\], distance from the friction cone \[N\], or slip \[m/s\].
-    fn value(&self, mode: &ContactMode, model: &Model, kinematics: &Kinematics, reaction: &Reaction) -> f64 {
-        match self.ending {
-            Ending::Opens(_) => reaction.normal[self.end],
-            Ending::LeavesFace(site) => kinematics.point(model, site).inset,
-            Ending::BreaksAway(_) => {
-                let round_off = 2.0 * kinematics.force_round_off(&centre(&mode.points(model, kinematics)));
-                let most = mode.friction_coefficients(&model.impact)[0] * reaction.total() + round_off;
-                most - reaction.tangential.abs()
-            }
-            Ending::LeavesEnd(_) => {
-                let round_off = 2.0 * kinematics.force_round_off(&centre(&mode.points(model, kinematics)));
-                let (friction, pressure) = (reaction.tangential.abs(), reaction.total());
-                let [_, most] = mode.friction_coefficients(&model.impact);
-                let least = model.impact.corner_friction()[1];
-                (most * pressure - friction).min(friction - least * pressure) + round_off
-            }
-            // Found by its own search.
-            Ending::Superseded => f64::INFINITY,
-            Ending::SlipStops(_) => {
-                let centre = centre(&mode.points(model, kinematics));
-                mode.friction.slip_sign().unwrap_or(0.0) * kinematics.cluster.speed(&centre, centre.s)
             }
         }
     }

@@ -46,7 +46,7 @@ pub struct Excluded {
 
 impl Candidate {
     /// Signs of a slip that may begin or goes on.
-    fn slips(&self) -> &'static [f64] {
+    pub(super) fn slips(&self) -> &'static [f64] {
         match self.slip {
             _ if self.stick_or_open => &[],
             v if v > 0.0 => &[1.0],
@@ -70,10 +70,10 @@ impl Candidate {
         all
     }
 
-    /// Slips of the face with its pressure at one end, where a corner has less friction than the face: what is left where the face would turn
-    /// onto the corner and the corner back onto the face. The reaction of the other end is 0, whether an event has just said so or not.
+    /// Slips of the face with its pressure at one end, where a corner has another friction than the face: what is left where the face would
+    /// turn onto the corner and the corner back onto the face. The reaction of the other end is 0, whether an event has just said so or not.
     fn slips_at_an_end(&self, numbers: &ImpactSettings) -> impl Iterator<Item = ContactMode> + '_ {
-        let differs = self.sites.len() == 2 && numbers.corner_friction()[1] < numbers.mu_kinetic;
+        let differs = self.sites.len() == 2 && numbers.corner_friction()[1] != numbers.mu_kinetic;
         let of = |&sign: &f64| [0, 1].map(|end| FrictionMode::SlipAtEnd { sign, end });
         let all = if differs { self.slips() } else { &[] };
         all.iter().flat_map(of).map(|friction| ContactMode { pair: self.pair, sites: self.sites.clone(), friction })
@@ -87,7 +87,7 @@ pub fn select_modes(
     candidates: &[Candidate],
     numbers: &ImpactSettings,
 ) -> Option<Vec<ContactMode>> {
-    select(&Consistency { model, kinematics, candidates, numbers }, FrictionMode::Stick)
+    select(&Consistency { model, kinematics, candidates, numbers, impulses: false }, FrictionMode::Stick)
 }
 
 /// Modes of all candidates together of which those at rest are wedged: statically indeterminate, with some reactions within the friction
@@ -101,7 +101,7 @@ pub(in crate::dynamics::impact2d) fn select_wedged(
     // What has ended is a reaction of least norm.
     let anew = |candidate: &Candidate| Candidate { excluded: Excluded::default(), ..candidate.clone() };
     let candidates: Vec<Candidate> = candidates.iter().map(anew).collect();
-    let consistency = Consistency { model, kinematics, candidates: &candidates, numbers };
+    let consistency = Consistency { model, kinematics, candidates: &candidates, numbers, impulses: false };
     select(&consistency, FrictionMode::Wedged)
 }
 
@@ -124,7 +124,7 @@ fn select(consistency: &Consistency<'_>, still: FrictionMode) -> Option<Vec<Cont
 }
 
 /// The combination of this number, the options of the first candidate changing fastest.
-fn combination(mut number: usize, options: &[Vec<Option<ContactMode>>]) -> Vec<Option<ContactMode>> {
+pub(super) fn combination(mut number: usize, options: &[Vec<Option<ContactMode>>]) -> Vec<Option<ContactMode>> {
     let digit = |of: &Vec<Option<ContactMode>>| {
         let option = of[number % of.len()].clone();
         number /= of.len();
@@ -154,16 +154,18 @@ fn relax(consistency: &Consistency<'_>, options: &[Vec<Option<ContactMode>>]) ->
 }
 
 /// What a combination of modes is checked against.
-struct Consistency<'a> {
-    model: &'a Model,
-    kinematics: &'a Kinematics,
-    candidates: &'a [Candidate],
-    numbers: &'a ImpactSettings,
+pub(super) struct Consistency<'a> {
+    pub model: &'a Model,
+    pub kinematics: &'a Kinematics,
+    pub candidates: &'a [Candidate],
+    pub numbers: &'a ImpactSettings,
+    /// Whether reactions are impulses and accelerations velocities: a slip may not have turned then.
+    pub impulses: bool,
 }
 
 impl Consistency<'_> {
     /// Whether a combination violates no condition of one candidate, or of any.
-    fn is_consistent(&self, choice: &[Option<ContactMode>], only: Option<usize>) -> bool {
+    pub(super) fn is_consistent(&self, choice: &[Option<ContactMode>], only: Option<usize>) -> bool {
         let modes: Vec<ContactMode> = choice.iter().flatten().cloned().collect();
         let points: Vec<Vec<ContactPoint>> =
             modes.iter().map(|mode| mode.points(self.model, self.kinematics)).collect();
@@ -193,7 +195,7 @@ impl Consistency<'_> {
     }
 
     /// Motion with these modes; none where wedged contacts are not indeterminate, or have no reactions within the friction cones.
-    fn motion(&self, modes: &[ContactMode], points: &[Vec<ContactPoint>]) -> Option<ConstrainedMotion> {
+    pub(super) fn motion(&self, modes: &[ContactMode], points: &[Vec<ContactPoint>]) -> Option<ConstrainedMotion> {
         let motion = least_reactions(self.kinematics, modes, points, self.numbers)?;
         if modes.iter().all(|mode| mode.friction != FrictionMode::Wedged) {
             return Some(motion);
@@ -228,18 +230,31 @@ impl Consistency<'_> {
             FrictionMode::Slip(sign) if w_n - mu_k * sign * w_ns <= 0.0 => false,
             FrictionMode::Frictionless | FrictionMode::Wedged => true,
             FrictionMode::SlipAtEnd { sign, .. } => {
-                let (least, most) = (self.numbers.corner_friction()[1], mu_k);
+                let [least, most] = mode.friction_at_end(self.numbers);
                 let (friction, pressure) = (-sign * reaction.tangential, reaction.total());
                 let within = friction >= least * pressure - force && friction <= most * pressure + force;
                 within && (candidate.slip != 0.0 || self.begins_along(sign, motion, &centre))
             }
-            FrictionMode::Slip(sign) => candidate.slip != 0.0 || self.begins_along(sign, motion, &centre),
+            FrictionMode::Slip(sign) => {
+                (candidate.slip != 0.0 && !self.impulses) || self.begins_along(sign, motion, &centre)
+            }
         }
     }
 
-    /// Whether a slip with this sign agrees with the acceleration along the face.
+    /// Whether a slip with this sign agrees with the acceleration along the face. Without one, contacts that are statically indeterminate do
+    /// not slip: they are wedged.
     fn begins_along(&self, sign: f64, motion: &ConstrainedMotion, centre: &ContactPoint) -> bool {
-        sign * motion.along(centre, centre.s, centre.bias[1]) >= -IMPACT_FORCE_ROUNDING * self.scale()
+        let (along, zero) =
+            (sign * motion.along(centre, centre.s, centre.bias[1]), IMPACT_FORCE_ROUNDING * self.scale());
+        along > zero || (along >= -zero && (self.impulses || !self.all_at_rest_are_indeterminate()))
+    }
+
+    /// Whether the reactions of all candidates, none of them slipping, are not unique.
+    fn all_at_rest_are_indeterminate(&self) -> bool {
+        let mode = |c: &Candidate| ContactMode { pair: c.pair, sites: c.sites.clone(), friction: FrictionMode::Stick };
+        let modes: Vec<ContactMode> = self.candidates.iter().map(mode).collect();
+        let points: Vec<_> = modes.iter().map(|mode| mode.points(self.model, self.kinematics)).collect();
+        are_indeterminate(self.kinematics, &modes, &points, self.numbers)
     }
 
     /// Largest acceleration in play \[m/s²\].
@@ -343,8 +358,13 @@ mod tests {
             let (model, kinematics, candidate) = block(force, 0.0);
             let numbers = ImpactSettings { mu_static: 0.2, mu_kinetic: 0.15, ..ImpactSettings::default() };
             let candidates = [candidate];
-            let consistency =
-                Consistency { model: &model, kinematics: &kinematics, candidates: &candidates, numbers: &numbers };
+            let consistency = Consistency {
+                model: &model,
+                kinematics: &kinematics,
+                candidates: &candidates,
+                numbers: &numbers,
+                impulses: false,
+            };
             let options: Vec<_> = candidates.iter().map(|c| c.options(&numbers, FrictionMode::Stick)).collect();
             let relaxed = relax(&consistency, &options).expect("a consistent mode");
             let enumerated = select_modes(&model, &kinematics, &candidates, &numbers).expect("a consistent mode");

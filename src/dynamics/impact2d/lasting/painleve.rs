@@ -24,9 +24,10 @@ use crate::dynamics::impact2d::lasting::candidates::{candidates, tangential_spee
 use crate::dynamics::impact2d::lasting::constrained_motion::{
     ConstrainedMotion, ContactMode, FrictionMode, least_reactions,
 };
+use crate::dynamics::impact2d::lasting::impact_without_collision::{Stopped, stop_within_friction};
 use crate::dynamics::impact2d::lasting::indeterminate::reactions_in_cones;
-use crate::dynamics::impact2d::lasting::lasting_contact::Ending;
 use crate::dynamics::impact2d::lasting::mode_selection::{Candidate, Excluded, select_modes, select_wedged};
+use crate::dynamics::impact2d::lasting::switch::Ending;
 use crate::dynamics::impact2d::world::World;
 
 /// Candidates and their contact modes; velocities of the instant change where friction has to stop a slip. `ground` is the
@@ -58,23 +59,28 @@ pub(in crate::dynamics::impact2d) fn consistent_modes(
     if let Some(modes) = select_wedged(&world.model, &instant.kinematics, &all, &world.model.impact) {
         return (all, modes);
     }
+    let stops = ending.filter(|ending| matches!(ending, Ending::SlipStops(_)));
+    // Each impact stops a slip; those of the second may have begun with the first.
+    for _ in 0..=all.len() {
+        let stopped = stop_within_friction(&world.model, &instant.kinematics, &all, &world.model.impact);
+        let Some(Stopped { velocities, pairs }) = stopped else { break };
+        instant.kinematics.cluster.velocity = velocities;
+        all = anew_after_impulses(world, instant, stops, ground, &pairs);
+        if let Some(modes) = modes_at_rest_or_wedged(world, &instant.kinematics, &mut all) {
+            return (all, modes);
+        }
+    }
     let mut slipping = slips(&instant.kinematics.cluster, &all);
     let before = instant.kinematics.cluster.clone();
-    let stops = ending.filter(|ending| matches!(ending, Ending::SlipStops(_)));
     let mut count = 0;
     while count < slipping.len() {
         count += 1;
         let stopped: Vec<ContactPoint> = slipping[..count].iter().map(|slip| slip.2).collect();
-        stop_slips(world, instant, &before, &stopped, ground);
-        all = candidates(world, instant, stops);
-        for candidate in &mut all {
-            if slipping[..count].iter().any(|slip| slip.1 == candidate.pair) {
-                candidate.slip = 0.0;
-            }
-        }
-        if let Some(modes) = modes_or_slow_stick(world, &instant.kinematics, &mut all)
-            .or_else(|| select_wedged(&world.model, &instant.kinematics, &all, &world.model.impact))
-        {
+        let pairs: Vec<usize> = slipping[..count].iter().map(|slip| slip.1).collect();
+        instant.kinematics.cluster = before.clone();
+        simultaneous::stop(&mut instant.kinematics.cluster, &instant.manifolds, &stopped);
+        all = anew_after_impulses(world, instant, stops, ground, &pairs);
+        if let Some(modes) = modes_at_rest_or_wedged(world, &instant.kinematics, &mut all) {
             return (all, modes);
         }
         // What has begun to slip as others were stopped is stopped after those that had slipped.
@@ -122,13 +128,27 @@ fn modes_or_slow_stick(world: &World, kinematics: &Kinematics, all: &mut [Candid
     })
 }
 
-/// Stops the slips at these points, from the velocities `before`.
-fn stop_slips(world: &World, instant: &mut ImpactInstant, before: &Cluster, slips: &[ContactPoint], ground: DVec3) {
-    let mut cluster = before.clone();
-    simultaneous::stop(&mut cluster, &instant.manifolds, slips);
-    instant.kinematics.cluster = cluster;
+/// The same, or wedged ones.
+fn modes_at_rest_or_wedged(world: &World, kinematics: &Kinematics, all: &mut [Candidate]) -> Option<Vec<ContactMode>> {
+    modes_or_slow_stick(world, kinematics, all)
+        .or_else(|| select_wedged(&world.model, kinematics, all, &world.model.impact))
+}
+
+/// Candidates with the velocities of the cluster after impulses that have stopped the slips of these pairs.
+fn anew_after_impulses(
+    world: &World,
+    instant: &mut ImpactInstant,
+    ending: Option<Ending>,
+    ground: DVec3,
+    stopped: &[usize],
+) -> Vec<Candidate> {
     instant.take_velocities();
     instant.kinematics = Kinematics::new(&world.model, &instant.kinematics.bodies, &instant.states, ground);
+    let mut all = candidates(world, instant, ending);
+    for candidate in all.iter_mut().filter(|candidate| stopped.contains(&candidate.pair)) {
+        candidate.slip = 0.0;
+    }
+    all
 }
 
 /// Contacts under pressure without friction: those of the accelerations nearest to the free ones that let no point approach.
@@ -179,7 +199,9 @@ mod tests {
         let (world, mut instant) = pushed([10.0, 0.0]);
         let before = instant.kinematics.cluster.clone();
         let point = centre(&instant.manifolds[0].points);
-        stop_slips(&world, &mut instant, &before, &[point], DVec3::ZERO);
+        simultaneous::stop(&mut instant.kinematics.cluster, &instant.manifolds, &[point]);
+        let all = anew_after_impulses(&world, &mut instant, None, DVec3::ZERO, &[0]);
+        assert_eq!(all[0].slip, 0.0, "it has stopped");
         let after = &instant.kinematics.cluster;
         assert!(after.speed(&point, point.s).abs() < 1e-15, "the middle of the face is at rest along it");
         assert!(after.kinetic_energy() <= before.kinetic_energy(), "a projection adds no energy");
