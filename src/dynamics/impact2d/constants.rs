@@ -5,7 +5,7 @@
 // Round-off of velocities, accelerations and places.
 
 /// Speeds at a contact that differ by less than this part of the fastest in play are equal. A sum over two bodies of a few
-/// products of three terms rounds by some 10 ε = 2e-15; the rest is room for the solves of [`REDUNDANCY_COMPLIANCE`]. Tuned.
+/// products of three terms rounds by some 10 ε = 2e-15; the rest is room for the solves of [`SINGULAR_PIVOT`]. Tuned.
 pub(super) const IMPACT_SPEED_ROUNDING: f64 = 1e-12;
 /// Likewise, in parts of the largest speed since the start of the run: velocities of a flight come from places that round by
 /// ε of their size; 45 ε. Tuned.
@@ -65,12 +65,12 @@ pub(super) const SEQUENTIAL_HITS: usize = 256;
 pub(super) const ACTIVE_SET_CHANGES: usize = 500;
 /// Approach speed left by a simultaneous impact, in parts of the largest before: the residual of a solve, 450 ε.
 pub(super) const ACTIVE_SET_RESIDUAL: f64 = 1e-13;
-/// Compliance on the diagonal of a system without a unique solution, in parts of its largest entry. Redundant points share
-/// the load as if each gave by this little; the
-/// shares then keep ε/1e-12, some four digits, and sums of them all.
-pub(super) const REDUNDANCY_COMPLIANCE: f64 = 1e-12;
+/// Least pivot of a system with a unique solution, in parts of its largest entry \[–\]: the round-off of an elimination of some thousand
+/// terms. Redundant points of a system with a lesser one share the load equally
+/// ([`solve_regularised`](crate::dynamics::integrator::dense_lu::solve_regularised)).
+pub(super) const SINGULAR_PIVOT: f64 = 1e-12;
 /// Residual of accelerations, in parts of the free ones in the mass metric, up to which reactions within the friction cones balance \[–\]:
-/// ten thousand times [`REDUNDANCY_COMPLIANCE`], by which forces that balance themselves enter, as large as they are beside the pushes.
+/// five times the round-off of a singular system, 2e-9.
 pub(super) const CONE_RESIDUAL: f64 = 1e-8;
 /// Halvings of an interval that bracket the time from which on a mode is consistent again: to 1e-12 of the interval.
 pub(super) const CONSISTENCY_HALVINGS: usize = 40;

@@ -85,6 +85,8 @@ impl ImpactProgress {
         let mut until = contact.until;
         if let Err(reason) = planned {
             self.schedule.give_up(until, self.world.names(&contact.bodies), reason.into());
+            self.world.lasting[number] = Some(contact);
+            return;
         }
         let for_want_of_another = contact.is_for_want_of_another();
         self.world.lasting[number] = Some(contact);

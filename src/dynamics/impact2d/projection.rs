@@ -5,7 +5,7 @@
 
 use glam::DVec2;
 
-use crate::dynamics::impact2d::constants::{PLACE_ROUNDING, REDUNDANCY_COMPLIANCE, REST_SNAP_ROUNDINGS};
+use crate::dynamics::impact2d::constants::{PLACE_ROUNDING, REST_SNAP_ROUNDINGS, SINGULAR_PIVOT};
 use crate::dynamics::impact2d::delassus::{ContactPoint, centre};
 use crate::dynamics::impact2d::instant::ImpactInstant;
 use crate::dynamics::impact2d::lasting::constrained_motion::ContactMode;
@@ -31,8 +31,8 @@ pub(in crate::dynamics::impact2d) fn project(
     let cluster = &instant.kinematics.cluster;
     let entry = |r: usize, c: usize| cluster.mobility(&rows[r].0, rows[r].1, &rows[c].0, rows[c].1);
     let speed = |r: usize| -cluster.speed(&rows[r].0, rows[r].1);
-    let speeds = solve_regularised(kept, entry, speed, REDUNDANCY_COMPLIANCE);
-    let shifts = solve_regularised(rows.len(), entry, |r| -rows[r].2, REDUNDANCY_COMPLIANCE);
+    let speeds = solve_regularised(kept, entry, speed, SINGULAR_PIVOT);
+    let shifts = solve_regularised(rows.len(), entry, |r| -rows[r].2, SINGULAR_PIVOT);
     for (solution, from) in [(shifts, 0), (speeds, 3)] {
         for ((point, direction, _), size) in rows.iter().zip(solution.unwrap_or_default()) {
             for (body, row) in point.row(*direction * size) {

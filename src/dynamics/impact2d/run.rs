@@ -97,7 +97,7 @@ impl ImpactRun {
             {
                 let site = &mut self.run.world.sites[left];
                 (site.beside, site.armed, site.kept) = (true, false, false);
-                if let Some(pair) = self.run.world.pairs.iter().position(|pair| pair.sites.contains(&left)) {
+                if let Some(pair) = self.run.world.pair(self.run.world.model.sites[number].pair) {
                     self.run.world.take_up_passed(pair, left, t);
                 }
             }

@@ -88,7 +88,7 @@ fn a_corner_that_slides_past_the_corner_of_the_other_leaves_that_one_in_contact(
     );
     let history = run(1.0, "held = [\"x\", \"y\", \"yaw\"]\n", &next);
     assert_eq!(history.overlaps(), [], "the corner of a carries it");
-    // It rests on that corner: the place of its face there follows from its turn.
+    // That corner does not move, and b's face, turned by 1°, slides along it.
     let m = history.motion(1, 1.0);
     let forward = m.velocity.x + m.velocity.y * 1f64.to_radians().tan();
     within("it slides along its face [m/s]", forward, 1e-9);

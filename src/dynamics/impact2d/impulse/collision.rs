@@ -3,7 +3,7 @@
 use glam::DVec2;
 
 use crate::dynamics::impact2d::InlineVec;
-use crate::dynamics::impact2d::constants::REDUNDANCY_COMPLIANCE;
+use crate::dynamics::impact2d::constants::SINGULAR_PIVOT;
 use crate::dynamics::impact2d::delassus::{Cluster, ContactPoint, centre};
 use crate::dynamics::impact2d::impulse::corner::{Coefficients, SecondImpulse, first_impulse, second_impulse};
 use crate::dynamics::impact2d::impulse::face::{Ends, centroid, two_corner};
@@ -188,7 +188,7 @@ fn plastic_face(cluster: &mut Cluster, ends: &Ends, from: State) -> Collision {
     let before = [0, 1].map(|i| cluster.speed(&ends[i], ends[i].n));
     let entry = |r: usize, c: usize| cluster.mobility(&ends[r], ends[r].n, &ends[c], ends[c].n);
     // Two ends that are both held have no solution and take no impulse.
-    let impulses = solve_regularised(2, entry, |r| -before[r], REDUNDANCY_COMPLIANCE).unwrap_or_else(|| vec![0.0; 2]);
+    let impulses = solve_regularised(2, entry, |r| -before[r], SINGULAR_PIVOT).unwrap_or_else(|| vec![0.0; 2]);
     cluster.push(&ends[0], [impulses[0], 0.0]);
     cluster.push(&ends[1], [impulses[1], 0.0]);
     let lost = 0.5 * (0..2).map(|i| -impulses[i] * before[i]).sum::<f64>();

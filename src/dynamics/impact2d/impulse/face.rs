@@ -10,9 +10,7 @@
 //! energy, the restitution is lowered until they do not. Where no slip is consistent (Painlevé) the face sticks by the least
 //! impulses that stop it, outside the friction cone; they add no energy.
 
-use crate::dynamics::impact2d::constants::{
-    CONE_ROUNDING, REDUNDANCY_COMPLIANCE, RESTITUTION_BISECTIONS, WORK_ROUNDING,
-};
+use crate::dynamics::impact2d::constants::{CONE_ROUNDING, RESTITUTION_BISECTIONS, SINGULAR_PIVOT, WORK_ROUNDING};
 use crate::dynamics::impact2d::delassus::{Cluster, ContactPoint};
 use crate::dynamics::impact2d::impulse::corner::Coefficients;
 use crate::dynamics::integrator::dense_lu::solve_regularised;
@@ -124,7 +122,7 @@ fn solve_modes(
         let (p, d) = row(r);
         pushed.get(r).map_or(0.0, |&i| asked[i]) - cluster.speed(p, d)
     };
-    let solution = solve_regularised(size, entry, right, REDUNDANCY_COMPLIANCE)?;
+    let solution = solve_regularised(size, entry, right, SINGULAR_PIVOT)?;
     let mut normal = [0.0; 2];
     for (&i, &p) in pushed.iter().zip(&solution) {
         normal[i] = p;

@@ -10,7 +10,7 @@
 
 use glam::DVec2;
 
-use crate::dynamics::impact2d::constants::{ACTIVE_SET_CHANGES, ACTIVE_SET_RESIDUAL, REDUNDANCY_COMPLIANCE};
+use crate::dynamics::impact2d::constants::{ACTIVE_SET_CHANGES, ACTIVE_SET_RESIDUAL, SINGULAR_PIVOT};
 use crate::dynamics::impact2d::delassus::{Cluster, ContactPoint};
 use crate::dynamics::impact2d::impulse::collision::ContactManifold;
 use crate::dynamics::integrator::dense_lu::solve_regularised;
@@ -58,7 +58,7 @@ pub(in crate::dynamics::impact2d) fn non_negative_impulses(
 /// Impulses of the active set that bring its rates to 0.
 fn solve_active_set(active: &[usize], mobility: &impl Fn(usize, usize) -> f64, speeds: &[f64]) -> Option<Vec<f64>> {
     let entry = |r: usize, c: usize| mobility(active[r], active[c]);
-    solve_regularised(active.len(), entry, |r| -speeds[active[r]], REDUNDANCY_COMPLIANCE)
+    solve_regularised(active.len(), entry, |r| -speeds[active[r]], SINGULAR_PIVOT)
 }
 
 /// Solves for the impulses of the active set and drops those that would have to pull.

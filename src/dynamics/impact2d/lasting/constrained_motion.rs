@@ -9,7 +9,7 @@
 use glam::{DVec2, DVec3};
 
 use crate::dynamics::Model;
-use crate::dynamics::impact2d::constants::REDUNDANCY_COMPLIANCE;
+use crate::dynamics::impact2d::constants::SINGULAR_PIVOT;
 use crate::dynamics::impact2d::delassus::{ContactPoint, centre};
 use crate::dynamics::impact2d::kinematics::Kinematics;
 use crate::dynamics::impact2d::{InlineVec, State};
@@ -156,7 +156,7 @@ pub(in crate::dynamics::impact2d) fn are_indeterminate(
     numbers: &ImpactSettings,
 ) -> bool {
     let unknowns = unknowns(modes, points, numbers);
-    is_singular(unknowns.len(), |r, c| mobility(kinematics, [&unknowns[r], &unknowns[c]]), REDUNDANCY_COMPLIANCE)
+    is_singular(unknowns.len(), |r, c| mobility(kinematics, [&unknowns[r], &unknowns[c]]), SINGULAR_PIVOT)
 }
 
 /// Acceleration at one unknown per unit of another \[1/kg\].
@@ -176,7 +176,7 @@ pub(in crate::dynamics::impact2d) fn least_reactions(
     let without = ConstrainedMotion { reactions: Vec::new(), accelerations: kinematics.free.clone() };
     let entry = |r: usize, c: usize| mobility(kinematics, [&unknowns[r], &unknowns[c]]);
     let right = |r: usize| -without.along(&unknowns[r].point, unknowns[r].direction, unknowns[r].bias);
-    let solution = solve_regularised(unknowns.len(), entry, right, REDUNDANCY_COMPLIANCE)?;
+    let solution = solve_regularised(unknowns.len(), entry, right, SINGULAR_PIVOT)?;
     let mut reactions = vec![Reaction::default(); modes.len()];
     for (unknown, &size) in unknowns.iter().zip(&solution) {
         for (body, row) in unknown.point.row(unknown.force * size) {

@@ -43,6 +43,9 @@ pub(in crate::dynamics::impact2d) fn stop_within_friction(
     let candidates: Vec<Candidate> = candidates.iter().map(of).collect();
     let options: Vec<Vec<Option<ContactMode>>> = candidates.iter().map(options).collect();
     let combinations = options.iter().map(Vec::len).try_fold(1usize, usize::checked_mul)?;
+    if combinations > MODE_COMBINATIONS {
+        return None;
+    }
     let consistency = Consistency { model, kinematics: &kinematics, candidates: &candidates, numbers, impulses: true };
     let stops = |choice: &[Option<ContactMode>]| -> Vec<usize> {
         let stops = |(mode, candidate): (&Option<ContactMode>, &Candidate)| {
@@ -56,7 +59,7 @@ pub(in crate::dynamics::impact2d) fn stop_within_friction(
         Cluster { velocity: velocities.clone(), ..kinematics.cluster.clone() }.kinetic_energy()
     };
     let most = energy(&kinematics.free) * (1.0 + IMPACT_FORCE_ROUNDING);
-    (1..=slipping).filter(|_| combinations <= MODE_COMBINATIONS).find_map(|count| {
+    (1..=slipping).find_map(|count| {
         (0..combinations).find_map(|number| {
             let choice = combination(number, &options);
             let pairs = stops(&choice);

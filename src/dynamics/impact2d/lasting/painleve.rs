@@ -5,11 +5,12 @@
 //!
 //! 1. slips below the stop speed become stick;
 //! 2. a face at rest that opens at one end slips along it, with pressure at both ends, where its friction has fallen to the kinetic;
-//! 3. contacts at rest that are statically indeterminate are *wedged* where some of their reactions lie in the friction cones
+//! 3. modes that the event of this instant has ended are tried again, beside others than those with which they ended;
+//! 4. contacts at rest that are statically indeterminate are *wedged* where some of their reactions lie in the friction cones
 //!    ([`indeterminate`](super::indeterminate));
-//! 4. **impact without collision**: friction stops slips at once, the slowest first and as few as needed, by the least
-//!    impulses that stop them and let no point approach (an orthogonal projection in the mass metric: no energy is added);
-//! 5. modes that the event of this instant has ended are tried again, beside others than those with which they ended;
+//! 5. **impact without collision**: friction stops slips at once, by impulses within Coulomb's law
+//!    ([`impact_without_collision`](super::impact_without_collision)), and where there are no such the slowest first and as few as needed, by the
+//!    least impulses that stop them and let no point approach (an orthogonal projection in the mass metric: no energy is added);
 //! 6. otherwise the contacts go on without friction, which always has a solution; the run says so.
 //!
 //! What is wedged or goes on without friction does so until other modes agree with Coulomb's law.
@@ -108,11 +109,11 @@ pub(in crate::dynamics::impact2d) fn must_go_on(world: &World, t: f64, slots: &[
     let (kinematics, numbers) = (&instant.kinematics, &world.model.impact);
     let holds = || {
         let points: Vec<_> = modes.iter().map(|mode| mode.points(&world.model, kinematics)).collect();
-        let is_wedged = modes.iter().any(|mode| mode.friction == FrictionMode::Wedged);
         let motion = least_reactions(kinematics, modes, &points, numbers);
-        !is_wedged || motion.is_some_and(|m| reactions_in_cones(kinematics, modes, &points, numbers, &m).is_some())
+        motion.is_some_and(|m| reactions_in_cones(kinematics, modes, &points, numbers, &m).is_some())
     };
-    modes_or_slow_stick(world, kinematics, &mut candidates(world, &instant, None)).is_none() && holds()
+    modes_or_slow_stick(world, kinematics, &mut candidates(world, &instant, None)).is_none()
+        && (modes.iter().all(|mode| mode.friction != FrictionMode::Wedged) || holds())
 }
 
 /// Consistent modes, if need be with slips below the stop speed turned into stick.
