@@ -92,12 +92,12 @@ impl ImpactRun {
         let Some(contact) = &self.run.world.lasting[number] else { return };
         let slots = self.run.world.slots(&contact.bodies);
         if let Some(ending) = contact.ending {
-            if let Ending::LeavesFace(number) = ending
-                && let Some(left) = self.run.world.site(number)
+            if let Ending::LeavesFace(leaving) = ending
+                && let Some(left) = self.run.world.site(leaving)
             {
                 let site = &mut self.run.world.sites[left];
                 (site.beside, site.armed, site.kept) = (true, false, false);
-                if let Some(pair) = self.run.world.pair(self.run.world.model.sites[number].pair) {
+                if let Some(pair) = self.run.world.pair(self.run.world.model.sites[leaving].pair) {
                     self.run.world.take_up_passed(pair, left, t);
                 }
             }
