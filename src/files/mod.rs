@@ -30,6 +30,6 @@ pub use recent::Recent;
 pub use recovery::{Found, SideFile, find_beside, find_in};
 pub use save::{Draft, FileSet, as_file_name, check_folder, save_scene, scene_text, write_atomic, write_set};
 pub use scene_source::SceneSource;
-pub use settings::{Chosen, Settings};
+pub use settings::{Chosen, FoldedPanels, Settings};
 pub use stamp::Stamp;
 pub use write_error::WriteError;

@@ -20,6 +20,26 @@ pub struct Chosen {
     pub dark: Option<bool>,
     /// Size of everything, as a share of the usual one.
     pub scale: Option<f32>,
+    /// Which panels are folded.
+    pub folded: FoldedPanels,
+}
+
+/// Panels that were folded or opened by hand; the others fold as there is room.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Serialize, Deserialize)]
+#[serde(default)]
+pub struct FoldedPanels {
+    /// What is placed, and numbers.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub placed: Option<bool>,
+    /// Sliders.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub what_if: Option<bool>,
+    /// The words of a lesson.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub lesson: Option<bool>,
+    /// The plots.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub plots: Option<bool>,
 }
 
 /// The settings, and the file that they are kept in.
@@ -41,6 +61,7 @@ struct Written {
     theme: Option<String>,
     #[serde(skip_serializing_if = "Option::is_none")]
     scale: Option<f32>,
+    folded: FoldedPanels,
 }
 
 /// Words of the themes in the file.
@@ -61,6 +82,7 @@ impl Settings {
             language: written.language.and_then(|code| code.parse().ok()),
             dark: written.theme.and_then(dark),
             scale: written.scale.filter(|scale| scale.is_finite()).map(Self::scale_within),
+            folded: written.folded,
         };
         Self { file, chosen }
     }
@@ -90,6 +112,7 @@ impl Settings {
             language: chosen.language.map(|language| language.code().to_owned()),
             theme: chosen.dark.map(|dark| (if dark { DARK } else { LIGHT }).to_owned()),
             scale: chosen.scale,
+            folded: chosen.folded,
         };
         let folder = folder_of(&self.file);
         std::fs::create_dir_all(folder).map_err(|cause| WriteError::new(folder, cause))?;
@@ -109,7 +132,8 @@ mod tests {
         assert_eq!(*settings.chosen(), Chosen::default(), "nothing chosen yet");
         for language in [Language::Japanese, Language::English] {
             for (dark, scale) in [(None, Some(1.5)), (Some(true), None), (Some(false), Some(2.0))] {
-                let chosen = Chosen { language: Some(language), dark, scale };
+                let folded = FoldedPanels { placed: dark, plots: Some(scale.is_some()), ..FoldedPanels::default() };
+                let chosen = Chosen { language: Some(language), dark, scale, folded };
                 settings.keep(chosen).expect("written, folder and all");
                 assert_eq!(*Settings::open(file.clone()).chosen(), chosen, "kept");
             }
@@ -120,7 +144,7 @@ mod tests {
     fn nonsense_is_no_choice() {
         let folder = tempfile::tempdir().expect("a folder");
         let file = folder.path().join("settings.toml");
-        let nonsense = ["language = 3", "language = \"xx\"", "theme = \"blue\"", "scale = nan", ""];
+        let nonsense = ["language = 3", "language = \"xx\"", "theme = \"blue\"", "scale = nan", "folded = 1", ""];
         for nonsense in nonsense.map(str::as_bytes).into_iter().chain([&b"\xff\xfe"[..]]) {
             std::fs::write(&file, nonsense).expect("written");
             let mut settings = Settings::open(file.clone());

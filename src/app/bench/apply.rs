@@ -6,7 +6,7 @@ use super::window_state::Next;
 use super::workbench::Workbench;
 use crate::app::command::{
     AngleCommand, AppearanceCommand, Command, CompareCommand, FileCommand, FilmCommand, HandCommand, LearnCommand,
-    LeaveCommand, MapCommand, RunCommand, ViewCommand,
+    LeaveCommand, MapCommand, RunCommand, ViewCommand, WindowCommand,
 };
 use crate::app::style::size::LECTURE;
 use crate::files::{Chosen, Settings};
@@ -84,8 +84,22 @@ impl Workbench {
             Command::Run(command) => self.apply_run(command),
             Command::Appearance(command) => self.apply_appearance(command),
             Command::Leave(command) => self.apply_leave(command),
-            Command::Window(command) => self.window.apply(command),
+            Command::Window(command) => self.apply_window(command),
         }
+    }
+
+    fn apply_window(&mut self, command: WindowCommand) {
+        self.window.apply(command);
+        let folded = self.window.folds.panels();
+        if folded != self.files.session.chosen().folded {
+            self.keep_chosen(Chosen { folded, ..*self.files.session.chosen() });
+        }
+    }
+
+    /// Keeps a choice for the next start.
+    fn keep_chosen(&mut self, chosen: Chosen) {
+        let kept = self.files.session.keep(chosen);
+        self.window.say_failure(kept);
     }
 
     /// Runs the scene when something was done to it; an edit that does not fit is told to the user.
@@ -151,8 +165,7 @@ impl Workbench {
             AppearanceCommand::Theme(theme) => chosen.dark = Some(theme == Theme::Dark),
             AppearanceCommand::Scale(scale) => chosen.scale = Some(Settings::scale_within(scale)),
         }
-        let kept = self.files.session.keep(chosen);
-        self.window.say_failure(kept);
+        self.keep_chosen(chosen);
     }
 
     fn apply_leave(&mut self, command: LeaveCommand) {

@@ -1,6 +1,7 @@
 //! Which panels are folded to a strip: as the user said, else as there is room for the view.
 
 use crate::app::command::Pane;
+use crate::files::FoldedPanels;
 
 /// Widths that the panels beside the view begin with, their margins with them \[points\].
 const WIDTHS: [f32; 3] = [262.0, 282.0, 286.0];
@@ -31,6 +32,18 @@ impl Folds {
     pub(super) fn set(&mut self, pane: Pane, folded: bool) {
         self.said[pane as usize] = Some(folded);
         self.opened = (!folded).then_some(pane);
+    }
+
+    /// As in an earlier window.
+    pub(super) fn as_in(panels: FoldedPanels) -> Self {
+        let FoldedPanels { placed, what_if, lesson, plots } = panels;
+        Self { said: [placed, what_if, lesson, plots], opened: None }
+    }
+
+    /// What a later window begins with.
+    pub(super) fn panels(self) -> FoldedPanels {
+        let [placed, what_if, lesson, plots] = self.said;
+        FoldedPanels { placed, what_if, lesson, plots }
     }
 
     /// Folds every panel, or opens all.
@@ -118,5 +131,15 @@ mod tests {
         assert!(!folds.in_window([1280.0, 720.0], true).is_all(), "open again");
         folds.set_all(true);
         assert!(folds.in_window([2560.0, 1440.0], false).is_all(), "all of them");
+    }
+
+    #[test]
+    fn a_later_window_has_the_panels_that_this_one_had() {
+        for pane in Pane::ALL {
+            let mut folds = Folds::default();
+            folds.set(pane, true);
+            let later = Folds::as_in(folds.panels()).in_window([2560.0, 1440.0], true);
+            assert_eq!(Pane::ALL.map(|other| later.has(other)), Pane::ALL.map(|other| other == pane), "{pane:?} alone");
+        }
     }
 }

@@ -2,6 +2,7 @@
 
 use std::path::Path;
 
+use super::folds::Folds;
 use super::window_state::WindowState;
 use crate::app::disk::scene_files::SceneFiles;
 use crate::app::disk::tasks::Tasks;
@@ -99,6 +100,7 @@ impl Workbench {
     /// Keeps recent files, settings and unsaved work in a folder from now on, and asks about work that is found.
     pub fn keep_in(&mut self, folder: &Path) {
         self.files.keep_in(folder, self.tasks.wake());
+        self.window.folds = Folds::as_in(self.files.session.chosen().folded);
     }
 
     /// What stands on the window's frame.
