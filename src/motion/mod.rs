@@ -242,6 +242,12 @@ impl Ground {
         j
     }
 
+    /// Number of the linear piece of a record that holds the instants just before `t`.
+    pub fn piece_number_before(&self, t: f64) -> usize {
+        let number = self.piece_number(t);
+        if number > 0 && self.piece(number).from >= t { number - 1 } else { number }
+    }
+
     /// The linear piece of that number; past the last sample the ground stands still.
     pub fn piece(&self, number: usize) -> LinearPiece {
         let Self::Record { dt, samples, .. } = self else {
@@ -322,5 +328,12 @@ mod tests {
         for j in 0..1999 {
             assert_eq!(ground.piece_number(j as f64 * 0.01), j, "sample {j}");
         }
+    }
+
+    #[test]
+    fn just_before_a_sample_the_ground_is_in_the_piece_that_ends_there() {
+        let ground = Ground::record(DVec3::X, 0.5, [1.0, 2.0, 3.0]);
+        let before = |t: f64| ground.piece_number_before(t);
+        assert_eq!([0.0, 0.2, 0.5, 0.7, 1.0, 2.0].map(before), [0, 0, 0, 1, 1, 2], "pieces begin at 0, 0.5 and 1");
     }
 }

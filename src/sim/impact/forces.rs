@@ -19,8 +19,11 @@ fn reactions(history: &History, interval: &LastingInterval, t: f64) -> Option<(K
         std::array::from_fn(|i| state[i])
     };
     let states: Vec<PlanarState> = interval.bodies.iter().map(state).collect();
-    let piece = model.ground.piece(model.ground.piece_number(t));
-    let kinematics = Kinematics::new(model, &interval.bodies, &states, ground_acceleration(&model.ground, &piece, t));
+    let ground = &model.ground;
+    // A run that ends with its record ends before the step of the ground that follows.
+    let number = if t < interval.until { ground.piece_number(t) } else { ground.piece_number_before(t) };
+    let piece = ground.piece(number);
+    let kinematics = Kinematics::new(model, &interval.bodies, &states, ground_acceleration(ground, &piece, t));
     let points: Vec<_> = interval.modes.iter().map(|mode| mode.points(model, &kinematics)).collect();
     let motion = solve_reactions(&kinematics, &interval.modes, &points, &model.impact)?;
     Some((kinematics, motion.reactions))

@@ -51,6 +51,18 @@ fn girders_at_a_wall_leave_it_together() {
     }
 }
 
+#[test]
+fn a_run_that_ends_with_its_record_ends_with_the_ground_of_its_last_sample() {
+    // 2 m/s² of the ground to the last sample: the wall at −x, which takes 300 t along, is pressed by 600 kN.
+    let wall = WALLS.replace("+x", "-x");
+    let rest = format!("[motion]\nkind = \"record\"\nsamples_m_s2 = [2.0, 2.0, 2.0]\ndt_s = 0.5\n{wall}");
+    let history = run(1.0, "", &rest);
+    for t in [0.5, 0.999, 1.0] {
+        let force: f64 = history.contacts(t).iter().map(|contact| contact.normal_force).sum();
+        within(&format!("force at {t} s [N]"), force - 6e5, 1e-3);
+    }
+}
+
 /// A face that slides along a wall under a moment that takes the pressure of one end, where the corner has more friction than the face: the
 /// other end's pressure is 0 from `t = 4/9` s on, and friction between the two coefficients keeps the face on the wall until it is that of the
 /// corner at `34/63` s.

@@ -83,6 +83,19 @@ mod tests {
     }
 
     #[test]
+    fn a_contact_that_lasted_stays_where_a_hit_elsewhere_parts_it_slower_than_the_stop_speed() {
+        let stop = presets::load("straight-abutment").expect("a preset").impact.stop_speed;
+        let count = |kept: bool, parting: f64| {
+            let (mut world, instant) = at_wall([-parting, 0.0]);
+            world.sites.iter_mut().for_each(|site| site.kept = kept);
+            candidates(&world, &instant, None).len()
+        };
+        assert_eq!(count(true, 0.9 * stop), 1, "it lasted, and parts slowly");
+        assert_eq!(count(true, 1.1 * stop), 0, "it parts faster than the stop speed");
+        assert_eq!(count(false, 0.9 * stop), 0, "it has only just met");
+    }
+
+    #[test]
     fn a_face_slips_above_the_stop_speed_only_and_not_where_slip_has_just_stopped() {
         let slip = |v_y: f64, ending: Option<Ending>| {
             let (world, instant) = at_wall([0.0, v_y]);
