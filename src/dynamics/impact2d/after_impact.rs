@@ -152,7 +152,7 @@ fn mark_sites(world: &mut World, instant: &ImpactInstant, modes: &[ContactMode])
                 let behind = (LIFTED_DEPTH * radius).max(GAP_ROUNDING * track.spot.size);
                 track.depth = behind + (-point.gap).max(0.0);
             } else if point.gap < near && !touches && !kept {
-                (track.armed, track.lifted, track.beside) = (false, false, true);
+                track.pass_beside(instant.t);
             }
         }
     }
@@ -262,11 +262,11 @@ mod tests {
     #[test]
     fn a_point_behind_a_face_that_it_is_not_on_is_beside_it() {
         let mut run = ImpactProgress::new(example::world(example::at_wall(|_| ())));
-        run.world.sites[0].beside = true;
+        run.world.sites[0].beside = Some(0.0);
         let mut instant = example::instant(&run.world, [-0.1, 0.0]);
         resume(&mut run, &mut instant, &[State::Free], 0.0, None);
         let site = &run.world.sites[0];
-        assert_eq!([site.armed, site.lifted, site.beside], [false, false, true], "not lifted: it has not touched");
+        assert_eq!((site.armed, site.lifted, site.beside), (false, false, Some(0.0)), "not lifted: it has not touched");
     }
 
     #[test]

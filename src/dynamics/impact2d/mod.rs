@@ -10,7 +10,7 @@
 //! - `closing`: the next impact of a pair.
 //! - `instant`: bodies and contacts of one instant; `after_impact`: modes and trajectories from there on.
 //! - [`state`], [`tables`]: the six states and the rows of Tables 4–10; [`record`]: the log of a run.
-//! - [`run`]: handlers of events, over `progress` (queue and log), `world` (state) and `tracks` (data of bodies and pairs).
+//! - [`run`]: handlers of events, over `progress` (queue and log), `event_source` (what is in the queue), `world` (state) and `tracks` (data of bodies and pairs).
 //! - `constants`: every tolerance and count.
 //!
 //! Left out: the spread of a contact force along an elastic face, waves, and the duration of a hit.
@@ -19,6 +19,7 @@ mod after_impact;
 mod closing;
 mod constants;
 pub mod delassus;
+mod event_source;
 #[cfg(test)]
 mod example;
 pub mod impulse;

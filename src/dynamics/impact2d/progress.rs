@@ -1,12 +1,12 @@
 //! One run of a group of bodies: event queue, log, and the planning of steps and searches.
 
-use crate::dynamics::event_loop::event_queue::Source;
 use crate::dynamics::event_loop::schedule::Schedule;
 use crate::dynamics::free_flight::body_motion::BodyFlight;
 use crate::dynamics::impact2d::closing::next_impact::next_impact;
 use crate::dynamics::impact2d::constants::{
     CONSISTENCY_HALVINGS, CUT_SHORT_WORK, EVENTS_BEFORE_LEAST_DURATION, LEAST_DURATION, LEAST_SCALE, SWITCHING_SAMPLES,
 };
+use crate::dynamics::impact2d::event_source::EventSource;
 use crate::dynamics::impact2d::lasting::painleve;
 use crate::dynamics::impact2d::lasting::switch::Ending;
 use crate::dynamics::impact2d::record::{LastingInterval, Record};
@@ -26,16 +26,6 @@ pub(in crate::dynamics::impact2d) struct ImpactProgress {
 }
 
 impl ImpactProgress {
-    /// The end of the planned step of a lasting contact as a source of events.
-    pub(in crate::dynamics::impact2d) fn lasting(number: usize) -> Source {
-        Source { rank: 0, number }
-    }
-
-    /// The next impact of a pair, or the end of its search, as a source of events.
-    pub(in crate::dynamics::impact2d) fn pair(number: usize) -> Source {
-        Source { rank: 1, number }
-    }
-
     /// A run at t = 0, before its first event.
     pub(in crate::dynamics::impact2d) fn new(world: World) -> Self {
         Self { world, schedule: Schedule::default(), record: Record::default(), last: (-1.0, 0) }
@@ -55,9 +45,9 @@ impl ImpactProgress {
         }
         self.world.pairs[pair].impact_due = found.impact;
         if found.due.is_finite() {
-            self.schedule.queue.set(Self::pair(pair), found.due);
+            self.schedule.queue.set(EventSource::Pair(pair).into(), found.due);
         } else {
-            self.schedule.queue.remove(Self::pair(pair));
+            self.schedule.queue.remove(EventSource::Pair(pair).into());
         }
     }
 
@@ -96,7 +86,7 @@ impl ImpactProgress {
         {
             (until, contact.until, contact.ending) = (t, t, Some(Ending::Superseded));
         }
-        self.schedule.queue.set(Self::lasting(number), until);
+        self.schedule.queue.set(EventSource::Lasting(number).into(), until);
     }
 
     /// First time in the planned step of a lasting contact, whose modes are for want of others, from which on others agree with Coulomb's law
@@ -141,7 +131,7 @@ impl ImpactProgress {
 
     /// Ends a lasting contact at `t` and logs it.
     pub(in crate::dynamics::impact2d) fn end_lasting(&mut self, number: usize, t: f64) {
-        self.schedule.queue.remove(Self::lasting(number));
+        self.schedule.queue.remove(EventSource::Lasting(number).into());
         if let Some(contact) = self.world.lasting[number].take()
             && t > contact.since
         {

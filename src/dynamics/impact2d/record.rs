@@ -76,11 +76,19 @@ pub struct Record {
     pub transitions: Vec<Transition>,
     /// Intervals of lasting contact in order of their start.
     pub lasting: Vec<LastingInterval>,
+    /// Declared contacts, numbers in the model, with stretches in which their point is behind the plane of the face beside it and hits
+    /// nothing \[s\].
+    pub beside: Vec<(usize, [f64; 2])>,
     /// Time reached \[s\].
     pub end: f64,
 }
 
 impl Record {
+    /// Stretches in which the point of a declared contact is beside its face, in order of time \[s\].
+    pub fn beside(&self, site: usize) -> impl Iterator<Item = [f64; 2]> {
+        self.beside.iter().filter(move |(number, _)| *number == site).map(|(_, stretch)| *stretch)
+    }
+
     /// State of a girder at `t` \[s\].
     pub fn state(&self, body: usize, t: f64) -> State {
         let until = self.transitions.partition_point(|change| change.t <= t);
@@ -101,6 +109,8 @@ impl Record {
     pub fn together(records: Vec<Self>, end: f64) -> Self {
         let mut all = Self { end, ..Self::default() };
         for record in records {
+            let cut = |(site, [from, until]): (usize, [f64; 2])| (site, [from, until.min(end)]);
+            all.beside.extend(record.beside.into_iter().filter(|(_, [from, _])| *from < end).map(cut));
             all.hits.extend(record.hits.into_iter().filter(|hit| hit.t <= end));
             all.transitions.extend(record.transitions.into_iter().filter(|change| change.t <= end));
             let cut = |interval: LastingInterval| LastingInterval { until: interval.until.min(end), ..interval };

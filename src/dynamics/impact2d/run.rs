@@ -10,6 +10,7 @@ use crate::dynamics::event_loop::schedule::Schedule;
 use crate::dynamics::impact2d::InlineVec;
 use crate::dynamics::impact2d::after_impact::resume;
 use crate::dynamics::impact2d::constants::{EVENTS_AT_ONE_INSTANT, RUN_SPEED_ROUNDING, TOUCH, WORK_PER_BODY};
+use crate::dynamics::impact2d::event_source::EventSource;
 use crate::dynamics::impact2d::impulse::sequential::impulses;
 use crate::dynamics::impact2d::instant::ImpactInstant;
 use crate::dynamics::impact2d::lasting::switch::Ending;
@@ -96,7 +97,8 @@ impl ImpactRun {
                 && let Some(left) = self.run.world.site(leaving)
             {
                 let site = &mut self.run.world.sites[left];
-                (site.beside, site.armed, site.kept) = (true, false, false);
+                site.pass_beside(t);
+                site.kept = false;
                 if let Some(pair) = self.run.world.pair(self.run.world.model.sites[leaving].pair) {
                     self.run.world.take_up_passed(pair, left, t);
                 }
@@ -131,7 +133,12 @@ impl ImpactRun {
 
     /// Bodies with their paths, log, and progress.
     pub(in crate::dynamics) fn into_parts(self) -> (Vec<BodyTrack>, Record, Schedule) {
-        let ImpactProgress { world, record, schedule, .. } = self.run;
+        let ImpactProgress { world, mut record, schedule, .. } = self.run;
+        let end = schedule.reached(world.model.duration);
+        for site in world.sites {
+            let last = site.beside.map(|from| [from, end]);
+            record.beside.extend(site.was_beside.into_iter().chain(last).map(|stretch| (site.number, stretch)));
+        }
         (world.bodies, record, schedule)
     }
 }
@@ -157,23 +164,23 @@ impl Mechanics for ImpactRun {
 
     fn place(&self, source: Source) -> String {
         let world = &self.run.world;
-        if source == ImpactProgress::pair(source.number) {
-            world.model.pairs[world.pairs[source.number].number].name.clone()
-        } else {
-            world.lasting[source.number].as_ref().map_or(String::new(), |contact| world.names(&contact.bodies))
+        match source.into() {
+            EventSource::Pair(number) => world.model.pairs[world.pairs[number].number].name.clone(),
+            EventSource::Lasting(number) => {
+                world.lasting[number].as_ref().map_or(String::new(), |contact| world.names(&contact.bodies))
+            }
         }
     }
 
     fn handle(&mut self, source: Source, t: f64) {
-        let number = source.number;
-        if source != ImpactProgress::pair(number) {
-            self.end_of_step(number, t);
-        } else if self.run.world.pairs[number].impact_due {
-            self.run.world.arm_in_front(number, t);
-            let slots: InlineVec<usize> = self.run.world.pairs[number].slots.into_iter().flatten().collect();
-            self.act(t, &slots, None);
-        } else {
-            self.run.search(number, t);
+        match source.into() {
+            EventSource::Lasting(number) => self.end_of_step(number, t),
+            EventSource::Pair(number) if self.run.world.pairs[number].impact_due => {
+                self.run.world.arm_in_front(number, t);
+                let slots: InlineVec<usize> = self.run.world.pairs[number].slots.into_iter().flatten().collect();
+                self.act(t, &slots, None);
+            }
+            EventSource::Pair(number) => self.run.search(number, t),
         }
     }
 
@@ -196,7 +203,11 @@ fn disarm_points_behind(world: &mut World) {
             if point.gap < near && !world.touches(site, pair, &point) {
                 let depth = world.model.sites[world.sites[site].number].face.depth;
                 let beside = point.inset < 0.0 || -point.gap >= depth;
-                (world.sites[site].armed, world.sites[site].beside) = (false, beside);
+                let track = &mut world.sites[site];
+                track.armed = false;
+                if beside {
+                    track.pass_beside(0.0);
+                }
             }
         }
     }

@@ -49,10 +49,6 @@ pub(in crate::dynamics::impact2d) struct PairTrack {
 
 /// A declared contact of the group.
 #[derive(Debug)]
-#[expect(
-    clippy::struct_excessive_bools,
-    reason = "independent conditions of one point, each set and cleared by another event"
-)]
 pub(in crate::dynamics::impact2d) struct SiteTrack {
     /// Number in the model.
     pub number: usize,
@@ -68,8 +64,10 @@ pub(in crate::dynamics::impact2d) struct SiteTrack {
     pub armed: bool,
     /// Whether it has lifted off without normal speed.
     pub lifted: bool,
-    /// Whether it is behind the plane of the face beside the face, and has not been in front since.
-    pub beside: bool,
+    /// Since when it is behind the plane of the face beside the face, without having been in front since \[s\].
+    pub beside: Option<f64>,
+    /// Earlier stretches of that \[s\].
+    pub was_beside: Vec<[f64; 2]>,
     /// When it is in front of the face again on the trajectories in force \[s\].
     pub in_front_at: Option<f64>,
     /// Depth behind the face at which a point that has lifted off hits again \[m\].
@@ -77,9 +75,16 @@ pub(in crate::dynamics::impact2d) struct SiteTrack {
 }
 
 impl SiteTrack {
-    /// Arms a point that is in front of its face: its next crossing is an impact.
-    pub(in crate::dynamics::impact2d) fn arm(&mut self) {
-        (self.armed, self.lifted, self.beside) = (true, false, false);
+    /// Arms a point that is in front of its face from `t` on: its next crossing is an impact.
+    pub(in crate::dynamics::impact2d) fn arm(&mut self, t: f64) {
+        self.was_beside.extend(self.beside.take().map(|from| [from, t]));
+        (self.armed, self.lifted) = (true, false);
+    }
+
+    /// Disarms a point that is beside its face from `t` on.
+    pub(in crate::dynamics::impact2d) fn pass_beside(&mut self, t: f64) {
+        self.beside = self.beside.or(Some(t));
+        (self.armed, self.lifted) = (false, false);
     }
 }
 
@@ -91,8 +96,13 @@ mod tests {
     fn an_armed_point_is_neither_lifted_nor_beside_its_face() {
         let mut world = example::world(example::at_wall(|_| ()));
         let site = &mut world.sites[0];
-        (site.armed, site.lifted, site.beside, site.kept) = (false, true, true, true);
-        site.arm();
-        assert_eq!([site.armed, site.lifted, site.beside, site.kept], [true, false, false, true], "kept stays");
+        (site.lifted, site.kept) = (true, true);
+        site.pass_beside(0.5);
+        site.pass_beside(0.7);
+        assert_eq!((site.armed, site.lifted, site.beside), (false, false, Some(0.5)), "since it passed first");
+        site.arm(2.0);
+        assert_eq!((site.armed, site.lifted, site.beside, site.kept), (true, false, None, true), "kept stays");
+        site.arm(3.0);
+        assert_eq!(site.was_beside, [[0.5, 2.0]], "once");
     }
 }

@@ -168,7 +168,7 @@ impl World {
 
     /// Whether a point lies on its face: gap within [`TOUCH`], foot on the face.
     pub(in crate::dynamics::impact2d) fn touches(&self, site: usize, pair: usize, point: &ContactPoint) -> bool {
-        if self.sites[site].beside {
+        if self.sites[site].beside.is_some() {
             return false;
         }
         let near = TOUCH * self.radius(pair);
@@ -180,8 +180,8 @@ impl World {
     pub(in crate::dynamics::impact2d) fn arm_in_front(&mut self, pair: usize, t: f64) {
         for site in self.pairs[pair].sites.clone() {
             let track = &mut self.sites[site];
-            if track.in_front_at.take_if(|at| *at <= t).is_some() {
-                track.arm();
+            if let Some(at) = track.in_front_at.take_if(|at| *at <= t) {
+                track.arm(at);
             }
         }
     }
@@ -193,7 +193,7 @@ impl World {
         for site in self.pairs[pair].sites.clone().filter(|&site| site != left) {
             let point = self.point(site, pair, t);
             if point.gap.abs() <= near && point.inset.abs() <= near {
-                self.sites[site].arm();
+                self.sites[site].arm(t);
             }
         }
     }
@@ -234,7 +234,8 @@ fn site_track(model: &Model, site: usize) -> SiteTrack {
         kept: false,
         armed: true,
         lifted: false,
-        beside: false,
+        beside: None,
+        was_beside: Vec::new(),
         in_front_at: None,
     }
 }
@@ -257,7 +258,7 @@ mod tests {
             assert_eq!(world.pair_touches(0, 0.0), touches, "{parts} × 1e-9, kept: {kept}");
         }
         let mut beside = world(0.0);
-        beside.sites.iter_mut().for_each(|site| site.beside = true);
+        beside.sites.iter_mut().for_each(|site| site.beside = Some(0.0));
         assert!(!beside.pair_touches(0, 0.0), "beside the face");
     }
 

@@ -35,7 +35,7 @@ pub(super) fn of_pair(history: &History, number: usize, turned: &Turned) -> Unwa
     let whole = || Unwatched::Bodies(vec![[0.0, history.end()]]);
     let model = history.model();
     let pair = &model.pairs[number];
-    if history.impact().is_some() || pair.bodies.into_iter().flatten().any(|body| turned.far(history, body)) {
+    if pair.bodies.into_iter().flatten().any(|body| turned.far(history, body)) {
         return whole();
     }
     let nodes = match model.kind {
@@ -59,8 +59,11 @@ pub(super) fn of_pair(history: &History, number: usize, turned: &Turned) -> Unwa
     Unwatched::Nodes(pair.sites.clone().map(of_node).filter(|(_, intervals)| !intervals.is_empty()).collect())
 }
 
-/// Intervals in which a contact is disarmed.
+/// Intervals in which a contact is disarmed; under the impact model those in which its point is beside its face.
 fn disarmed(history: &History, contact: usize) -> Vec<Interval> {
+    if let Some(record) = history.impact() {
+        return record.beside(contact).collect();
+    }
     let states = || history.trajectories.log(contact).states();
     let ends = states().map(|(from, _)| from).skip(1).chain([history.end()]);
     let off = |((from, state), until): ((f64, Contact), f64)| {

@@ -105,7 +105,7 @@ fn open_points(world: &mut World, pair: usize, t: f64, motion: &PairMotion) -> S
         let (mut here, mut bound) = bounded_gap(world, site, 0.0, motion);
         let track = &mut world.sites[site];
         if !track.armed && is_positive_again(here.gap, here.rate, t, resolution) {
-            track.arm();
+            track.arm(t);
         }
         let (depth, armed) = (if track.lifted { track.depth } else { 0.0 }, track.armed || track.lifted);
         if depth > 0.0 {
