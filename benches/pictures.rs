@@ -71,6 +71,7 @@ fn list_of((scene, moment): &(Scene, Moment), close: bool) -> DrawList {
         kept: &[],
         exaggeration: 1.0,
         bent: None,
+        clear: &[],
         size: SIZE,
         pixels_per_point: 1.0,
         background: Background::Studio,

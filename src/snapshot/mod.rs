@@ -125,6 +125,7 @@ impl Shot {
             kept: &[],
             exaggeration: 1.0,
             bent: self.bent.and_then(|bending| Bent::of(history, bending)),
+            clear: &[],
             size: self.size,
             pixels_per_point: points(self.size),
             background: self.background,

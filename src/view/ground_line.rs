@@ -59,6 +59,7 @@ mod tests {
                 exaggeration: 1.0,
                 bent: None,
                 kept: &[],
+                clear: &[],
                 size: [300, 200],
                 pixels_per_point: 1.0,
                 background: Background::Studio,

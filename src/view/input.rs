@@ -46,6 +46,8 @@ pub struct ViewInput<'a> {
     pub bent: Option<Bent>,
     /// Other runs, seen as ghosts at the same instant, each with its number among [`MOST_KEPT`].
     pub kept: &'a [(&'a History, usize)],
+    /// Places of what is drawn over the picture, which labels keep clear of \[pixels\].
+    pub clear: &'a [Vec2],
     /// Width and height \[pixels\].
     pub size: [u32; 2],
     /// Size of texts and lines: pixels of the picture to a point, 1 on a plain screen.

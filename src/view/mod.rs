@@ -173,6 +173,9 @@ fn marks(
     for (_, area) in &panels {
         placer.take(*area);
     }
+    for at in input.clear {
+        placer.take(Area::about(*at, glam::Vec2::splat(9.0 * input.pixels_per_point)));
+    }
     texts::keep_clear(input, moment, forces, &mut placer);
     marks.extend(overlap::labels(input, moment, palette, &mut placer));
     marks.extend(seat_edges::labels(input, moment, palette, &mut placer));

@@ -258,6 +258,7 @@ fn extreme_cameras_and_numbers_draw_without_a_complaint() {
             kept: &[],
             exaggeration: 1.0,
             bent: None,
+            clear: &[],
             size: [64, 64],
             pixels_per_point: 1.0,
             background: Background::Studio,

@@ -39,6 +39,7 @@ fn input<'a>(scene: &'a Scene, history: Option<&'a History>, t: f64, camera: &'a
         kept: &[],
         exaggeration: 1.0,
         bent: None,
+        clear: &[],
         size: SIZE,
         pixels_per_point: 1.0,
         background: Background::Studio,

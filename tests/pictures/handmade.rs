@@ -103,6 +103,7 @@ pub(crate) fn input<'a>(
         kept: &[],
         exaggeration: 1.0,
         bent: None,
+        clear: &[],
         size,
         pixels_per_point,
         background: Background::Studio,

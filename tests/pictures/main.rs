@@ -10,6 +10,8 @@ mod gauge;
 #[cfg(feature = "render")]
 mod golden;
 #[cfg(feature = "render")]
+mod labels;
+#[cfg(feature = "render")]
 #[path = "../support/row.rs"]
 mod row;
 #[cfg(feature = "render")]

@@ -121,6 +121,7 @@ fn view<'a>(scene: &'a Scene, history: Option<&'a History>, camera: &'a Camera) 
         kept: &[],
         exaggeration: 1.0,
         bent: None,
+        clear: &[],
         size: SIZE,
         pixels_per_point: 1.0,
         background: Background::Studio,

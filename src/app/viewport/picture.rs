@@ -4,7 +4,7 @@ use std::cell::Cell;
 use std::sync::Arc;
 
 use egui::{Pos2, Rect};
-use glam::DVec3;
+use glam::{DVec3, Vec2};
 
 use crate::app::viewport::eye::ndc;
 use crate::app::viewport::glide::Glide;
@@ -29,6 +29,7 @@ pub(super) struct Key {
     pub(super) force_scale: Option<f64>,
     pub(super) selected: Vec<Target>,
     pub(super) kept: Vec<u64>,
+    pub(super) clear: Vec<Vec2>,
     pub(super) exaggeration: f64,
     pub(super) bent: Option<Bent>,
     pub(super) size: [u32; 2],
@@ -234,6 +235,7 @@ pub(super) fn input<'a>(seen: &Seen<'a>, camera: &'a Camera, key: &'a Key) -> Vi
         force_scale: key.force_scale,
         selected: &key.selected,
         kept: &[],
+        clear: &key.clear,
         exaggeration: key.exaggeration,
         bent: key.bent,
         size: key.size,

@@ -4,7 +4,7 @@ use std::sync::Arc;
 use std::time::Duration;
 
 use egui::{Rect, Response, Role, Sense, Ui, WidgetInfo};
-use glam::DVec3;
+use glam::{DVec3, Vec2};
 
 use crate::app::command::{Command, Follow, SelectCommand};
 use crate::app::style::theme::Palette;
@@ -140,6 +140,7 @@ fn key(ui: &Ui, camera: Camera, (viewport, seen): (&Viewport, &Seen<'_>)) -> Key
         force_scale: seen.display.force_scale(),
         selected: seen.selection.to_vec(),
         kept: seen.pins.iter().map(|p| p.answer.number).collect(),
+        clear: Vec::new(),
         exaggeration: seen.display.sight.exaggeration,
         bent: viewport.bent(seen),
         size: viewport.size,
@@ -150,7 +151,9 @@ fn key(ui: &Ui, camera: Camera, (viewport, seen): (&Viewport, &Seen<'_>)) -> Key
 }
 
 fn paint(ui: &Ui, rect: Rect, camera: Camera, (viewport, seen): (&mut Viewport, &Seen<'_>)) {
-    let key = key(ui, camera, (viewport, seen));
+    let places = gizmo::places(&Eye { camera, rect }, seen);
+    let clear = places.into_iter().map(|at| (at - rect.min) * ui.pixels_per_point()).map(|at| Vec2::new(at.x, at.y));
+    let key = Key { clear: clear.collect(), ..key(ui, camera, (viewport, seen)) };
     if viewport.picture.as_ref().is_none_or(|(kept, _)| *kept != key) {
         let list = listed(seen, &camera, &key);
         viewport.picture = Some((key, Arc::new(list)));

@@ -268,6 +268,7 @@ fn a_cable_is_drawn_between_its_ends_thick_while_it_is_taut_and_the_legend_has_b
             kept: &[],
             exaggeration: 1.0,
             bent: None,
+            clear: &[],
             size: [900, 600],
             pixels_per_point: 1.0,
             background: Background::Studio,

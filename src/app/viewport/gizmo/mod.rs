@@ -12,5 +12,5 @@ mod typed;
 
 pub(in crate::app) use held::{Held, Manner, handle_id, pull, snapped};
 pub(in crate::app) use pull::Pulled;
-pub(in crate::app) use show::{say, show};
+pub(in crate::app) use show::{places, say, show};
 pub(in crate::app) use typed::{Typing, begins_number, read as read_typed};

@@ -48,12 +48,8 @@ fn stance<'a>(seen: &'a Seen<'_>) -> impl Fn(usize) -> Stance + 'a {
 pub(in crate::app) fn show(ui: &mut Ui, eye: &Eye, hand: &mut Hand, seen: &Seen<'_>, out: &mut Vec<Command>) {
     paint::outlines(ui, eye, seen);
     hand.focused = None;
-    if !seen.playback.clock.playing {
-        let handles = handles::handles(seen.scene, seen.selection, seen.display.overlays.gap, stance(seen));
-        let crowded = is_crowded(&handles, eye);
-        for handle in handles.iter().filter(|h| !crowded || is_mover(h.grip)) {
-            one(ui, eye, handle, (&mut *hand, seen), out);
-        }
+    for handle in &shown(eye, seen) {
+        one(ui, eye, handle, (&mut *hand, seen), out);
     }
     hand.forget_lost(ui);
     if let Some(words) = &hand.words {
@@ -64,6 +60,22 @@ pub(in crate::app) fn show(ui: &mut Ui, eye: &Eye, hand: &mut Hand, seen: &Seen<
     } else if let Some(pulled) = &hand.pulled {
         paint::pulled(ui, eye, pulled);
     }
+}
+
+/// The handles that are shown; none while the scene plays.
+fn shown(eye: &Eye, seen: &Seen<'_>) -> Vec<Handle> {
+    if seen.playback.clock.playing {
+        return Vec::new();
+    }
+    let mut handles = handles::handles(seen.scene, seen.selection, seen.display.overlays.gap, stance(seen));
+    let crowded = is_crowded(&handles, eye);
+    handles.retain(|handle| !crowded || is_mover(handle.grip));
+    handles
+}
+
+/// Where handles are shown \[points\].
+pub(in crate::app) fn places(eye: &Eye, seen: &Seen<'_>) -> Vec<Pos2> {
+    shown(eye, seen).iter().filter_map(|handle| paint::place(eye, handle)).collect()
 }
 
 fn is_mover(grip: Grip) -> bool {
