@@ -124,6 +124,28 @@ impl Law {
         self.mu_s > 0.0
     }
 
+    /// Whether friction in slip is in the direction of `V_t` at every instant: law `paper` in two directions of sliding.
+    #[inline]
+    pub fn turns_at_once(&self) -> bool {
+        self.friction == FrictionLaw::Paper && self.v_stick > 0.0 && self.mu_k > 0.0
+    }
+
+    /// Whether the direction of slip is a state that follows that of `V_t`: law `return-mapping` in two directions of sliding.
+    #[inline]
+    pub fn has_direction_state(&self) -> bool {
+        self.friction == FrictionLaw::ReturnMapping && self.v_stick > 0.0 && self.mu_k > 0.0
+    }
+
+    /// Whether a stop of sliding in two directions can be passed, as stick from no force could not hold: law `paper`.
+    pub fn may_pass_stop(&self) -> bool {
+        self.friction == FrictionLaw::Paper && self.v_stick > 0.0
+    }
+
+    /// Whether the tangential dashpot acts in slip as in stick: law `return-mapping`.
+    pub fn is_damped_in_slip(&self) -> bool {
+        self.friction == FrictionLaw::ReturnMapping
+    }
+
     /// Normal force as a length, `ℓ = N(δ)/k_t` \[m\].
     #[inline]
     pub fn length(&self, here: &Local) -> f64 {

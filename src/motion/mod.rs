@@ -245,7 +245,12 @@ impl Ground {
     /// Number of the linear piece of a record that holds the instants just before `t`.
     pub fn piece_number_before(&self, t: f64) -> usize {
         let number = self.piece_number(t);
-        if number > 0 && self.piece(number).from >= t { number - 1 } else { number }
+        if number > 0 && self.piece_start(number) >= t { number - 1 } else { number }
+    }
+
+    /// Where the linear piece of that number begins \[s\].
+    pub fn piece_start(&self, number: usize) -> f64 {
+        if let Self::Record { dt, .. } = self { number as f64 * dt } else { 0.0 }
     }
 
     /// The linear piece of that number; past the last sample the ground stands still.
@@ -253,7 +258,7 @@ impl Ground {
         let Self::Record { dt, samples, .. } = self else {
             return LinearPiece::still(0.0, f64::INFINITY);
         };
-        let from = number as f64 * dt;
+        let from = self.piece_start(number);
         match samples.line(number, *dt) {
             Some(line) => LinearPiece { from, until: (number + 1) as f64 * dt, line },
             None => LinearPiece::still(from, f64::INFINITY),

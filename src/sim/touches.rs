@@ -180,7 +180,8 @@ pub(super) fn flight_rate(history: &History, body: usize) -> f64 {
     use crate::motion::Ground;
     let model = history.model();
     let together = history.trajectories.free_motion(body).map_or(0.0, BodyMotion::fastest);
-    let omega = model.bodies[body].fastest().max(together);
+    let on_springs = history.trajectories.path(body).fastest_on_springs().unwrap_or(0.0);
+    let omega = model.bodies[body].fastest().max(together).max(on_springs);
     let drive = match &model.ground {
         Ground::Still => 0.0,
         Ground::Sine { omega, .. } => *omega,

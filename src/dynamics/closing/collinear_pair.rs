@@ -54,7 +54,7 @@ pub(in crate::dynamics) fn search(world: &mut World, pair: usize, t: f64) -> Opt
             let closing = collinear.in_step(t, until, resolution);
             (closing.unwrap_or(f64::INFINITY), closing, 0)
         }
-        None => collinear.in_flight(t, resolution),
+        None => collinear.in_flight([t, horizon(world, world.pairs[pair].slots, t)], resolution),
     };
     for contact in contacts {
         (world.contacts[contact].closing, world.contacts[contact].rearmed_at) = (closing, None);
@@ -146,11 +146,10 @@ impl<'a> CollinearPair<'a> {
         self.sides.iter().map(curvature).sum()
     }
 
-    /// Conservative advancement in flight: due time of the pair, its closing if that is the reason, and the number of
+    /// Conservative advancement in flight from `t` to `until`: due time of the pair, its closing if that is the reason, and the number of
     /// evaluations.
-    fn in_flight(&self, t: f64, resolution: f64) -> (f64, Option<f64>, u64) {
+    fn in_flight(&self, [t, until]: [f64; 2], resolution: f64) -> (f64, Option<f64>, u64) {
         let model = &self.world.model;
-        let until = horizon(&model.ground, t, model.duration);
         let here = self.bounded_gap(t, model.duration);
         if here.out_of_reach {
             return (f64::INFINITY, None, 1);

@@ -3,8 +3,7 @@
 use glam::DVec3;
 
 use crate::contact::Frame;
-use crate::dynamics::closing::constants::RECORD_SAMPLES_PER_SEARCH;
-use crate::dynamics::free_flight::body_motion::{BodyFlight, BodyMotion};
+use crate::dynamics::closing::constants::{PHASE_END_SAMPLES, RECORD_SAMPLES_PER_SEARCH};
 use crate::dynamics::free_flight::relative_bounds::{BodyInFlight, GirderInFlight, RelativeBounds};
 use crate::dynamics::linear::Parts;
 use crate::dynamics::model::motion_bounds::MotionBounds;
@@ -65,8 +64,8 @@ fn flyer<'a>(
 ) -> Option<(Frame, BodyInFlight<'a>)> {
     let track = &world.bodies[slot];
     let body = &world.model.bodies[track.body];
-    let (Trajectory::Flight(flight), Some(motion)) = (&track.now, &track.free_motion) else { return None };
-    if let (BodyMotion::RigidInPlan(free_motion), BodyFlight::RigidInPlan(flight)) = (motion, flight) {
+    let (flight, motion) = track.flight()?;
+    if let Some((free_motion, flight)) = motion.in_plan(flight) {
         let (state, free) = free_motion.parts_in(flight, t, phase);
         let bound = free_motion.bound_from(t, &state, free.as_ref(), horizon);
         let girder = Some(GirderInFlight { free_motion, state, free });
@@ -80,13 +79,26 @@ fn flyer<'a>(
     Some((frame, BodyInFlight { bound, girder: None }))
 }
 
-/// End of one search \[s\]: a period of a sine, [`RECORD_SAMPLES_PER_SEARCH`] samples of a record, or the end of the
-/// run.
-pub(in crate::dynamics) fn horizon(ground: &Ground, t: f64, duration: f64) -> f64 {
+/// End of one search of bodies in flight \[s\]: a period of a sine, samples of a record, fewer where a girder flies on springs to the
+/// ground, whose phases end, or the end of the run.
+pub(in crate::dynamics) fn horizon(world: &World, slots: [Option<usize>; 2], t: f64) -> f64 {
+    let on_springs = |slot: usize| world.bodies[slot].flight().is_some_and(|(flight, _)| flight.is_on_springs());
+    let short = slots.into_iter().flatten().any(on_springs);
+    let samples = if short { PHASE_END_SAMPLES } else { RECORD_SAMPLES_PER_SEARCH };
+    horizon_of(&world.model.ground, t, world.model.duration, samples)
+}
+
+/// Up to when bounds on flights are asked for in a search from `t` to `until` \[s\]: to the end of the run, but for a record that goes on,
+/// under which none holds as long.
+pub(in crate::dynamics) fn farthest(world: &World, [t, until]: [f64; 2]) -> f64 {
+    if world.model.ground.next_kink(t).is_finite() { until } else { world.model.duration }
+}
+
+fn horizon_of(ground: &Ground, t: f64, duration: f64, samples: f64) -> f64 {
     let stretch = match ground {
         Ground::Still => duration,
         Ground::Sine { omega, .. } => std::f64::consts::TAU / omega,
-        Ground::Record { dt, .. } => RECORD_SAMPLES_PER_SEARCH * dt,
+        Ground::Record { dt, .. } => samples * dt,
     };
     (t + stretch).min(duration)
 }
@@ -118,10 +130,11 @@ mod tests {
             phase: 0.3,
         };
         let record = Ground::record(DVec3::X, 0.01, [0.0; 5]);
-        assert_eq!(horizon(&Ground::Still, 1.0, 60.0), 60.0, "nothing drives: to the end");
-        assert!((horizon(&sine, 1.0, 60.0) - 1.5).abs() < 1e-15, "a period of 2 Hz");
-        assert_eq!(horizon(&record, 1.0, 60.0), 1.0 + 0.01 * RECORD_SAMPLES_PER_SEARCH);
-        assert_eq!(horizon(&sine, 59.9, 60.0), 60.0, "no further than the run");
+        let end = |ground: &Ground, t: f64| horizon_of(ground, t, 60.0, RECORD_SAMPLES_PER_SEARCH);
+        assert_eq!(end(&Ground::Still, 1.0), 60.0, "nothing drives: to the end");
+        assert!((end(&sine, 1.0) - 1.5).abs() < 1e-15, "a period of 2 Hz");
+        assert_eq!(end(&record, 1.0), 1.0 + 0.01 * RECORD_SAMPLES_PER_SEARCH);
+        assert_eq!(end(&sine, 59.9), 60.0, "no further than the run");
     }
 
     /// Every bound of two girders in flight is above the motion, and below `factor` times it.

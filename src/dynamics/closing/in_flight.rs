@@ -7,7 +7,7 @@
 use crate::contact::{Local, locate};
 use crate::dynamics::ContactSite;
 use crate::dynamics::closing::constants::CUT_SEARCH_WORK;
-use crate::dynamics::closing::flight_view::{FlightSample, horizon, remember};
+use crate::dynamics::closing::flight_view::{FlightSample, farthest, horizon, remember};
 use crate::dynamics::closing::found::NextClosing;
 use crate::dynamics::closing::shared::{Shared, in_block};
 use crate::dynamics::closing::step_samples::resolution_of;
@@ -50,13 +50,14 @@ impl OpenContact<'_> {
 /// closing or of the end of the search, infinite without either \[s\].
 pub(in crate::dynamics) fn search(world: &mut World, pair: usize, t: f64, shared: &mut Shared) -> NextClosing {
     let duration = world.model.duration;
-    let until = horizon(&world.model.ground, t, duration);
+    let until = horizon(world, world.pairs[pair].slots, t);
     remember(world, world.pairs[pair].slots, until);
     let present = &*world;
     let mut evaluations = 1;
-    let first = shared.flight_sample(present, pair, [t, duration]);
+    let known = farthest(present, [t, until]);
+    let first = shared.flight_sample(present, pair, [t, known]);
     let until = if in_block(present, pair) { until.min(t + first.between.window) } else { until };
-    let mut open_contacts = open(present, pair, [t, duration], &first);
+    let mut open_contacts = open(present, pair, [t, known], &first);
     // Contacts armed at `t`; the search can arm others later.
     let armed: Vec<usize> = open_contacts.iter().filter(|q| q.advancement.armed()).map(|q| q.contact).collect();
     let never_closes =
@@ -136,6 +137,11 @@ fn advance_all(
         let advance =
             open_contacts.iter_mut().map(|q| q.advancement.step()).enumerate().min_by(|a, b| a.1.total_cmp(&b.1));
         let Some((shortest, advance)) = advance else { break };
+        if t + advance >= until && open_contacts.iter().all(|q| q.advancement.armed()) {
+            // All are open up to the end for certain: no look there.
+            t = until;
+            break;
+        }
         let next = (t + advance).min(until);
         if next <= t {
             // The advance is below the resolution of the time: the gap is zero to rounding, and a contact that is

@@ -19,7 +19,7 @@ pub(in crate::dynamics) fn search(world: &mut World, pair: usize, [t, until]: [f
     for contact in contacts.clone() {
         (world.contacts[contact].closing, world.contacts[contact].rearmed_at) = (None, None);
     }
-    if contacts.clone().all(|c| world.contacts[c].state.closed().is_some()) {
+    if contacts.clone().all(|c| world.is_closed(c)) {
         return f64::INFINITY;
     }
     let samples = shared.samples(world, pair, [t, until]);

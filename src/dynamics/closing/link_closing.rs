@@ -5,11 +5,11 @@ use glam::DVec3;
 
 use crate::contact::Frame;
 use crate::dynamics::closing::constants::{CLOSING_INTERVAL, CUT_SEARCH_WORK, SPEED_ROUNDING, STEP_SAMPLES};
-use crate::dynamics::closing::flight_view::{FlightSample, horizon, remember};
+use crate::dynamics::closing::flight_view::{FlightSample, farthest, horizon, remember};
 use crate::dynamics::closing::found::{NextClosing, first_step_end};
 use crate::dynamics::closing::gap_curvature::GapCurvature;
 use crate::dynamics::closing::link_motion::{frames, motion};
-use crate::dynamics::closing::phase_end;
+use crate::dynamics::closing::{phase_end, phase_end_in_plan};
 use crate::dynamics::connection::{Kinematics, Link, SeparationBounds, Switch};
 use crate::dynamics::locate::advancement::{BoundedGap, FirstZero, first_crossing_from};
 use crate::dynamics::locate::constants::RESOLUTION;
@@ -19,9 +19,12 @@ use crate::dynamics::model::motion_bounds::MotionBounds;
 use crate::dynamics::world::World;
 use crate::dynamics::world::tracks::LinkTrack;
 
-/// Searches the beginning of the force of a link from `t` on, or the end of its phase where it acts on a body in flight, and
-/// enters it in the link's track.
+/// Searches the beginning of the force of a link from `t` on, or the end of its phase where it acts on a body in flight (of all links on
+/// a girder together), and enters it in the link's track.
 pub(in crate::dynamics) fn search(world: &mut World, link: usize, t: f64) -> NextClosing {
+    if world.phases_led_by(link).is_some() {
+        return phase_end_in_plan::search(world, link, t);
+    }
     world.links[link].ends = None;
     if world.link_acts(link) {
         return phase_end::search(world, link, t);
@@ -36,24 +39,18 @@ pub(in crate::dynamics) fn search(world: &mut World, link: usize, t: f64) -> Nex
             world.links[link].ends = begins.map(|at| (at, Switch::Closing));
             NextClosing::at(begins.unwrap_or(f64::INFINITY))
         }
-        None => in_flight(world, link, t),
+        None => phase_end::beginning(world, link, t).unwrap_or_else(|| in_flight(world, link, t)),
     }
 }
 
 /// Conservative advancement where neither end is in a planned step.
 fn in_flight(world: &mut World, link: usize, t: f64) -> NextClosing {
     let (duration, slots) = (world.model.duration, world.links[link].slots);
-    let [t, until] = phase_end::open_until(world, link, t).unwrap_or_else(|| {
-        let until = horizon(&world.model.ground, t, duration);
-        remember(world, slots, until);
-        [t, until]
-    });
-    if t >= until {
-        return NextClosing::at(if until < duration { until } else { f64::INFINITY });
-    }
+    let until = horizon(world, slots, t);
+    remember(world, slots, until);
     let present = &*world;
     let (mut evaluations, size) = (1, resolution(present, link, t));
-    let here = bounded_gap(present, link, t, duration);
+    let here = bounded_gap(present, link, t, farthest(present, [t, until]));
     let sample = |at: f64| {
         evaluations += 1;
         bounded_gap(present, link, at, until)

@@ -13,5 +13,6 @@ pub(in crate::dynamics) mod link_closing;
 mod link_motion;
 pub mod next_closing;
 mod phase_end;
+mod phase_end_in_plan;
 pub(in crate::dynamics) mod shared;
 pub(in crate::dynamics) mod step_samples;

@@ -101,7 +101,7 @@ fn in_step(world: &World, meeting: usize, samples: &StepSamples) -> Parted {
 /// on its rate. It ends within twice `near`, so that a touch is always ahead of the time from which the pairs are searched.
 fn in_flight(world: &mut World, (number, pair): (usize, usize), t: f64) -> Parted {
     let duration = world.model.duration;
-    let mut until = horizon(&world.model.ground, t, duration);
+    let mut until = horizon(world, world.pairs[pair].slots, t);
     remember(world, world.pairs[pair].slots, until);
     let in_block = in_block(world, pair);
     let meeting = &world.model.meetings[number];
@@ -167,7 +167,7 @@ fn part(world: &mut World, pair: usize) -> bool {
         return true;
     }
     let contacts = world.pairs[pair].contacts.clone();
-    if contacts.clone().any(|contact| world.contacts[contact].state.closed().is_some()) {
+    if contacts.clone().any(|contact| world.is_closed(contact)) {
         return false;
     }
     for contact in contacts {

@@ -25,8 +25,8 @@ pub trait Device: DeviceReadings + std::fmt::Debug + Send + Sync {
         self.linear().is_some()
     }
 
-    /// Whether, in a phase in which it acts, force and switching functions are linear with a constant in displacement and rate
-    /// of its points, and a switching function that is a length changes by no more than they are displaced.
+    /// Whether, in a phase in which it acts, its force is linear with a constant in displacement and rate of its points; on bodies of one
+    /// coordinate its switching functions too.
     fn is_linear_in(&self, phase: &Phase) -> bool {
         let _ = phase;
         self.is_linear()

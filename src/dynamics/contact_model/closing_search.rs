@@ -26,7 +26,9 @@ impl ClosingSearch<'_> {
             self.pair_among(pair, t, &mut shared);
         }
         for link in self.world.links_of(slots) {
-            if !self.world.link_acts(link) || self.world.acts_in_flight(link) {
+            if self.world.is_led(link) {
+                // Searched with the first one of the girder.
+            } else if !self.world.link_acts(link) || self.world.acts_in_flight(link) {
                 self.link(link, t);
             } else {
                 // Its island finds the end of the phase.
@@ -55,6 +57,10 @@ impl ClosingSearch<'_> {
     pub(in crate::dynamics) fn link(&mut self, number: usize, t: f64) {
         let found = link_closing::search(self.world, number, t);
         self.enter(EventSource::Link(number), found);
+        for other in self.world.phases_led_by(number).into_iter().flatten().skip(1) {
+            let ends = self.world.links[other].ends;
+            self.due(EventSource::Link(other), ends.map_or(f64::INFINITY, |(at, _)| at));
+        }
     }
 
     /// Enters the result of a search in the queue and counts its work.
@@ -62,8 +68,13 @@ impl ClosingSearch<'_> {
         self.schedule.effort.searches += 1;
         self.schedule.effort.looks += found.evaluations;
         self.schedule.work += found.work;
-        if found.due.is_finite() {
-            self.schedule.queue.set(source.into(), found.due);
+        self.due(source, found.due);
+    }
+
+    /// Enters a time in the queue; removes the source where that is infinite.
+    fn due(&mut self, source: EventSource, t: f64) {
+        if t.is_finite() {
+            self.schedule.queue.set(source.into(), t);
         } else {
             self.schedule.queue.remove(source.into());
         }

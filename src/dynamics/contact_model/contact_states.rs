@@ -1,5 +1,6 @@
 //! States of the contacts of a group of bodies at an event: what they are, how another one is entered, logged and counted
-//! (`docs/physics.md#contact-events`).
+//! (`docs/physics.md#contact-events`). What changes them: closings in `contact_closing`, changes of closed ones in `transitions`, nodes of
+//! vertices in `vertices`.
 
 use glam::DVec2;
 
@@ -45,7 +46,7 @@ impl ContactStates<'_> {
     pub(super) fn forget_sharers_of_open(&mut self, contact: usize) {
         let pair = self.world.contacts[contact].pair;
         let mut contacts = self.world.pairs[pair].contacts.clone();
-        if !contacts.any(|c| self.world.contacts[c].state.closed().is_some()) {
+        if !contacts.any(|c| self.world.is_closed(c)) {
             self.world.pairs[pair].sharers = 0;
         }
     }

@@ -5,7 +5,7 @@
 use glam::{DMat2, DMat3, DVec2, DVec3};
 
 use crate::contact::parameters::is_over;
-use crate::contact::{ContactGeometry, Frame, FrictionLaw, Law, Local, Mode, NormalLaw, locate};
+use crate::contact::{ContactGeometry, Frame, Law, Local, Mode, NormalLaw, locate};
 use crate::dynamics::closing::constants::CLOSING_INTERVAL;
 use crate::dynamics::closing::step_samples::resolution_of;
 use crate::dynamics::contact_model::constants::{REGULARISATION_CLOCK, REGULARISATION_FRICTION, REGULARISATION_LEAST};
@@ -186,10 +186,7 @@ impl EventContacts<'_> {
 
     /// Whether the node is in contact with another face of the same body, of which it touches one at a time.
     pub(in crate::dynamics) fn touches_elsewhere(&self, contact: usize) -> bool {
-        self.world.contacts[contact]
-            .other_faces
-            .iter()
-            .any(|&other| self.world.contacts[other].state.closed().is_some())
+        self.world.contacts[contact].other_faces.iter().any(|&other| self.world.is_closed(other))
     }
 
     /// Whether a pose of a planar scene is the placed pose, exactly.
@@ -248,8 +245,7 @@ impl EventContacts<'_> {
     /// proportional to the tolerance and to the largest of the penetration and the depths `|V_n|/ω` and `|a_n|/ω²`,
     /// with ω the contact frequency of the pair; 0 for a law whose slip direction is no state.
     pub(in crate::dynamics) fn regularisation_length(&self, contact: usize, law: &Law, here: &Local) -> f64 {
-        // At μ_k = 0 the tangential force vanishes and has no direction.
-        if law.v_stick == 0.0 || law.friction == FrictionLaw::Paper || law.mu_k == 0.0 {
+        if !law.has_direction_state() {
             return 0.0;
         }
         let radian = self.world.pair_of(contact).simultaneity * SIMULTANEOUS_PER_RADIAN;
@@ -268,6 +264,7 @@ impl EventContacts<'_> {
 #[cfg(test)]
 mod tests {
     use super::*;
+    use crate::contact::FrictionLaw;
     use std::sync::Arc;
 
     use crate::dynamics::penalty3d::contact_state::Contact;

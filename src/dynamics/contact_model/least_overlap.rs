@@ -68,9 +68,8 @@ impl EventContacts<'_> {
     /// Depth of the least overlap of a contact's two bodies: of that by their faces \[m\] and those along the normals of edge nodes in
     /// contact between them.
     fn least_depth(&self, contact: usize, by_faces: f64) -> f64 {
-        let edges = self
-            .contacts_of_both_bodies(contact)
-            .filter(|&c| self.site(c).edge.is_some() && self.world.contacts[c].state.closed().is_some());
+        let edges =
+            self.contacts_of_both_bodies(contact).filter(|&c| self.site(c).edge.is_some() && self.world.is_closed(c));
         edges.filter_map(|c| self.overlap_along_normal(c)).fold(by_faces, f64::min)
     }
 
@@ -111,7 +110,7 @@ impl EventContacts<'_> {
     fn least_across_edges(&self, contact: usize) -> Option<LeastOverlap> {
         let across = |c: usize| {
             let edge = self.edge(c)?;
-            let is_open = self.world.contacts[c].state.closed().is_none();
+            let is_open = !self.world.is_closed(c);
             let crossing = is_open.then(|| contact_points::crossing_of_met(self.world, c, &|c| self.sides(c)))??;
             let place = edge.place(&crossing);
             let [node, face] = self.sides(c);
@@ -212,9 +211,7 @@ impl EventContacts<'_> {
 
     /// Whether another closed contact of the same two bodies carries `depth` \[m\]: [`DEPTH_RATIO`] times its penetration is not less.
     pub(in crate::dynamics) fn is_carried_beside(&self, contact: usize, depth: f64) -> bool {
-        let carries = |c: usize| {
-            self.world.contacts[c].state.closed().is_some() && DEPTH_RATIO * self.local(c).penetration() >= depth
-        };
+        let carries = |c: usize| self.world.is_closed(c) && DEPTH_RATIO * self.local(c).penetration() >= depth;
         self.contacts_of_both_bodies(contact).any(|c| c != contact && carries(c))
     }
 

@@ -9,7 +9,6 @@ use std::sync::Arc;
 
 use crate::dynamics::Model;
 use crate::dynamics::contact_model::closing_search::ClosingSearch;
-use crate::dynamics::contact_model::contact_closing::ContactClosing;
 use crate::dynamics::contact_model::contact_states::ContactStates;
 use crate::dynamics::contact_model::event_source::EventSource;
 use crate::dynamics::contact_model::event_state::EventBodies;
@@ -22,7 +21,6 @@ use crate::dynamics::event_loop::event_queue::Source;
 use crate::dynamics::event_loop::mechanics::Mechanics;
 use crate::dynamics::event_loop::schedule::Schedule;
 use crate::dynamics::integrator::step_control::ControllerState;
-use crate::dynamics::model::closed_form::GroundSpring;
 use crate::dynamics::record::event::Event;
 use crate::dynamics::world::World;
 use crate::dynamics::world::tracks::{BodyTrack, Trajectory};
@@ -81,7 +79,7 @@ impl ContactRun {
         let (bases, states) = self.world.bodies.iter().map(start).unzip();
         let now = EventBodies::of(&self.world, slots, bases, states, 0.0);
         self.link_transitions(&now).begin();
-        ContactClosing { states: &mut self.contact_states(&now) }.close_overlapping();
+        self.contact_states(&now).close_overlapping();
         self.rebuild(now, ControllerState::default());
     }
 
@@ -132,12 +130,18 @@ impl ContactRun {
             let first = slots[members[0]];
             let alone = members.len() == 1 && !self.world.is_joined(first);
             let may_fly = members.len() == 1 && !alone && self.world.bodies[first].free_motion.is_some();
-            let spring = if may_fly { self.world.ground_spring(first) } else { None };
-            let start = if alone || spring.is_some() {
+            let springs = if may_fly { self.world.ground_springs(first) } else { None };
+            let start = if alone || springs.is_some() {
                 let state = &mut states[members[0]];
                 let body = &self.world.model.bodies[self.world.bodies[first].body];
                 body.restore(&bases[members[0]].numbers(), state);
-                if self.start_flight(first, state, t, spring) {
+                let flight = match &springs {
+                    Some(springs) => self.world.fly_on(first, state, t, springs),
+                    None => self.world.fly(first, state, t),
+                };
+                if let Some(flight) = flight {
+                    end_flight(&mut self.world, first, t);
+                    self.world.bodies[first].now = Trajectory::Flight(flight);
                     continue;
                 }
                 let placed = self.world.model.bodies[self.world.bodies[first].body].placed();
@@ -165,19 +169,6 @@ impl ContactRun {
                 track.now = Trajectory::Flight(free_motion.fly_among(t, states, own));
             }
         }
-    }
-
-    /// Begins a flight in closed form, on springs to the ground where these act; whether there is one.
-    fn start_flight(&mut self, slot: usize, state: &[f64], t: f64, spring: Option<GroundSpring>) -> bool {
-        let Some(free_motion) = &self.world.bodies[slot].free_motion else { return false };
-        let flight = match spring {
-            Some(spring) => free_motion.fly_on(t, state, spring),
-            None => Some(free_motion.fly(t, state)),
-        };
-        let Some(flight) = flight else { return false };
-        end_flight(&mut self.world, slot, t);
-        self.world.bodies[slot].now = Trajectory::Flight(flight);
-        true
     }
 
     /// What the run has spent at `t`; a step takes a time and a code in a path beside what the store counts.

@@ -130,8 +130,9 @@ impl Connection for Hysteresis {
 }
 
 impl Device for Hysteresis {
-    fn is_linear_in(&self, _: &Phase) -> bool {
-        matches!(self, Hysteresis::PerAxis(_))
+    /// All but the yield circle in yield.
+    fn is_linear_in(&self, phase: &Phase) -> bool {
+        !self.evolves(phase)
     }
 
     /// Its hysteretic part at rest as placed, and displaced from there in a straight line: elastic, with no more than Q.

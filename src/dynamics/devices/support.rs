@@ -110,6 +110,10 @@ impl Device for Support {
         self.ends_run && phase.branch == LOST
     }
 
+    fn is_linear_in(&self, phase: &Phase) -> bool {
+        self.standing(phase).is_none_or(|law| law.is_linear_in(phase))
+    }
+
     fn gap(&self, phase: &Phase, motion: &Separation) -> [f64; 2] {
         if let Some(law) = self.standing(phase) {
             return law.gap(phase, motion);

@@ -36,33 +36,32 @@ pub trait Mechanics {
 }
 
 /// Handles all events up to `until` \[s\]. The run stops where the time of an event or, at its end, the state of a body is no number.
-pub fn advance(model: &mut impl Mechanics, until: f64) {
-    let until = until.min(model.duration());
-    while model.schedule().next_time() <= until {
-        let Some((t, source)) = model.schedule_mut().queue.pop() else { return };
-        let schedule = model.schedule_mut();
+pub fn advance(run: &mut impl Mechanics, until: f64) {
+    let until = until.min(run.duration());
+    while run.schedule().next_time() <= until {
+        let Some((t, source)) = run.schedule_mut().queue.pop() else { return };
+        let schedule = run.schedule_mut();
         schedule.now = t;
         schedule.work += 1;
-        if let Some(reason) = model.exceeded(t) {
-            let place = model.place(source);
-            model.schedule_mut().give_up(t, place, reason);
+        if let Some(reason) = run.exceeded(t) {
+            let place = run.place(source);
+            run.schedule_mut().give_up(t, place, reason);
             return;
         }
-        model.handle(source, t);
-        if model.schedule().queue.undefined().is_some() {
+        run.handle(source, t);
+        if run.schedule().queue.undefined().is_some() {
             break;
         }
     }
     // Also a time that was entered before the first event.
-    if let Some(source) = model.schedule().queue.undefined() {
-        let (t, place) = (model.schedule().now, model.place(source));
-        model.schedule_mut().give_up(t, place, Text::new("stop-undefined").into());
-    } else if model.schedule().stop().is_none() {
-        let undefined =
-            model.states(until).into_iter().find(|(_, state)| state.iter().any(|number| !number.is_finite()));
+    if let Some(source) = run.schedule().queue.undefined() {
+        let (t, place) = (run.schedule().now, run.place(source));
+        run.schedule_mut().give_up(t, place, Text::new("stop-undefined").into());
+    } else if run.schedule().stop().is_none() {
+        let undefined = run.states(until).into_iter().find(|(_, state)| state.iter().any(|number| !number.is_finite()));
         if let Some((body, _)) = undefined {
-            let (t, place) = (model.schedule().now, model.name(body));
-            model.schedule_mut().give_up(t, place, Text::new("stop-undefined").into());
+            let (t, place) = (run.schedule().now, run.name(body));
+            run.schedule_mut().give_up(t, place, Text::new("stop-undefined").into());
         }
     }
 }

@@ -4,10 +4,11 @@ use std::sync::Arc;
 
 use crate::contact::Frame;
 use crate::dynamics::free_flight::flight::{Flight, FreeMotion};
+use crate::dynamics::free_flight::ground_springs::GroundSprings;
 use crate::dynamics::free_flight::uncoupled_axis::UncoupledAxis;
 use crate::dynamics::linear::Parts;
 use crate::dynamics::model::body::{Body, BodyCoordinates};
-use crate::dynamics::model::closed_form::{ClosedForm, GroundSpring};
+use crate::dynamics::model::closed_form::ClosedForm;
 use crate::dynamics::model::coordinates::BodyState;
 use crate::dynamics::model::coordinates::planar::{PlanarState, in_a_row, is_along};
 use crate::dynamics::model::motion_bounds::MotionBounds;
@@ -73,11 +74,45 @@ impl BodyMotion {
         }
     }
 
-    /// Begins a flight of a body of one coordinate on springs to the ground; `None` where that has no closed form.
-    pub(in crate::dynamics) fn fly_on(&self, start: f64, state: &[f64], spring: GroundSpring) -> Option<BodyFlight> {
-        let Self::Custom(form) = self else { return None };
-        let (numbers, state) = (form.begin_on(state, spring)?, state.into());
-        Some(BodyFlight::Custom(Box::new(CustomFlight { start, state, numbers })))
+    /// Begins a flight of a body on springs to the ground, in a run of this duration \[s\]; `None` where that has no closed form.
+    pub(in crate::dynamics) fn fly_on(
+        &self,
+        (body, duration): (&Body, f64),
+        springs: &GroundSprings,
+        start: f64,
+        state: &[f64],
+    ) -> Option<BodyFlight> {
+        match (self, springs) {
+            (Self::Custom(form), GroundSprings::OneCoordinate(spring)) => {
+                let (numbers, state) = (form.begin_on(state, *spring)?, state.into());
+                Some(BodyFlight::Custom(Box::new(CustomFlight { start, state, numbers })))
+            }
+            (Self::RigidInPlan(motion), GroundSprings::InPlan(springs)) => {
+                let [state] = in_a_row(state) else { return None };
+                let system = Arc::new(FreeMotion::on_springs(body, springs, &motion.ground, duration));
+                let mut flight = system.fly(start, *state);
+                flight.springs = Some(system);
+                Some(BodyFlight::RigidInPlan(flight))
+            }
+            _ => None,
+        }
+    }
+
+    /// The system and the flight of a rigid girder in plan: its own, or that on the springs of the flight.
+    pub(in crate::dynamics) fn in_plan<'a>(&'a self, flight: &'a BodyFlight) -> Option<(&'a FreeMotion, &'a Flight)> {
+        let (Self::RigidInPlan(motion), BodyFlight::RigidInPlan(flight)) = (self, flight) else { return None };
+        Some((flight.springs.as_deref().unwrap_or(motion), flight))
+    }
+
+    /// Displacement and rate at `t` in `flight` of a body of one coordinate.
+    pub(in crate::dynamics) fn coordinate(&self, flight: &BodyFlight, t: f64) -> Option<[f64; 2]> {
+        let (Self::Custom(form), BodyFlight::Custom(own)) = (self, flight) else { return None };
+        let mut out: [f64; 2] = own.state.as_slice().try_into().ok()?;
+        // As it was, to the last bit.
+        if t != own.start {
+            form.state(own.start, &own.numbers, t, &mut out);
+        }
+        Some(out)
     }
 
     /// [`ClosedForm::window_end`]; infinite for a girder.
@@ -102,8 +137,10 @@ impl BodyMotion {
 
     /// State at `t` in `flight`.
     pub fn state(&self, flight: &BodyFlight, t: f64) -> BodyState {
+        if let Some((motion, flight)) = self.in_plan(flight) {
+            return motion.state(flight, t).as_slice().into();
+        }
         match (self, flight) {
-            (Self::RigidInPlan(motion), BodyFlight::RigidInPlan(flight)) => motion.state(flight, t).as_slice().into(),
             (Self::Custom(form), BodyFlight::Custom(flight)) => custom_state(&**form, flight, t),
             // A flight is begun by its own motion.
             _ => flight.state().into(),
@@ -112,9 +149,9 @@ impl BodyMotion {
 
     /// Pose and twist of a section of the body at `t` in `flight`.
     pub(in crate::dynamics) fn frame(&self, body: &Body, section: usize, flight: &BodyFlight, t: f64) -> Frame {
-        match (self, flight) {
-            (Self::RigidInPlan(motion), BodyFlight::RigidInPlan(flight)) => body.planar_frame(&motion.state(flight, t)),
-            _ => body.frame(section, &self.state(flight, t)),
+        match self.in_plan(flight) {
+            Some((motion, flight)) => body.planar_frame(&motion.state(flight, t)),
+            None => body.frame(section, &self.state(flight, t)),
         }
     }
 
@@ -126,10 +163,10 @@ impl BodyMotion {
 
     /// Bounds on the motion from `t` on for at most `horizon` \[s\].
     pub fn bounds(&self, flight: &BodyFlight, t: f64, horizon: f64) -> MotionBounds {
+        if let Some((motion, flight)) = self.in_plan(flight) {
+            return motion.state_and_bounds(flight, t, horizon).1;
+        }
         match (self, flight) {
-            (Self::RigidInPlan(motion), BodyFlight::RigidInPlan(flight)) => {
-                motion.state_and_bounds(flight, t, horizon).1
-            }
             (Self::Custom(form), BodyFlight::Custom(own)) => form.bounds(own.start, &own.numbers, t, horizon),
             // A flight is begun by its own motion.
             _ => MotionBounds::still(horizon),
@@ -198,7 +235,10 @@ impl BodyMotion {
     /// Stores the states from which evaluations up to `t` start.
     pub(in crate::dynamics) fn remember(&self, flight: &mut BodyFlight, t: f64) {
         match (self, flight) {
-            (Self::RigidInPlan(motion), BodyFlight::RigidInPlan(flight)) => motion.remember(flight, t),
+            (Self::RigidInPlan(motion), BodyFlight::RigidInPlan(flight)) => {
+                let springs = flight.springs.clone();
+                springs.as_deref().unwrap_or(motion).remember(flight, t);
+            }
             (Self::Custom(form), BodyFlight::Custom(own)) => form.remember(own.start, &mut own.numbers, t),
             // A flight is begun by its own motion.
             _ => {}
@@ -207,12 +247,12 @@ impl BodyMotion {
 
     /// One direction of a flight that moves along that world axis alone: its oscillator, the free part at the start, the push per unit mass;
     /// nothing where there is no such part.
-    pub(in crate::dynamics) fn along(
-        &self,
-        flight: &BodyFlight,
+    pub(in crate::dynamics) fn along<'a>(
+        &'a self,
+        flight: &'a BodyFlight,
         axis: usize,
-    ) -> Option<(&UncoupledAxis, [f64; 2], f64)> {
-        let (Self::RigidInPlan(motion), BodyFlight::RigidInPlan(flight)) = (self, flight) else { return None };
+    ) -> Option<(&'a UncoupledAxis, [f64; 2], f64)> {
+        let (motion, flight) = self.in_plan(flight)?;
         let (dof, part) = is_along(&flight.state, axis).then(|| motion.along(flight, axis)).flatten()?;
         Some((dof, part, motion.push[axis]))
     }
@@ -247,10 +287,21 @@ impl BodyFlight {
         }
     }
 
+    /// Bound of the circular frequencies of a flight on other springs than the girder's bearings; `None` of others \[rad/s\].
+    pub fn fastest_on_springs(&self) -> Option<f64> {
+        let Self::RigidInPlan(Flight { springs: Some(system), .. }) = self else { return None };
+        Some(system.fastest())
+    }
+
+    /// Whether it is of a rigid girder in plan on other springs to the ground than its bearings.
+    pub fn is_on_springs(&self) -> bool {
+        matches!(self, Self::RigidInPlan(flight) if flight.springs.is_some())
+    }
+
     /// The flight of a girder that its state at the start says all of.
     pub(in crate::dynamics) fn as_girder_start(&self) -> Option<&PlanarState> {
         match self {
-            Self::RigidInPlan(flight) if !flight.has_anchors() => Some(&flight.state),
+            Self::RigidInPlan(flight) if !flight.has_anchors() && flight.springs.is_none() => Some(&flight.state),
             _ => None,
         }
     }

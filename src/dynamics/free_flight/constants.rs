@@ -9,8 +9,13 @@ pub(super) const TAYLOR_TERMS: u32 = 20;
 /// `max(γ, ω) τ` below which the integrals of the impulse response are summed as power series: their closed forms divide differences
 /// of nearly equal numbers by ω². 19 terms then leave less than 0.3^20/20!.
 pub(super) const SERIES_LIMIT: f64 = 0.3;
+/// Term of a series in parts of its sum that changes no bit of the sum, with a factor of 8 to spare \[–\].
+pub(super) const NEGLIGIBLE: f64 = f64::EPSILON / 16.0;
 /// `ω²/γ²` below which the integrals of an overdamped oscillator are differences of those of its two decays: the other closed forms divide
 /// by ω² differences that vanish with ω². Both rates then differ by more than a factor of 5, so that nothing cancels.
 pub(super) const SOFT: f64 = 0.5;
 /// Relative difference below which two oscillators are one but for rounding.
 pub(super) const OSCILLATOR_ROUNDING: f64 = 1e-12;
+/// Sum of the stiffnesses of a girder's bearings and of connections beside them that is round-off, in parts of its terms \[–\]: of some
+/// ten bearings, each from a difference of two forces.
+pub(super) const CANCELLED: f64 = 64.0 * f64::EPSILON;

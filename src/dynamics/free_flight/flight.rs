@@ -5,13 +5,16 @@
 //! and sines far slower than the run go through [`CoupledPropagator`]. Whatever the form, a flight also bounds its own speed and acceleration, so that a search for
 //! crossings misses none.
 
+use std::sync::Arc;
+
 use glam::{DMat3, DVec3};
 
 use crate::dynamics::free_flight::constants::CACHED_SAMPLES;
+use crate::dynamics::free_flight::ground_springs::PlanarSprings;
 use crate::dynamics::free_flight::matrix_exponential;
 use crate::dynamics::free_flight::matrix_exponential::CoupledPropagator;
 use crate::dynamics::free_flight::oscillator::{FreeResponse, Oscillator};
-use crate::dynamics::free_flight::uncoupled_axis::{SampleStep, UncoupledAxis};
+use crate::dynamics::free_flight::uncoupled_axis::{SampleStep, UncoupledAxis, advance};
 use crate::dynamics::model::bearing::is_diagonal;
 use crate::dynamics::model::body::Body;
 use crate::dynamics::model::coordinates::planar::{self, PlanarState, WIDTH};
@@ -51,6 +54,8 @@ pub struct Flight {
     pub start: f64,
     /// State at its beginning.
     pub state: PlanarState,
+    /// Its system, where other springs than the girder's bearings act in it.
+    pub(in crate::dynamics) springs: Option<Arc<FreeMotion>>,
     form: FlightForm,
 }
 
@@ -75,24 +80,32 @@ impl Flight {
     /// What it takes \[bytes\].
     pub fn bytes(&self) -> usize {
         let anchors = if let FlightForm::Record { anchors, .. } = &self.form { anchors.len() } else { 0 };
-        size_of::<Self>() + anchors * size_of::<PlanarState>()
+        let springs = self.springs.as_ref().map_or(0, |_| size_of::<FreeMotion>());
+        size_of::<Self>() + anchors * size_of::<PlanarState>() + springs
     }
 }
 
 impl FreeMotion {
     /// Prepares a girder's free motion under a ground motion that lasts `duration` \[s\].
     pub fn new(body: &Body, ground: &Ground, duration: f64) -> Self {
+        Self::on_springs(body, &PlanarSprings::NONE, ground, duration)
+    }
+
+    /// The same, with springs to the ground beside the girder's bearings.
+    pub fn on_springs(body: &Body, springs: &PlanarSprings, ground: &Ground, duration: f64) -> Self {
+        let [stiffness, damping] = springs.with_bearings(body);
         let inverse = DVec3::new(1.0 / body.mass, 1.0 / body.mass, 1.0 / (body.mass * body.gyration2));
         let free = planar::free(body);
         let mask = DVec3::from(free.map(|f| if f { 1.0 } else { 0.0 }));
         let scaled = |m: DMat3| DMat3::from_diagonal(inverse * mask) * m;
-        let (k, c) = (scaled(body.planar.stiffness), scaled(body.planar.damping));
-        let push = (DVec3::new(body.push.x, body.push.y, body.moment.z) * inverse * mask).to_array();
+        let (k, c) = (scaled(stiffness), scaled(damping));
+        let pushed = DVec3::new(body.push.x, body.push.y, body.moment.z) + springs.load;
+        let push = (pushed * inverse * mask).to_array();
         let driven = -DVec3::new(1.0, 1.0, 0.0) * mask;
         let several = matches!(ground, Ground::Record { samples: Samples::Components { .. }, .. });
         let axis = if several { DVec3::X } else { ground.axis() };
         let forced = -DVec3::new(axis.x, axis.y, 0.0) * mask;
-        let split = split(&body.planar.stiffness, &body.planar.damping, k, c, free, (ground, duration), forced);
+        let split = split(&stiffness, &damping, k, c, free, (ground, duration), forced);
         let form = split.unwrap_or_else(|| {
             let (drive, amplitude) = match ground {
                 Ground::Sine { omega, amplitude, .. } => (*omega, amplitude.length()),
@@ -114,7 +127,7 @@ impl FreeMotion {
             push,
             rates: [symmetric(k).sqrt(), symmetric(c)],
             gyration: body.gyration2.sqrt(),
-            plain: plain(&body.planar.stiffness, &body.planar.damping, k, c, free),
+            plain: plain(&stiffness, &damping, k, c, free),
         }
     }
 
@@ -137,7 +150,7 @@ impl FreeMotion {
                 FreeMotionForm::Coupled(..) => FlightForm::Coupled(self.augmented(start, &state)),
             }
         };
-        Flight { start, state, form }
+        Flight { start, state, springs: None, form }
     }
 
     /// Steady response to the sine at `t`.
@@ -230,7 +243,7 @@ impl FreeMotion {
         if target > first && !anchors.is_empty() {
             let k = ((target - first - 1) / CACHED_SAMPLES).min(anchors.len() - 1);
             (state, number) = (anchors[k], first + 1 + k * CACHED_SAMPLES);
-            at = self.ground.piece(number).from;
+            at = self.ground.piece_start(number);
         }
         while number < target {
             let piece = self.ground.piece(number);
@@ -259,10 +272,7 @@ impl FreeMotion {
         match &self.form {
             FreeMotionForm::Split { dof, .. } => {
                 let [value, slope] = [piece.acceleration(at), piece.rate()].map(|a| self.driven * a);
-                planar::of_parts(std::array::from_fn(|i| {
-                    let force = [value[i] + self.push[i], slope[i]];
-                    dof[i].advance(planar::part(state, i), force, tau)
-                }))
+                advance(dof, state, std::array::from_fn(|i| [value[i] + self.push[i], slope[i]]), tau)
             }
             FreeMotionForm::Coupled(system, across) => {
                 let (along_x, along_y) = lines(piece, at);
@@ -302,7 +312,7 @@ impl FreeMotion {
         let (mut state, mut number, mut at) = match anchors.last() {
             Some(last) => {
                 let number = first + 1 + (anchors.len() - 1) * CACHED_SAMPLES;
-                (*last, number, self.ground.piece(number).from)
+                (*last, number, self.ground.piece_start(number))
             }
             None => (*from, first, start),
         };

@@ -12,6 +12,12 @@ use crate::dynamics::model::motion_bounds::MotionBounds;
 const BOUND_PHASE: f64 = 0.5;
 
 impl FreeMotion {
+    /// Bound of its circular frequencies, of bearings, dashpots and a sine of the ground \[rad/s\].
+    pub(in crate::dynamics) fn fastest(&self) -> f64 {
+        let [omega, damping] = self.rates;
+        omega.max(damping).max(self.ground.drive())
+    }
+
     /// State at `t` in `flight`, and what the motion can do from there for at most `horizon` \[s\].
     pub fn state_and_bounds(&self, flight: &Flight, t: f64, horizon: f64) -> (PlanarState, MotionBounds) {
         let (state, free) = self.parts(flight, t);
@@ -71,14 +77,15 @@ impl FreeMotion {
         let [omega, damping] = self.rates;
         let window = horizon.min(BOUND_PHASE / omega.max(damping).max(f64::MIN_POSITIVE));
         let i = self.gyration;
-        let push = DVec3::new(self.push[0], self.push[1], self.push[2] * i).length();
-        let force = self.ground.peak() + push;
         let in_lengths = |v: DVec3| v * DVec3::new(1.0, 1.0, i);
+        // A push on a spring moves the place of rest and does no work about that.
+        let (rest, push) = self.rest();
+        let force = self.ground.peak() + in_lengths(push).length();
         let speed0 = in_lengths(planar::rates(state)).length();
-        let place = in_lengths(planar::positions(state)).length();
-        let speed = speed0.hypot(omega * place) + force * window;
+        let place = planar::positions(state);
+        let speed = speed0.hypot(omega * in_lengths(place - rest).length()) + force * window;
         let acceleration = (damping + omega) * speed + force;
-        let reach = place + speed * window;
+        let reach = in_lengths(place).length() + speed * window;
         MotionBounds {
             window,
             reach,
@@ -88,6 +95,21 @@ impl FreeMotion {
             acceleration,
             spin_rate: acceleration / i,
         }
+    }
+}
+
+impl FreeMotion {
+    /// Where the constant push is held by springs, and what of it no spring holds \[m, rad; m/s², rad/s²\]; all of it where directions are
+    /// coupled.
+    fn rest(&self) -> (DVec3, DVec3) {
+        let (mut rest, mut push) = (DVec3::ZERO, DVec3::from(self.push));
+        for (i, axis) in self.plain.iter().flatten().enumerate() {
+            if axis.free && axis.oscillator.omega2 > 0.0 {
+                rest[i] = push[i] / axis.oscillator.omega2;
+                push[i] = 0.0;
+            }
+        }
+        (rest, push)
     }
 }
 

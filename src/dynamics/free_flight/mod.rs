@@ -4,6 +4,7 @@ pub mod body_motion;
 pub(in crate::dynamics) mod constants;
 pub mod flight;
 mod flight_bounds;
+pub mod ground_springs;
 pub mod matrix_exponential;
 pub mod oscillator;
 pub(in crate::dynamics) mod relative_bounds;

@@ -4,7 +4,7 @@
 //! force `f = c0 + c1 τ`, `q(τ) = q C + v S0 + c0 S1 + c1 S2` with `C = 1 − ω² S1`. No case is singular: without
 //! stiffness and damping the three are `τ, τ²/2, τ³/6`.
 
-use crate::dynamics::free_flight::constants::{SERIES_LIMIT, SOFT};
+use crate::dynamics::free_flight::constants::{NEGLIGIBLE, SERIES_LIMIT, SOFT};
 
 /// An oscillator per unit mass.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -80,12 +80,17 @@ impl Oscillator {
     fn forced_series(&self, tau: f64) -> (f64, f64) {
         // Coefficients of S0 = Σ s_k τ^k from its own differential equation; each integral divides by the next power.
         let (mut before, mut here) = (0.0, 1.0);
-        let (mut s1, mut s2, mut power) = (0.0, 0.0, tau);
+        let (mut s1, mut s2, mut power, mut last) = (0.0, 0.0, tau, f64::INFINITY);
         for k in 1..20 {
             let n = f64::from(k);
             let term = here * power * tau / (n + 1.0);
             s1 += term;
             s2 += term * tau / (n + 2.0);
+            // Two terms below the round-off of their sum: all that follow are smaller.
+            if term.abs().max(last.abs()) < NEGLIGIBLE * s1.abs() {
+                break;
+            }
+            last = term;
             let next = (-2.0 * self.gamma * n * here - self.omega2 * before) / (n * (n + 1.0));
             (before, here) = (here, next);
             power *= tau;
@@ -108,10 +113,21 @@ impl Oscillator {
         [c0, c1]: [f64; 2],
         tau: f64,
     ) -> [f64; 2] {
+        let forced = if c0 != 0.0 || c1 != 0.0 { self.forced(tau, f) } else { (0.0, 0.0) };
+        self.carry_forced((f, forced), [q, v], [c0, c1])
+    }
+
+    /// As above, from the free and the forced factors over τ; the latter are not read without force.
+    #[inline]
+    pub(in crate::dynamics) fn carry_forced(
+        &self,
+        (f, (s1, s2)): (&FreeResponse, (f64, f64)),
+        [q, v]: [f64; 2],
+        [c0, c1]: [f64; 2],
+    ) -> [f64; 2] {
         let mut displacement = q * f.c + v * f.s;
         let mut velocity = -self.omega2 * f.s * q + f.s_rate * v;
         if c0 != 0.0 || c1 != 0.0 {
-            let (s1, s2) = self.forced(tau, f);
             displacement += c0 * s1 + c1 * s2;
             velocity += c0 * f.s + c1 * s1;
         }

@@ -1,6 +1,7 @@
 //! One direction of a girder that nothing couples to the others: an oscillator, and its steady response to a sine.
 
 use crate::dynamics::free_flight::oscillator::{FreeResponse, Oscillator};
+use crate::dynamics::model::coordinates::planar::{PlanarState, of_parts, part};
 
 /// One direction of a girder without eccentricity.
 #[derive(Clone, Copy, Debug)]
@@ -55,4 +56,30 @@ impl UncoupledAxis {
             -self.oscillator.omega2 * f.s * q + f.s_rate * v + c0 * f.s + c1 * step.s1,
         ]
     }
+}
+
+/// State after τ of the three directions of a girder under forces `c0 + c1 τ` per unit mass. Directions with the same oscillator share its
+/// factors.
+pub(in crate::dynamics) fn advance(
+    axes: &[UncoupledAxis; 3],
+    state: &PlanarState,
+    forces: [[f64; 2]; 3],
+    tau: f64,
+) -> PlanarState {
+    let mut known: Option<(Oscillator, FreeResponse, (f64, f64))> = None;
+    of_parts(std::array::from_fn(|i| {
+        let (UncoupledAxis { oscillator, free, .. }, start) = (&axes[i], part(state, i));
+        if !free {
+            return start;
+        }
+        if forces[i] == [0.0; 2] {
+            return oscillator.advance(start, forces[i], tau);
+        }
+        let (_, response, forced) = known.filter(|(same, ..)| same == oscillator).unwrap_or_else(|| {
+            let response = oscillator.free(tau);
+            (*oscillator, response, oscillator.forced(tau, &response))
+        });
+        known = Some((*oscillator, response, forced));
+        oscillator.carry_forced((&response, forced), start, forces[i])
+    }))
 }

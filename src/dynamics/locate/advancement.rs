@@ -162,7 +162,12 @@ pub(in crate::dynamics) fn first_crossing_from(
         if t >= to {
             break;
         }
-        let next = (t + advancement.step()).min(to);
+        let safe = t + advancement.step();
+        if safe >= to && advancement.armed {
+            // Open up to the end for certain: no look there.
+            return FirstZero::NoneUntil(to);
+        }
+        let next = safe.min(to);
         if next <= t {
             // The advance is below the round-off of time.
             return if advancement.armed { FirstZero::Crossing(t) } else { FirstZero::NoneUntil(next) };

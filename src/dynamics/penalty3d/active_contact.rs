@@ -3,7 +3,7 @@
 
 use glam::{DVec2, DVec3};
 
-use crate::contact::{ContactGeometry, Frame, FrictionLaw, Local, Mode, NormalLaw, locate};
+use crate::contact::{ContactGeometry, Frame, Local, Mode, NormalLaw, locate};
 use crate::dynamics::Model;
 use crate::dynamics::connection::Connection;
 use crate::dynamics::model::coordinates::state_layout::StateLayout;
@@ -84,9 +84,7 @@ impl ActiveContact {
     /// Whether the direction of friction is that of `V_t` without a state of its own: law `paper` in two directions
     /// of sliding.
     pub(in crate::dynamics) fn turns_at_once(&self) -> bool {
-        let law = &self.closed.law;
-        let slips = matches!(self.closed.mode, Mode::Slip { .. });
-        slips && law.friction == FrictionLaw::Paper && law.v_stick > 0.0 && law.mu_k > 0.0
+        matches!(self.closed.mode, Mode::Slip { .. }) && self.closed.law.turns_at_once()
     }
 
     /// The state with the slip direction of the island's vector.

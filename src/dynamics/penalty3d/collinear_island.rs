@@ -12,7 +12,7 @@ use std::sync::Arc;
 
 use glam::DVec3;
 
-use crate::contact::{Frame, FrictionLaw, Measured, Mode, Normal, NormalLaw, measure};
+use crate::contact::{Frame, Measured, Mode, Normal, NormalLaw, measure};
 use crate::dynamics::Model;
 use crate::dynamics::model::axial_motion::{AxialModes, AxialMotion};
 use crate::dynamics::model::coordinates::planar;
@@ -211,7 +211,7 @@ impl AxialContact {
         let (closed, law) = (&active.closed, &active.closed.law);
         let still = match closed.mode {
             Mode::Stick { anchor } => anchor == here.way,
-            Mode::Slip { .. } => law.mu_k == 0.0 && law.friction == FrictionLaw::ReturnMapping && law.v_stick == 0.0,
+            Mode::Slip { .. } => law.mu_k == 0.0 && law.is_damped_in_slip() && law.v_stick == 0.0,
         };
         let sections = model.sections(active.site);
         let side = |i: usize, body: Option<usize>| body.map(|body| BodySection { body, section: sections[i] });

@@ -3,7 +3,7 @@
 
 use glam::{DMat3, DVec3};
 
-use crate::contact::{Frame, FrictionLaw, Mode, NormalLaw};
+use crate::contact::{Frame, Mode, NormalLaw};
 use crate::dynamics::connection::Connection;
 use crate::dynamics::model::body::Point;
 use crate::dynamics::penalty3d::active_contact::ActiveContact;
@@ -73,8 +73,7 @@ pub(in crate::dynamics) fn decay(
 /// `arm` from the origin of the body's section.
 fn decay_rows(body: &Body, contact: &ActiveContact, axes: &DMat3, (section, arm): (usize, DVec3)) -> f64 {
     let law = &contact.closed.law;
-    let has_tangential_dashpot =
-        matches!(contact.closed.mode, Mode::Stick { .. }) || law.friction == FrictionLaw::ReturnMapping;
+    let has_tangential_dashpot = matches!(contact.closed.mode, Mode::Stick { .. }) || law.is_damped_in_slip();
     let across = if has_tangential_dashpot { law.c_t.sqrt() } else { 0.0 };
     let directions =
         [axes.x_axis * across, axes.y_axis * across, axes.z_axis * law.normal.damping_bound(contact.depth).sqrt()];
@@ -88,8 +87,8 @@ fn decay_rows(body: &Body, contact: &ActiveContact, axes: &DMat3, (section, arm)
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::contact::Normal;
     use crate::contact::normal::Linear;
+    use crate::contact::{FrictionLaw, Normal};
     use crate::dynamics::penalty3d::example::{MASS, STIFFNESS, closed, free_to_turn, row, stick, wall};
     use crate::scene::Scene;
 

@@ -1,6 +1,6 @@
 //! State of a contact (`docs/physics.md#contact-events`), and the forces of a closed one.
 
-use crate::contact::{Forces, FrictionLaw, Law, Local, Mode};
+use crate::contact::{Forces, Law, Local, Mode};
 use crate::dynamics::model::edge_node::node_place::NodePlace;
 
 /// State of a contact with all quantities that its forces depend on.
@@ -90,9 +90,7 @@ impl ClosedContact {
     /// Slip angle of a contact whose slip direction is a state of the integrator \[rad\]; `None` for others.
     pub fn slip_angle(&self) -> Option<f64> {
         match self.mode {
-            Mode::Slip { direction }
-                if self.solver.regularisation > 0.0 && self.law.friction == FrictionLaw::ReturnMapping =>
-            {
+            Mode::Slip { direction } if self.solver.regularisation > 0.0 && self.law.has_direction_state() => {
                 Some(direction.to_angle())
             }
             _ => None,

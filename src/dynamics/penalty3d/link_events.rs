@@ -96,14 +96,19 @@ pub(in crate::dynamics) fn zero_and_band(
     // Places round with what has moved, too.
     let moved = size(&|m| m.moved.length());
     match link.device.switch_unit(number, phase) {
-        SwitchUnit::Length => {
-            let length = size(&|m| link.device.gap(phase, m)[0].abs());
-            let band = POSITION_ROUNDING * (link.size() + moved + length);
-            (ZERO_BAND * length + band, band)
-        }
-        SwitchUnit::Speed => {
-            let rounding = POSITION_ROUNDING * (link.size() + moved) * omega;
-            (ZERO_BAND * size(&|m| m.rate.length()) + rounding, 0.0)
-        }
+        SwitchUnit::Length => zero_and_band_of_length(link, moved, size(&|m| link.device.gap(phase, m)[0].abs())),
+        SwitchUnit::Speed => zero_and_band_of_speed(link, moved, size(&|m| m.rate.length()), omega),
     }
+}
+
+/// Of a length, where the link's points are displaced by up to `moved` and its gap is up to `length` \[m\].
+pub(in crate::dynamics) fn zero_and_band_of_length(link: &Link, moved: f64, length: f64) -> (f64, f64) {
+    let band = POSITION_ROUNDING * (link.size() + moved + length);
+    (ZERO_BAND * length + band, band)
+}
+
+/// Of a speed, where they are displaced by up to `moved` \[m\] at up to `speed` \[m/s\].
+pub(in crate::dynamics) fn zero_and_band_of_speed(link: &Link, moved: f64, speed: f64, omega: f64) -> (f64, f64) {
+    let rounding = POSITION_ROUNDING * (link.size() + moved) * omega;
+    (ZERO_BAND * speed + rounding, 0.0)
 }

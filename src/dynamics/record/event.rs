@@ -1,5 +1,6 @@
 //! Events of contacts as recorded, and the reason of an early stop.
 
+use crate::contact::Mode;
 use crate::language::{Message, Text};
 
 /// Kind of a contact's event (`docs/physics.md#contact-events`).
@@ -26,6 +27,14 @@ pub enum EventKind {
 }
 
 impl EventKind {
+    /// Of a contact that closes in this mode.
+    pub fn of_closing(mode: &Mode) -> Self {
+        match mode {
+            Mode::Stick { .. } => Self::OpenToStick,
+            Mode::Slip { .. } => Self::OpenToSlip,
+        }
+    }
+
     /// Name in tables.
     pub fn label(self) -> &'static str {
         match self {

@@ -110,6 +110,11 @@ impl StoredPath {
         self.swept = Swept { reach: self.swept.reach.max(reach), chord: self.swept.chord.max(chord) };
     }
 
+    /// Bound of the circular frequencies of flights on other springs than a girder's bearings; `None` without such flights \[rad/s\].
+    pub fn fastest_on_springs(&self) -> Option<f64> {
+        self.flights.iter().filter_map(BodyFlight::fastest_on_springs).reduce(f64::max)
+    }
+
     /// What is swept in recomputed steps; nothing without one.
     pub fn swept(&self) -> Swept {
         self.swept

@@ -55,7 +55,7 @@ impl World {
     }
 
     pub(super) fn pair_acts(&self, pair: usize) -> bool {
-        self.pairs[pair].contacts.clone().any(|c| self.contacts[c].state.closed().is_some())
+        self.pairs[pair].contacts.clone().any(|c| self.is_closed(c))
     }
 
     /// Slots at both ends of every connection of a body whose force acts: pairs with a closed contact, then links.

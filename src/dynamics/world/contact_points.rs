@@ -91,7 +91,7 @@ pub(in crate::dynamics) fn at_vertex_of(
     let nodes: Vec<usize> = all.iter().filter_map(counts).collect();
     let gone = |&c: &usize| {
         let near = near + if world.edge(c).is_some() { slide(world, c) } else { 0.0 };
-        let is_closed = world.contacts[c].state.closed().is_some();
+        let is_closed = world.is_closed(c);
         is_closed
             && !nodes.contains(&c)
             && (other == Some(c) || (point_on_second_face(world, c, poses) - left).length() <= near)
@@ -107,9 +107,7 @@ pub(in crate::dynamics) fn is_held(world: &World, contact: usize, apart: f64, po
     let Some(at) = corner_vertex(world, contact, poses, slack(world, contact)) else { return false };
     let near = |c: usize| one_vertex(world, pair) + apart + if world.edge(c).is_some() { slide(world, c) } else { 0.0 };
     let mut contacts = world.pairs[pair].contacts.clone().filter(|&c| c != contact);
-    contacts.any(|c| {
-        world.contacts[c].state.closed().is_some() && (point_on_second_face(world, c, poses) - at).length() <= near(c)
-    })
+    contacts.any(|c| world.is_closed(c) && (point_on_second_face(world, c, poses) - at).length() <= near(c))
 }
 
 /// Whether no corner over the facing polygon is at a crossing.

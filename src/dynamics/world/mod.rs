@@ -49,6 +49,11 @@ impl World {
         &self.model.sites[self.contacts[contact].site]
     }
 
+    /// Whether a contact is in stick or slip.
+    pub(in crate::dynamics) fn is_closed(&self, contact: usize) -> bool {
+        self.contacts[contact].state.closed().is_some()
+    }
+
     /// The pair of a contact.
     pub(in crate::dynamics) fn pair_of(&self, contact: usize) -> &PairTrack {
         &self.pairs[self.contacts[contact].pair]

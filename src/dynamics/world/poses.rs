@@ -69,21 +69,21 @@ impl World {
         }
     }
 
+    /// Displacement and rate at `t` of a body of one coordinate in flight.
+    pub(in crate::dynamics) fn coordinate(&self, slot: usize, t: f64) -> Option<[f64; 2]> {
+        let (flight, free_motion) = self.bodies[slot].flight()?;
+        free_motion.coordinate(flight, t)
+    }
+
     /// End of the stretch of a body's flight from `t` on within which it swings by about a radian at most \[s\].
     pub(in crate::dynamics) fn window_end(&self, slot: usize, t: f64) -> f64 {
-        match (&self.bodies[slot].now, &self.bodies[slot].free_motion) {
-            (Trajectory::Flight(flight), Some(free_motion)) => free_motion.window_end(flight, t),
-            _ => f64::INFINITY,
-        }
+        self.bodies[slot].flight().map_or(f64::INFINITY, |(flight, free_motion)| free_motion.window_end(flight, t))
     }
 
     /// Least and greatest value of the one coordinate of a body in flight over an interval without a kink \[m\]; all values where
     /// that is not known.
     pub(in crate::dynamics) fn flight_range(&self, slot: usize, span: [f64; 2]) -> [f64; 2] {
-        let range = match (&self.bodies[slot].now, &self.bodies[slot].free_motion) {
-            (Trajectory::Flight(flight), Some(free_motion)) => free_motion.range(flight, span),
-            _ => None,
-        };
+        let range = self.bodies[slot].flight().and_then(|(flight, free_motion)| free_motion.range(flight, span));
         range.unwrap_or([f64::NEG_INFINITY, f64::INFINITY])
     }
 }

@@ -45,6 +45,14 @@ pub(in crate::dynamics) struct BodyTrack {
 }
 
 impl BodyTrack {
+    /// The present flight with the closed form that it is of; `None` of a body that does not fly.
+    pub(in crate::dynamics) fn flight(&self) -> Option<(&BodyFlight, &BodyMotion)> {
+        match (&self.now, &self.free_motion) {
+            (Trajectory::Flight(flight), Some(free_motion)) => Some((flight, free_motion)),
+            _ => None,
+        }
+    }
+
     /// A flight as segments of the path that end at `t`: one, with its states at the samples of a record, unless it swings
     /// faster than its stretches.
     pub(in crate::dynamics) fn flown(&self, flight: &BodyFlight, t: f64) -> SmallVec<[Segment; 1]> {

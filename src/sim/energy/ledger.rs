@@ -236,6 +236,7 @@ fn device_accounts(history: &History) -> Vec<Account<2>> {
 fn accounts_between(history: &History, bodies: [Option<usize>; 2], links: &[usize]) -> Vec<Account<2>> {
     let phases = |link: usize| history.link_phases(link);
     let mut borders = step_borders(history, bodies.into_iter().flatten(), 0.0, history.end());
+    borders.extend(bodies.into_iter().flatten().flat_map(|body| borders_on_springs(history, body)));
     borders.extend(links.iter().flat_map(|&link| phases(link)).map(|(t, _)| t.clamp(0.0, history.end())));
     borders.sort_by(f64::total_cmp);
     borders.dedup();
@@ -263,6 +264,21 @@ fn accounts_between(history: &History, bodies: [Option<usize>; 2], links: &[usiz
         }
     }
     accounts
+}
+
+/// Borders of the cells into which a body's flights on springs to the ground are cut.
+fn borders_on_springs(history: &History, body: usize) -> Vec<f64> {
+    let (path, rate) = (history.trajectories.path(body), flight_rate(history, body) * PER_LOOK);
+    if path.fastest_on_springs().is_none() {
+        return Vec::new();
+    }
+    let on_springs = |from: f64| match path.at(from) {
+        Some((_, StoredMotion::Flight(flight))) => flight.is_on_springs(),
+        _ => false,
+    };
+    let spans = path.spans().take_while(|span| span.from < history.end()).filter(|span| on_springs(span.from));
+    let cells = |from: f64, until: f64| cut(&history.model().ground, from, until, (until - from) * rate);
+    spans.flat_map(|span| cells(span.from, span.until.min(history.end()))).map(|(from, _)| from).collect()
 }
 
 /// Poses of sections of bodies at the nodes of a cell, each computed when first asked for.

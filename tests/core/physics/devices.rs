@@ -7,7 +7,7 @@ use girderbench::dynamics::Model;
 use girderbench::dynamics::connection::{Anchor, Device, Kinematics};
 use girderbench::dynamics::devices::{Bumper, Failure, MaxwellDamper, Restrainer, Stopper, ViscousDamper, Yielding};
 use girderbench::scene::validate::validate;
-use girderbench::scene::{ModelKind, Scene, overrides};
+use girderbench::scene::{ModelKind, Motion, RecordMotion, Scene, overrides};
 use girderbench::sim::{History, Session};
 use glam::{DMat3, DVec2, DVec3};
 
@@ -284,6 +284,42 @@ fn a_mass_on_a_bearing_that_yields_keeps_to_its_closed_form() {
         within("yield", times[0] - 0.068_385_882_714, 1e-11);
         within("turn", times[1] - 0.409_238_666_524, 1e-11);
         within("largest displacement", history.motion(0, times[1]).displacement.x - 0.034_861_003_778, 1e-11);
+    }
+}
+
+#[test]
+fn bearings_that_do_not_yield_take_no_step_and_move_as_ones_of_their_first_stiffness() {
+    // Four legs of k₁ = 500 N/m, as springs and as k₂ = 100 N/m with Q beyond what is reached, under a sine and under a record.
+    let legs = |stiffness: f64, more: &str| {
+        let leg = |[x, y]: [f64; 2]| {
+            format!(
+                "{{ at_m = [{x:?}, {y:?}], stiffness_n_per_m = [{stiffness:?}, {stiffness:?}], \
+                 damping_n_s_per_m = [2.0, 2.0]{more} }}"
+            )
+        };
+        let legs = [[0.07, 0.025], [0.07, -0.025], [-0.07, 0.025], [-0.07, -0.025]].map(leg);
+        format!("bearings = [{}]", legs.join(", "))
+    };
+    let yielding = ", yield_force_n = 40.0, yield_displacement_m = 0.1";
+    let samples: Vec<f64> = (0..300).map(|i| (f64::from(i) * 0.7).sin() + (f64::from(i) * 0.23).cos()).collect();
+    for recorded in [false, true] {
+        let history = |words: &str| {
+            let mut scene = girder(90.0, words, [0.1, 1.7, 30.0], 3.0);
+            if recorded {
+                let samples = Some(samples.clone());
+                scene.motion = Motion::Record(RecordMotion { samples, dt: Some(0.01), ..RecordMotion::default() });
+            }
+            History::of(&scene).expect("a sound scene")
+        };
+        let [springs, rubber] = [legs(500.0, ""), legs(100.0, yielding)].map(|words| history(&words));
+        assert_eq!(rubber.effort().steps, 0, "recorded: {recorded}");
+        for t in [0.3, 1.0, 1.234_5, 3.0] {
+            let [one, other] = [&springs, &rubber].map(|history| history.motion(0, t).displacement);
+            assert!(one.length() > 1e-6, "it moves: {one}");
+            within("displacement [m]", (one - other).length(), 1e-15);
+        }
+        let books = rubber.ledger(3.0);
+        within("ledger", books.residual / books.scale, 1e-13);
     }
 }
 

@@ -49,7 +49,7 @@ impl GuidedFlight {
         let (first, target) = (self.ground.piece_number(start), self.ground.piece_number(t));
         let known = target.saturating_sub(first).min(states_at_samples.len());
         let (mut number, mut at, mut state) = match known.checked_sub(1) {
-            Some(last) => (first + known, self.ground.piece(first + known).from, states_at_samples[last]),
+            Some(last) => (first + known, self.ground.piece_start(first + known), states_at_samples[last]),
             None => (first, start, own),
         };
         while number < target {

@@ -1,8 +1,8 @@
 //! Collinear islands against the general kind, of rigid girders and of girders that bend.
 
 use super::*;
-use crate::contact::Law;
 use crate::contact::normal::Linear;
+use crate::contact::{FrictionLaw, Law};
 use crate::dynamics::model::coordinates::planar::WIDTH;
 use crate::dynamics::model::coordinates::state_layout::StateLayout;
 use crate::dynamics::model::ground_now::GroundNow;
