@@ -48,6 +48,21 @@ fn an_end_that_meets_a_side_is_seen() {
 }
 
 #[test]
+fn a_girder_beside_its_wall_that_goes_into_the_walls_flank_is_seen_under_either_model() {
+    // Its end is 0.04 m behind the front of a wall 0.02 m wide, 0.015 m beside it; it goes 0.01 m in.
+    for kind in ["contact", "impact"] {
+        let history = run(&scene(&format!(
+            "name = \"beside\"\nduration_s = 0.05\n[model]\nkind = \"{kind}\"\n[contact]\nbetween = \"ends\"\n[[girder]]\nname = \
+             \"one\"\n{GIRDER}initial = {{ displacement_m = [0.05, 0.06], velocity_m_s = [0.0, -0.5] }}\n[[abutment]]\nname = \
+             \"wall\"\nfaces = \"one\"\nend = \"+x\"\ngap_m = 0.01\nwidth_m = 0.02\n"
+        )));
+        let [overlap] = history.overlaps() else { panic!("{kind}: one overlap: {:?}", history.overlaps()) };
+        within(&format!("{kind}: first seen"), overlap.first() - 0.03, 1e-6);
+        within(&format!("{kind}: depth"), overlap.depth.value - 0.01, 1e-12);
+    }
+}
+
+#[test]
 fn a_corner_that_turns_into_a_side_is_seen() {
     // Turned by 45° the second girder's lowest corner is at its centre's height less (0.19 + 0.07)/(2 √2).
     let reach = (0.19 + 0.07) / (2.0 * SQRT_2);
