@@ -106,6 +106,21 @@ fn panels_fold_by_keys_and_buttons_and_come_back() {
 }
 
 #[test]
+fn a_panel_that_was_folded_is_folded_at_the_next_start() {
+    let folder = tempfile::tempdir().expect("a folder");
+    let mut harness = open(presets::OPENING);
+    harness.state_mut().keep_in(folder.path());
+    harness.key_press(Key::F2);
+    settle(&mut harness);
+    let mut next = open(presets::OPENING);
+    assert!(next.query_by_label("Fold: Placed").is_some(), "open where nothing is kept");
+    next.state_mut().keep_in(folder.path());
+    settle(&mut next);
+    assert!(next.query_by_label("Show: Placed").is_some(), "folded");
+    assert!(next.query_by_label("Fold: Plots").is_some(), "the others are not");
+}
+
+#[test]
 fn a_narrow_window_has_every_menu_and_in_the_menus_what_has_no_button() {
     for (width, language) in [400.0, 700.0, 1024.0].into_iter().flat_map(|w| Language::ALL.map(|l| (w, l))) {
         let mut harness = builder([width, 640.0]).build_ui_state(show, bench(presets::OPENING));
