@@ -21,7 +21,7 @@ pub(super) fn search(world: &mut World, link: usize, t: f64) -> NextClosing {
     let Some(slot) = world.links[link].slots[0].filter(|_| !world.is_linear_link(link)) else {
         return NextClosing::at(f64::INFINITY);
     };
-    let functions = switching_functions(world, (link, slot));
+    let functions = switching_functions(world, (link, slot), state(world, slot, t));
     first_of(world, (link, slot), &functions, t)
 }
 
@@ -35,7 +35,8 @@ pub(super) fn beginning(world: &mut World, link: usize, t: f64) -> Option<NextCl
     if body.positions() != 1 || !device.is_linear_in(&track.phase) {
         return None;
     }
-    let gap = Linear::of(world, (link, slot), SwitchUnit::Length, |motion| -device.gap(&track.phase, motion)[0]);
+    let of = (state(world, slot, t), SwitchUnit::Length);
+    let gap = Linear::of(world, (link, slot), of, |motion| -device.gap(&track.phase, motion)[0]);
     Some(first_of(world, (link, slot), &[(Switch::Closing, gap)], t))
 }
 
@@ -70,44 +71,64 @@ fn horizon(world: &World, t: f64) -> f64 {
     }
 }
 
-/// A function of the one coordinate u of a body or of its rate: `placed + slope u` \[m\] or `placed + slope u̇` \[m/s\].
+/// A function of the one coordinate u of a body, or of its rate, from where that is at the beginning of a search: `start + slope (u − u₀)` \[m\]
+/// or `start + slope (u̇ − u̇₀)` \[m/s\]. It rounds with the way from there, not with the distance of the body from where it was placed.
 #[derive(Clone, Copy, Debug)]
 struct Linear {
     unit: SwitchUnit,
-    placed: f64,
+    from: f64,
+    start: f64,
     slope: f64,
 }
 
 impl Linear {
-    /// A function of a link's motion that is linear in the coordinate of its body, or in its rate.
-    fn of(world: &World, (number, slot): (usize, usize), unit: SwitchUnit, value: impl Fn(&Separation) -> f64) -> Self {
+    /// A function of a link's motion that is linear in the coordinate of its body, or in its rate; a search begins in `state`.
+    fn of(
+        world: &World,
+        (number, slot): (usize, usize),
+        ([u, rate], unit): ([f64; 2], SwitchUnit),
+        value: impl Fn(&Separation) -> f64,
+    ) -> Self {
         let link = &world.model.links[world.links[number].link];
         let body = &world.model.bodies[world.bodies[slot].body];
         let [_, ground] = link.frames(|_, _| None);
         let at = |state: [f64; 2]| value(&link.motion([&body.frame(0, &state), &ground]).0);
-        let placed = at([0.0; 2]);
-        let moved = at(if unit == SwitchUnit::Length { [1.0, 0.0] } else { [0.0, 1.0] });
-        Self { unit, placed, slope: moved - placed }
+        let start = at([u, rate]);
+        let (from, moved) = match unit {
+            SwitchUnit::Length => (u, at([u + 1.0, rate])),
+            SwitchUnit::Speed => (rate, at([u, rate + 1.0])),
+        };
+        Self { unit, from, start, slope: moved - start }
     }
 
     fn at(self, [u, rate]: [f64; 2]) -> f64 {
-        self.placed + self.slope * if self.unit == SwitchUnit::Length { u } else { rate }
+        let of = if self.unit == SwitchUnit::Length { u } else { rate };
+        self.start + self.slope * (of - self.from)
     }
 
     /// Whether it may be 0 or more in a range of u.
     fn may_rise(self, [least, greatest]: [f64; 2]) -> bool {
-        let most = self.placed + self.slope * if self.slope > 0.0 { greatest } else { least };
-        self.unit == SwitchUnit::Speed || most >= 0.0
+        let farthest = if self.slope > 0.0 { greatest } else { least };
+        self.unit == SwitchUnit::Speed || self.at([farthest, 0.0]) >= 0.0
     }
 }
 
-/// Switching functions of a link's phase.
-fn switching_functions(world: &World, (number, slot): (usize, usize)) -> SmallVec<[(Switch, Linear); 4]> {
+/// Displacement and rate of a body of one coordinate in flight.
+fn state(world: &World, slot: usize, t: f64) -> [f64; 2] {
+    world.coordinate(slot, t).unwrap_or([f64::NAN; 2])
+}
+
+/// Switching functions of a link's phase, in a search that begins in `state`.
+fn switching_functions(
+    world: &World,
+    (number, slot): (usize, usize),
+    state: [f64; 2],
+) -> SmallVec<[(Switch, Linear); 4]> {
     let track = &world.links[number];
     let (device, phase) = (&world.model.links[track.link].device, &track.phase);
     let function = |switch: usize| {
         let value = |motion: &Separation| device.switch(switch, phase, motion);
-        (Switch::Function(switch), Linear::of(world, (number, slot), device.switch_unit(switch, phase), value))
+        (Switch::Function(switch), Linear::of(world, (number, slot), (state, device.switch_unit(switch, phase)), value))
     };
     (0..device.switches(phase)).map(function).collect()
 }
@@ -136,7 +157,7 @@ fn within(
     let track = &world.links[number];
     let link = &world.model.links[track.link];
     let times = sample_times::<STEP_SAMPLES>([from, to]);
-    let state_at = |t: f64| world.coordinate(slot, t).unwrap_or([f64::NAN; 2]);
+    let state_at = |t: f64| state(world, slot, t);
     let states = times.map(state_at);
     let most = |which: usize| states.iter().map(|state| state[which].abs()).fold(0.0, f64::max);
     let (moved, speed) = (most(0), most(1));
