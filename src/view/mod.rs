@@ -143,6 +143,10 @@ fn frame(input: &ViewInput<'_>, bounds: Bounds, palette: &Palette) -> list::Fram
     }
 }
 
+/// Half of the square about a gap's end, or about what is drawn over the picture, that is kept clear \[points\]: that in which a handle is
+/// taken.
+const KEPT_CLEAR: f32 = 9.0;
+
 /// Everything flat: panels first, since labels keep clear of them, then labels, glyphs on top.
 fn marks(
     input: &ViewInput<'_>,
@@ -166,7 +170,7 @@ fn marks(
         gauges.extend(drawn);
     }
     let ends = gaps.iter().flat_map(|gap| gap.ends).filter_map(|at| input::pixel(input, at));
-    let kept: Vec<_> = ends.map(|at| Area::about(at, glam::Vec2::splat(9.0 * input.pixels_per_point))).collect();
+    let kept: Vec<_> = ends.map(|at| Area::about(at, glam::Vec2::splat(KEPT_CLEAR * input.pixels_per_point))).collect();
     let circles = friction_circle::friction_circles(input, moment, &[&taken[..], &kept].concat(), palette);
     let heading = if o.title { texts::heading(input, moment, palette, &mut placer) } else { Vec::new() };
     let panels: Vec<_> = legend.into_iter().chain(axes).chain(bar).chain(circles).chain(gauges).collect();
@@ -174,7 +178,7 @@ fn marks(
         placer.take(*area);
     }
     for at in input.clear {
-        placer.take(Area::about(*at, glam::Vec2::splat(9.0 * input.pixels_per_point)));
+        placer.take(Area::about(*at, glam::Vec2::splat(KEPT_CLEAR * input.pixels_per_point)));
     }
     texts::keep_clear(input, moment, forces, &mut placer);
     marks.extend(overlap::labels(input, moment, palette, &mut placer));

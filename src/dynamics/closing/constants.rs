@@ -14,8 +14,8 @@ pub(in crate::dynamics) const STEP_SAMPLES: usize = 5;
 pub(in crate::dynamics) const CUT_SEARCH_WORK: usize = 5_000;
 /// Horizon of one search in flight under a record, in sampling intervals \[–\]. Tuned.
 pub(in crate::dynamics) const RECORD_SAMPLES_PER_SEARCH: f64 = 64.0;
-/// Horizon of one search for the end of a phase in flight, in sampling intervals \[–\]. Tuned: another phase of the same body
-/// often ends before.
+/// Horizon of one search in flight of a body on springs whose phases end, in sampling intervals \[–\]. Tuned: another phase of the
+/// same body often ends before.
 pub(in crate::dynamics) const PHASE_END_SAMPLES: f64 = 4.0;
 
 /// Half of the distance of bodies that have met, in parts of the smallest side of either, within which all their pairs are searched

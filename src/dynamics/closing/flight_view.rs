@@ -94,7 +94,8 @@ pub(in crate::dynamics) fn farthest(world: &World, [t, until]: [f64; 2]) -> f64 
     if world.model.ground.next_kink(t).is_finite() { until } else { world.model.duration }
 }
 
-fn horizon_of(ground: &Ground, t: f64, duration: f64, samples: f64) -> f64 {
+/// The same over this many samples of a record.
+pub(super) fn horizon_of(ground: &Ground, t: f64, duration: f64, samples: f64) -> f64 {
     let stretch = match ground {
         Ground::Still => duration,
         Ground::Sine { omega, .. } => std::f64::consts::TAU / omega,

@@ -7,14 +7,13 @@
 use smallvec::SmallVec;
 
 use crate::dynamics::closing::constants::{PHASE_END_SAMPLES, STEP_SAMPLES};
-use crate::dynamics::closing::flight_view::remember;
+use crate::dynamics::closing::flight_view::{horizon_of, remember};
 use crate::dynamics::closing::found::NextClosing;
 use crate::dynamics::connection::{Separation, Switch, SwitchUnit};
 use crate::dynamics::locate::first_rise::{EarliestEvent, Resolution, first_rise};
 use crate::dynamics::locate::sample_times::sample_times;
 use crate::dynamics::penalty3d::link_events::{zero_and_band_of_length, zero_and_band_of_speed};
 use crate::dynamics::world::World;
-use crate::motion::Ground;
 
 /// Searches the end of the phase of a link that acts on a body in flight, from `t` on, and enters it in the link's track.
 pub(super) fn search(world: &mut World, link: usize, t: f64) -> NextClosing {
@@ -42,7 +41,8 @@ pub(super) fn beginning(world: &mut World, link: usize, t: f64) -> Option<NextCl
 
 /// Searches the first rise of these functions from `t` on and enters it in the link's track.
 fn first_of(world: &mut World, (link, slot): (usize, usize), functions: &[(Switch, Linear)], t: f64) -> NextClosing {
-    let (duration, until) = (world.model.duration, horizon(world, t));
+    let duration = world.model.duration;
+    let until = horizon_of(&world.model.ground, t, duration, PHASE_END_SAMPLES);
     remember(world, world.links[link].slots, until);
     let (mut from, mut evaluations) = (t, 0);
     while from < until {
@@ -61,14 +61,6 @@ fn first_of(world: &mut World, (link, slot): (usize, usize), functions: &[(Switc
         from = to;
     }
     NextClosing { due: if until < duration { until } else { f64::INFINITY }, evaluations, work: 0 }
-}
-
-/// End of one search \[s\].
-fn horizon(world: &World, t: f64) -> f64 {
-    match world.model.ground {
-        Ground::Record { dt, .. } => (t + PHASE_END_SAMPLES * dt).min(world.model.duration),
-        Ground::Still | Ground::Sine { .. } => world.model.duration,
-    }
 }
 
 /// A function of the one coordinate u of a body, or of its rate, from where that is at the beginning of a search: `start + slope (u − u₀)` \[m\]

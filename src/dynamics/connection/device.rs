@@ -25,11 +25,16 @@ pub trait Device: DeviceReadings + std::fmt::Debug + Send + Sync {
         self.linear().is_some()
     }
 
-    /// Whether, in a phase in which it acts, its force is linear with a constant in displacement and rate of its points; on bodies of one
-    /// coordinate its switching functions too.
+    /// Whether, in a phase in which it acts, force and switching functions are linear with a constant in displacement and rate
+    /// of its points, and a switching function that is a length changes by no more than they are displaced.
     fn is_linear_in(&self, phase: &Phase) -> bool {
         let _ = phase;
         self.is_linear()
+    }
+
+    /// Whether its force is, whatever its switching functions are, as those of a yield circle.
+    fn has_linear_force_in(&self, phase: &Phase) -> bool {
+        self.is_linear_in(phase)
     }
 
     /// Distance to the beginning of the force, and its rate; while the force acts, less the deformation that it is

@@ -25,10 +25,11 @@ impl ClosingSearch<'_> {
         for pair in self.world.pairs_of(slots) {
             self.pair_among(pair, t, &mut shared);
         }
-        for link in self.world.links_of(slots) {
-            if self.world.is_led(link) {
-                // Searched with the first one of the girder.
-            } else if !self.world.link_acts(link) || self.world.acts_in_flight(link) {
+        // What is led is searched with the first link of its girder.
+        let searched: Vec<usize> =
+            self.world.links_of(slots).into_iter().filter(|&link| !self.world.is_led(link)).collect();
+        for link in searched {
+            if !self.world.link_acts(link) || self.world.acts_in_flight(link) {
                 self.link(link, t);
             } else {
                 // Its island finds the end of the phase.

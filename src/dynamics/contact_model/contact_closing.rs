@@ -5,47 +5,54 @@ use glam::DVec2;
 use crate::contact::{Mode, NormalLaw};
 use crate::dynamics::contact_model::contact_law;
 use crate::dynamics::contact_model::contact_states::ContactStates;
+use crate::dynamics::contact_model::vertices::VertexNodes;
 use crate::dynamics::penalty3d::contact_state::{ClosedContact, Contact};
 use crate::dynamics::record::event::EventKind;
 use crate::dynamics::world::contact_points;
 use crate::dynamics::world::tracks::ContactTrack;
 
-impl ContactStates<'_> {
+/// Closes contacts.
+pub(in crate::dynamics) struct ContactClosing<'s, 'a> {
+    /// The contacts of the group.
+    pub states: &'s mut ContactStates<'a>,
+}
+
+impl ContactClosing<'_, '_> {
     /// Whether the projection of a node that has crossed the plane of a face is inside its polygon. Otherwise a miss is
     /// recorded and the contact is disarmed until its gap is positive again (`docs/physics.md#closing`).
     pub(in crate::dynamics) fn enters_or_records_miss(&mut self, contact: usize) -> bool {
-        if self.at().is_over(contact) {
+        if self.states.at().is_over(contact) {
             return true;
         }
-        self.world.contacts[contact].closing = None;
-        if self.at().edge(contact).is_some() {
+        self.states.world.contacts[contact].closing = None;
+        if self.states.at().edge(contact).is_some() {
             return false;
         }
-        let (pair, disarmed) = (self.world.contacts[contact].pair, Contact::Open { armed: false });
-        if self.world.model_pair(pair).met {
+        let (pair, disarmed) = (self.states.world.contacts[contact].pair, Contact::Open { armed: false });
+        if self.states.world.model_pair(pair).met {
             // Between all faces of two bodies most crossings of a plane are beside the face.
-            self.enter_without_event(contact, disarmed);
+            self.states.enter_without_event(contact, disarmed);
         } else {
-            self.log(contact, disarmed, EventKind::Missed, 0.0);
+            self.states.log(contact, disarmed, EventKind::Missed, 0.0);
         }
-        self.world.contacts[contact].changes.of_touch = 0;
+        self.states.world.contacts[contact].changes.of_touch = 0;
         false
     }
 
     /// Closing of a contact in stick or slip (`docs/physics.md#closing`); of bodies that have met, by the face of their least
     /// overlap.
     pub(in crate::dynamics) fn close(&mut self, contact: usize) {
-        let by = self.at().contact_to_close(contact);
+        let by = self.states.at().contact_to_close(contact);
         if by == Some(contact) {
             self.close_at_face(contact);
             return;
         }
-        self.world.contacts[contact].closing = None;
-        self.enter_state(contact, Contact::Open { armed: false });
+        self.states.world.contacts[contact].closing = None;
+        self.states.enter_state(contact, Contact::Open { armed: false });
         if let Some(by) = by
-            && !self.world.is_closed(by)
-            && !self.at().touches_elsewhere(by)
-            && !self.is_held(by)
+            && !self.states.world.is_closed(by)
+            && !self.states.at().touches_elsewhere(by)
+            && !(VertexNodes { states: self.states }).is_held(by)
         {
             self.close_inside(by, 0.0);
         }
@@ -53,24 +60,24 @@ impl ContactStates<'_> {
 
     /// Closing of a contact whose node is at its face.
     fn close_at_face(&mut self, contact: usize) {
-        self.set_place(contact, 0.0);
-        let here = self.here(contact);
-        let law = contact_law::of(self.world, contact, self.now);
+        self.states.set_place(contact, 0.0);
+        let here = self.states.here(contact);
+        let law = contact_law::of(self.states.world, contact, self.states.now);
         let (mut tangential, mut normal) = here.relative_velocity(DVec2::ZERO);
         if normal == 0.0 && tangential == DVec2::ZERO {
-            (tangential, normal) = self.at().relative_acceleration(contact, &here);
+            (tangential, normal) = self.states.at().relative_acceleration(contact, &here);
         }
         let law = law.begun(&here);
         let mode = law.on_closing(&here, tangential, normal);
-        let regularisation = self.at().regularisation_length(contact, &law, &here);
-        let place = self.world.contacts[contact].place;
+        let regularisation = self.states.at().regularisation_length(contact, &law, &here);
+        let place = self.states.world.contacts[contact].place;
         let closed = ClosedContact { place, ..ClosedContact::new(law, mode, regularisation) };
         let kind = EventKind::of_closing(&mode);
-        self.world.contacts[contact].closing = None;
-        self.world.contacts[contact].changes.of_touch = 0;
+        self.states.world.contacts[contact].closing = None;
+        self.states.world.contacts[contact].changes.of_touch = 0;
         // Round-off leaves an overlap at the crossing; its strain energy enters the ledger as a negative release.
         let appeared = -law.entry_energy(&here);
-        self.log(contact, Contact::Closed(closed), kind, appeared);
+        self.states.log(contact, Contact::Closed(closed), kind, appeared);
     }
 
     /// Closing of a contact whose node is inside already, kept up to `kept_beyond_edge` beyond the edges of its face \[m\]: the energy of
@@ -78,37 +85,40 @@ impl ContactStates<'_> {
     pub(super) fn close_inside(&mut self, contact: usize, kept_beyond_edge: f64) {
         let mut closed = self.closed_inside(contact);
         closed.solver.kept_beyond_edge = kept_beyond_edge;
-        let here = self.here(contact);
+        let here = self.states.here(contact);
         let kind = EventKind::of_closing(&closed.mode);
-        let track = &mut self.world.contacts[contact];
+        let track = &mut self.states.world.contacts[contact];
         (track.closing, track.changes.of_touch) = (None, 0);
-        self.log(contact, Contact::Closed(closed), kind, -closed.law.entry_energy(&here));
+        self.states.log(contact, Contact::Closed(closed), kind, -closed.law.entry_energy(&here));
     }
 
     /// Closing of a contact whose node is inside already, and of the other node of its crossing, in place of contacts `left` of the same two
     /// bodies, which were in these states. The energy of the normal springs is at most that of those before: where it would be more, the
     /// parts of K and C are the smaller. They are kept up to `kept_beyond_edge` beyond the edges of their faces \[m\].
     pub(super) fn close_in_place_of(&mut self, left: &[(usize, ClosedContact)], contact: usize, kept_beyond_edge: f64) {
-        let other = contact_points::other_of_crossing(self.world, contact).filter(|&other| {
-            let poses = |c: usize| self.at().sides(c);
-            !self.world.is_closed(other)
+        let other = contact_points::other_of_crossing(self.states.world, contact).filter(|&other| {
+            let poses = |c: usize| self.states.at().sides(c);
+            !self.states.world.is_closed(other)
                 && left.iter().all(|(left, _)| *left != other)
-                && contact_points::crossing_of_met(self.world, other, &poses).is_some()
+                && contact_points::crossing_of_met(self.states.world, other, &poses).is_some()
         });
         let entering: Vec<usize> = std::iter::once(contact).chain(other).collect();
         for &node in &entering {
-            self.set_place(node, 0.0);
+            self.states.set_place(node, 0.0);
         }
-        let energy =
-            |(left, before): &(usize, ClosedContact)| before.law.normal.stored_energy(self.here(*left).penetration());
+        let energy = |(left, before): &(usize, ClosedContact)| {
+            before.law.normal.stored_energy(self.states.here(*left).penetration())
+        };
         let energy: f64 = left.iter().map(energy).sum();
-        let whole = |&node: &usize| contact_law::of(self.world, node, self.now).entry_energy(&self.here(node));
+        let whole = |&node: &usize| {
+            contact_law::of(self.states.world, node, self.states.now).entry_energy(&self.states.here(node))
+        };
         let whole: f64 = entering.iter().map(whole).sum();
         for (left, _) in left {
-            self.world.contacts[*left].has_part = false;
+            self.states.world.contacts[*left].has_part = false;
         }
         for node in entering {
-            let track = &mut self.world.contacts[node];
+            let track = &mut self.states.world.contacts[node];
             track.has_part = true;
             if energy > 0.0 && whole > energy {
                 track.divisor *= whole / energy;
@@ -119,16 +129,16 @@ impl ContactStates<'_> {
 
     /// State of a contact whose node is inside already: stick with the anchor at the projection, slip where `μ_s = 0`.
     fn closed_inside(&mut self, contact: usize) -> ClosedContact {
-        let here = self.here(contact);
-        let law = contact_law::of(self.world, contact, self.now).begun(&here);
-        let regularisation = self.at().regularisation_length(contact, &law, &here);
+        let here = self.states.here(contact);
+        let law = contact_law::of(self.states.world, contact, self.states.now).begun(&here);
+        let regularisation = self.states.at().regularisation_length(contact, &law, &here);
         let mode = if law.has_friction() {
             Mode::Stick { anchor: here.way }
         } else {
             let (sliding, _) = here.relative_velocity(DVec2::ZERO);
             Mode::Slip { direction: sliding.try_normalize().unwrap_or(DVec2::X) }
         };
-        let place = self.world.contacts[contact].place;
+        let place = self.states.world.contacts[contact].place;
         let mut closed = ClosedContact { place, ..ClosedContact::new(law, mode, regularisation) };
         closed.held_at_zero = law.clamp && law.normal.can_pull() && closed.kink(&here) > 0.0;
         closed
@@ -137,37 +147,38 @@ impl ContactStates<'_> {
     /// States at t = 0 of nodes behind the plane of their face: stick with the anchor at the projection where that is
     /// inside the polygon (slip where `μ_s = 0`), disarmed otherwise (`docs/physics.md#closing`).
     pub(in crate::dynamics) fn close_overlapping(&mut self) {
-        let now = self.now;
-        let as_placed: Vec<bool> = now.frames.iter().map(|frame| self.at().is_as_placed(frame)).collect();
-        for contact in 0..self.world.contacts.len() {
-            let ContactTrack { slots, sections, geometry, .. } = &self.world.contacts[contact];
+        let now = self.states.now;
+        let as_placed: Vec<bool> = now.frames.iter().map(|frame| self.states.at().is_as_placed(frame)).collect();
+        for contact in 0..self.states.world.contacts.len() {
+            let ContactTrack { slots, sections, geometry, .. } = &self.states.world.contacts[contact];
             let mut sides = slots.iter().zip(sections).filter_map(|(slot, &own)| Some(((*slot)?, own)));
             if geometry.placed_gap >= 0.0
                 && sides.all(|(slot, own)| now.section(slot, own).is_some_and(|section| as_placed[section]))
             {
                 continue;
             }
-            if self.at().edge(contact).is_some() {
-                if !self.at().is_over(contact) {
+            if self.states.at().edge(contact).is_some() {
+                if !self.states.at().is_over(contact) {
                     continue;
                 }
-                self.set_place(contact, 0.0);
+                self.states.set_place(contact, 0.0);
             }
-            let here = self.at().local(contact);
-            let site = self.site(contact);
+            let here = self.states.at().local(contact);
+            let site = self.states.site(contact);
             // What touches as placed is behind by round-off at the most: it closes as the bodies press on each other.
-            if here.gap >= -self.at().resolution(contact) {
+            if here.gap >= -self.states.at().resolution(contact) {
                 continue;
             }
             // An edge node is at its crossing.
-            let inside = site.beyond(&self.world.contacts[contact].place, &here) < 0.0;
-            let inside = inside && self.at().is_opposed_most(contact) && !self.at().touches_elsewhere(contact);
-            let state = if inside && self.at().begins_inside_by(contact) {
+            let inside = site.beyond(&self.states.world.contacts[contact].place, &here) < 0.0;
+            let inside =
+                inside && self.states.at().is_opposed_most(contact) && !self.states.at().touches_elsewhere(contact);
+            let state = if inside && self.states.at().begins_inside_by(contact) {
                 Contact::Closed(self.closed_inside(contact))
             } else {
                 Contact::Open { armed: false }
             };
-            self.enter_state(contact, state);
+            self.states.enter_state(contact, state);
         }
     }
 }

@@ -1,6 +1,6 @@
 //! States of the contacts of a group of bodies at an event: what they are, how another one is entered, logged and counted
-//! (`docs/physics.md#contact-events`). What changes them: closings in `contact_closing`, changes of closed ones in `transitions`, nodes of
-//! vertices in `vertices`.
+//! (`docs/physics.md#contact-events`). What changes them are parts of their own: `ContactClosing`, `Transitions` of closed ones,
+//! `VertexNodes`.
 
 use glam::DVec2;
 

@@ -6,10 +6,12 @@ use std::sync::Arc;
 
 use crate::dynamics::connection::Switch;
 use crate::dynamics::contact_model::constants::ALTERNATING_EVENTS;
+use crate::dynamics::contact_model::contact_closing::ContactClosing;
 use crate::dynamics::contact_model::event_source::EventSource;
 use crate::dynamics::contact_model::event_state::{EventBodies, EventContacts};
 use crate::dynamics::contact_model::run::ContactRun;
 use crate::dynamics::contact_model::step_planning;
+use crate::dynamics::contact_model::transitions::Transitions;
 use crate::dynamics::integrator::step_control::ControllerState;
 use crate::dynamics::penalty3d::contact_state::Contact;
 use crate::dynamics::penalty3d::due::Due;
@@ -35,7 +37,7 @@ impl ContactRun {
         let mut alternates = false;
         for Due { index: number, reason } in std::mem::take(&mut island.step.due) {
             let contact = island.contacts[number];
-            self.contact_states(&now).change(contact, reason);
+            Transitions { states: &mut self.contact_states(&now) }.change(contact, reason);
             alternates |= self.world.contacts[contact].changes.at_instant > ALTERNATING_EVENTS;
         }
         if let Some(due) = island.step.link_due.take() {
@@ -76,7 +78,7 @@ impl ContactRun {
         entered.retain(|&contact| {
             let due = self.world.contacts[contact].closing.is_some_and(|at| at <= t);
             if due {
-                self.contact_states(&seen).enters_or_records_miss(contact)
+                ContactClosing { states: &mut self.contact_states(&seen) }.enters_or_records_miss(contact)
             } else {
                 EventContacts { world: &self.world, now: &seen }.is_over(contact)
             }
@@ -87,7 +89,7 @@ impl ContactRun {
         }
         let (now, controller) = self.end_trajectories(&seen.slots, t);
         for contact in entered {
-            self.contact_states(&now).close(contact);
+            ContactClosing { states: &mut self.contact_states(&now) }.close(contact);
         }
         self.rebuild(now, first_of_touch(controller));
     }

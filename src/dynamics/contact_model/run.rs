@@ -9,6 +9,7 @@ use std::sync::Arc;
 
 use crate::dynamics::Model;
 use crate::dynamics::contact_model::closing_search::ClosingSearch;
+use crate::dynamics::contact_model::contact_closing::ContactClosing;
 use crate::dynamics::contact_model::contact_states::ContactStates;
 use crate::dynamics::contact_model::event_source::EventSource;
 use crate::dynamics::contact_model::event_state::EventBodies;
@@ -79,7 +80,7 @@ impl ContactRun {
         let (bases, states) = self.world.bodies.iter().map(start).unzip();
         let now = EventBodies::of(&self.world, slots, bases, states, 0.0);
         self.link_transitions(&now).begin();
-        self.contact_states(&now).close_overlapping();
+        ContactClosing { states: &mut self.contact_states(&now) }.close_overlapping();
         self.rebuild(now, ControllerState::default());
     }
 

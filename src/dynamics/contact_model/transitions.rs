@@ -3,30 +3,46 @@
 use glam::DVec3;
 
 use crate::contact::{Mode, locate};
+use crate::dynamics::contact_model::contact_closing::ContactClosing;
 use crate::dynamics::contact_model::contact_states::ContactStates;
 use crate::dynamics::contact_model::least_overlap::ShortestWay;
+use crate::dynamics::contact_model::vertices::VertexNodes;
 use crate::dynamics::penalty3d::contact_state::{ClosedContact, Contact};
 use crate::dynamics::penalty3d::due::Reason;
 use crate::dynamics::record::event::EventKind;
 use crate::dynamics::world::contact_points;
 use crate::dynamics::world::tracks::ChangeCount;
 
-impl ContactStates<'_> {
+/// Changes closed contacts.
+pub(in crate::dynamics) struct Transitions<'s, 'a> {
+    /// The contacts of the group.
+    pub states: &'s mut ContactStates<'a>,
+}
+
+impl<'a> Transitions<'_, 'a> {
+    fn closing(&mut self) -> ContactClosing<'_, 'a> {
+        ContactClosing { states: self.states }
+    }
+
+    fn vertices(&mut self) -> VertexNodes<'_, 'a> {
+        VertexNodes { states: self.states }
+    }
+
     /// Breakaway, stop, opening and edge of a closed contact (`docs/physics.md#contact-events`).
     pub(in crate::dynamics) fn change(&mut self, contact: usize, reason: Reason) {
-        let Some(closed) = self.world.contacts[contact].state.closed().copied() else { return };
+        let Some(closed) = self.states.world.contacts[contact].state.closed().copied() else { return };
         match reason {
             Reason::Opening => {
                 self.open(contact, &closed, EventKind::Opened);
             }
-            Reason::Edge if self.follow(contact, closed) => {}
+            Reason::Edge if self.vertices().follow(contact, closed) => {}
             Reason::Edge if closed.solver.handover_distance.is_some() => self.pass_edge(contact, closed),
             Reason::Edge => self.leave(contact, closed),
             Reason::Overlap => self.hand_over(contact, &closed),
             Reason::Switching => self.switch(contact, closed),
             Reason::Kink => {
-                let here = self.here(contact);
-                self.enter_without_event(contact, Contact::Closed(closed.after_kink(&here)));
+                let here = self.states.here(contact);
+                self.states.enter_without_event(contact, Contact::Closed(closed.after_kink(&here)));
             }
         }
     }
@@ -34,14 +50,14 @@ impl ContactStates<'_> {
     /// The projection of a corner of bodies that have met leaves the polygon of its face. What shares its vertex takes over; without such,
     /// the contact lasts until the corner comes out of the body.
     fn pass_edge(&mut self, contact: usize, mut closed: ClosedContact) {
-        if self.has_successors(contact, &closed) {
+        if self.vertices().has_successors(contact, &closed) {
             self.open(contact, &closed, EventKind::LeftFace);
             return;
         }
         closed.solver.handover_distance = None;
-        let site = self.site(contact);
-        if site.beyond(&closed.place, &self.at().local(contact)) < closed.solver.kept_beyond_edge {
-            self.enter_without_event(contact, Contact::Closed(closed));
+        let site = self.states.site(contact);
+        if site.beyond(&closed.place, &self.states.at().local(contact)) < closed.solver.kept_beyond_edge {
+            self.states.enter_without_event(contact, Contact::Closed(closed));
         } else {
             self.leave(contact, closed);
         }
@@ -50,102 +66,103 @@ impl ContactStates<'_> {
     /// A node leaves its face over an edge. Where the two bodies have met, still overlap, and no other contact carries that, the
     /// contact of their least overlap takes over: another one, or this one beyond the edge, for as much again.
     fn leave(&mut self, contact: usize, mut closed: ClosedContact) {
-        let Some(least) = self.at().contact_taking_over(contact) else {
+        let Some(least) = self.states.at().contact_taking_over(contact) else {
             self.open(contact, &closed, EventKind::LeftFace);
             return;
         };
         if least.contact == contact {
-            let site = self.site(contact);
+            let site = self.states.site(contact);
             closed.solver.kept_beyond_edge =
-                2.0 * site.beyond(&closed.place, &self.at().local(contact)).max(least.depth);
-            self.enter_without_event(contact, Contact::Closed(closed));
+                2.0 * site.beyond(&closed.place, &self.states.at().local(contact)).max(least.depth);
+            self.states.enter_without_event(contact, Contact::Closed(closed));
             return;
         }
         let passed_on = self.open(contact, &closed, EventKind::LeftFace);
-        let open = !self.world.is_closed(least.contact);
-        let carried = passed_on || self.at().is_carried_beside(contact, least.depth);
-        if open && !carried && !self.at().touches_elsewhere(least.contact) {
-            self.close_in_place_of(&[(contact, closed)], least.contact, 2.0 * least.depth);
+        let open = !self.states.world.is_closed(least.contact);
+        let carried = passed_on || self.states.at().is_carried_beside(contact, least.depth);
+        if open && !carried && !self.states.at().touches_elsewhere(least.contact) {
+            self.closing().close_in_place_of(&[(contact, closed)], least.contact, 2.0 * least.depth);
         }
     }
 
     /// The bodies of a contact, the deepest between them, come to overlap by more than its penetration: the contact of the least overlap
     /// takes over, at the same depth. Where there is none, or it is closed already, the overlap that is tolerated is doubled.
     fn hand_over(&mut self, contact: usize, closed: &ClosedContact) {
-        let here = self.at().local(contact).penetration();
-        let Some(ShortestWay { overlap, tolerated, contact: to }) = self.at().shortest_way(contact) else {
-            self.world.contacts[contact].tolerated = f64::INFINITY;
+        let here = self.states.at().local(contact).penetration();
+        let Some(ShortestWay { overlap, tolerated, contact: to }) = self.states.at().shortest_way(contact) else {
+            self.states.world.contacts[contact].tolerated = f64::INFINITY;
             return;
         };
-        let Some(to) = to.filter(|&to| !self.world.is_closed(to)) else {
-            self.world.contacts[contact].tolerated = 2.0 * (overlap - here).max(tolerated);
+        let Some(to) = to.filter(|&to| !self.states.world.is_closed(to)) else {
+            self.states.world.contacts[contact].tolerated = 2.0 * (overlap - here).max(tolerated);
             return;
         };
         // Not to the nodes at its vertex, which are no deeper: the other one of the same crossing goes with it.
         let mut left = vec![(contact, *closed)];
-        let other = contact_points::other_of_crossing(self.world, contact).filter(|&other| other != to);
-        left.extend(other.and_then(|other| Some((other, *self.world.contacts[other].state.closed()?))));
+        let other = contact_points::other_of_crossing(self.states.world, contact).filter(|&other| other != to);
+        left.extend(other.and_then(|other| Some((other, *self.states.world.contacts[other].state.closed()?))));
         for (leaving, closed) in &left {
             self.open_alone(*leaving, closed, EventKind::LeftFace);
         }
-        self.forget_sharers_of_open(contact);
-        for other in self.world.contacts[to].other_faces.clone() {
-            if let Some(state) = self.world.contacts[other].state.closed().copied() {
+        self.states.forget_sharers_of_open(contact);
+        for other in self.states.world.contacts[to].other_faces.clone() {
+            if let Some(state) = self.states.world.contacts[other].state.closed().copied() {
                 self.open(other, &state, EventKind::LeftFace);
             }
         }
-        if !self.world.is_closed(to) {
-            self.close_in_place_of(&left, to, 2.0 * overlap);
+        if !self.states.world.is_closed(to) {
+            self.closing().close_in_place_of(&left, to, 2.0 * overlap);
         }
     }
 
     /// Opening of a contact by itself.
     fn open_alone(&mut self, contact: usize, closed: &ClosedContact, kind: EventKind) {
-        self.world.contacts[contact].place = closed.place;
-        let released = self.strain(contact, closed);
-        self.world.contacts[contact].tolerated = 0.0;
+        self.states.world.contacts[contact].place = closed.place;
+        let released = self.states.strain(contact, closed);
+        self.states.world.contacts[contact].tolerated = 0.0;
         let armed = kind == EventKind::Opened && !self.is_displaced_behind(contact);
-        self.log(contact, Contact::Open { armed }, kind, released);
+        self.states.log(contact, Contact::Open { armed }, kind, released);
     }
 
     /// Whether a corner that took over displaced along the normal, so that the energy of its spring was that of the node before it, is
     /// behind the plane of its face by itself. Closed again there it would have energy that no contact has left.
     fn is_displaced_behind(&self, contact: usize) -> bool {
-        let (site, at) = (self.site(contact), self.at());
+        let (site, at) = (self.states.site(contact), self.states.at());
         let [node, face] = at.sides(contact);
-        let is_displaced = site.edge.is_none() && self.world.contacts[contact].place.shift != DVec3::ZERO;
+        let is_displaced = site.edge.is_none() && self.states.world.contacts[contact].place.shift != DVec3::ZERO;
         is_displaced && locate(&site.geometry, &node, &face).gap < 0.0
     }
 
     /// Opening of a contact, over an edge with what its vertex hands on; whether there was a node that took it.
     fn open(&mut self, contact: usize, closed: &ClosedContact, kind: EventKind) -> bool {
         self.open_alone(contact, closed, kind);
-        let passed_on = kind == EventKind::LeftFace && self.pass_on(contact, closed);
-        self.forget_sharers_of_open(contact);
+        let passed_on = kind == EventKind::LeftFace && self.vertices().pass_on(contact, closed);
+        self.states.forget_sharers_of_open(contact);
         passed_on
     }
 
     /// From stick to slip, or back.
     fn switch(&mut self, contact: usize, mut closed: ClosedContact) {
-        let here = self.here(contact);
+        let here = self.states.here(contact);
         match closed.mode {
             Mode::Stick { anchor } => {
                 let breakaway = closed.law.on_breakaway(anchor, &here);
                 closed.mode = breakaway.mode;
-                let ChangeCount { t, at_instant, .. } = self.world.contacts[contact].changes;
-                closed.solver.retries = if t == self.now.t { u32::try_from(at_instant).unwrap_or(u32::MAX) } else { 0 };
-                self.log(contact, Contact::Closed(closed), EventKind::StickToSlip, breakaway.released);
+                let ChangeCount { t, at_instant, .. } = self.states.world.contacts[contact].changes;
+                closed.solver.retries =
+                    if t == self.states.now.t { u32::try_from(at_instant).unwrap_or(u32::MAX) } else { 0 };
+                self.states.log(contact, Contact::Closed(closed), EventKind::StickToSlip, breakaway.released);
             }
             Mode::Slip { direction } => {
-                if closed.law.may_pass_stop() && !self.at().can_hold(contact, &closed) {
+                if closed.law.may_pass_stop() && !self.states.at().can_hold(contact, &closed) {
                     closed.solver.passing_stop = true;
-                    self.enter_without_event(contact, Contact::Closed(closed));
+                    self.states.enter_without_event(contact, Contact::Closed(closed));
                     return;
                 }
                 closed.solver.passing_stop = false;
                 closed.mode = closed.law.on_stopping(direction, &here);
                 closed.solver.retries = 0;
-                self.log(contact, Contact::Closed(closed), EventKind::SlipToStick, 0.0);
+                self.states.log(contact, Contact::Closed(closed), EventKind::SlipToStick, 0.0);
             }
         }
     }

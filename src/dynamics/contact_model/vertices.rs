@@ -40,25 +40,32 @@ struct NodeAtVertex {
     stretch: DVec2,
 }
 
-impl ContactStates<'_> {
+/// Nodes of the vertices of a touch.
+pub(super) struct VertexNodes<'s, 'a> {
+    /// The contacts of the group.
+    pub(super) states: &'s mut ContactStates<'a>,
+}
+
+impl VertexNodes<'_, '_> {
     /// Moves an edge node that the slide has parted from the crossing to the present one; whether there is a crossing, of bodies that
     /// have met one along whose normal they part.
     pub(super) fn follow(&mut self, contact: usize, closed: ClosedContact) -> bool {
-        let here = self.here(contact);
-        let depth = self.site(contact).face.depth;
-        let slid = self.at().edge(contact).is_some_and(|edge| edge.has_slid(here.at)) && here.penetration() < depth;
+        let here = self.states.here(contact);
+        let depth = self.states.site(contact).face.depth;
+        let slid =
+            self.states.at().edge(contact).is_some_and(|edge| edge.has_slid(here.at)) && here.penetration() < depth;
         if !slid {
             return false;
         }
         let kept = closed.place.overhang;
-        let Some(place) = self.crossing(contact, kept) else { return false };
+        let Some(place) = self.states.crossing(contact, kept) else { return false };
         let (place, depth) = (NodePlace { overhang: place.overhang.max(kept), ..place }, here.penetration());
-        if !self.at().parts_along(contact, &place, depth) {
+        if !self.states.at().parts_along(contact, &place, depth) {
             return false;
         }
-        let before = self.strain(contact, &closed);
+        let before = self.states.strain(contact, &closed);
         let node = NodeAtVertex { place, depth, stretch: stretch(&closed, &here) };
-        self.enter_at_vertex(contact, EventKind::Moved, closed, node, before);
+        self.enter(contact, EventKind::Moved, closed, node, before);
         true
     }
 
@@ -70,20 +77,20 @@ impl ContactStates<'_> {
     /// The nodes that are at the vertex which a node has left, closed ones that are there no more, and how far the first may be beside
     /// their faces \[m\]; `None` without such nodes.
     fn successors(&mut self, contact: usize, closed: &ClosedContact) -> Option<([Vec<usize>; 2], f64)> {
-        let pair = self.world.pair_of(contact).model_pair;
-        if !self.world.model.pairs[pair].passes_on {
+        let pair = self.states.world.pair_of(contact).model_pair;
+        if !self.states.world.model.pairs[pair].passes_on {
             return None;
         }
         // Faces of bodies that have met may stand at any angle. Those that are not flush have no vertex in common: every node has a
         // penetration of its own.
         let tilt = self.tilt(contact);
-        let have_met = self.world.pair_of(contact).meeting.is_some();
+        let have_met = self.states.world.pair_of(contact).meeting.is_some();
         if have_met && tilt > FLUSH {
             return None;
         }
         // Faces that are not parallel see a vertex at places that differ, across an edge, by the depth times the sine of their angle; a corner
         // that took over beside its face has gone on as far. Along the other edge that is more by the sine of the angle between the two.
-        let beside = self.here(contact).penetration().max(0.0) * tilt;
+        let beside = self.states.here(contact).penetration().max(0.0) * tilt;
         let apart = (beside + closed.solver.beside) / LEAST_SINE;
         let reaches = [[0.0, 0.0], [apart, 0.0], [apart, apart]].into_iter();
         reaches.map(|reach| (self.at_vertex_of(contact, reach), reach[1])).find(|([nodes, _], _)| !nodes.is_empty())
@@ -93,48 +100,50 @@ impl ContactStates<'_> {
     /// are there now; other nodes of the vertex that are there no more leave with it. Whether there is such a node.
     pub(super) fn pass_on(&mut self, contact: usize, closed: &ClosedContact) -> bool {
         let Some(([nodes, gone], beside)) = self.successors(contact, closed) else { return false };
-        let sharers = self.world.contacts[contact].divisor;
-        let kept = nodes.iter().filter_map(|&node| Some((node, *self.world.contacts[node].state.closed()?)));
-        let left = gone.iter().filter_map(|&node| Some((node, *self.world.contacts[node].state.closed()?)));
+        let sharers = self.states.world.contacts[contact].divisor;
+        let kept = nodes.iter().filter_map(|&node| Some((node, *self.states.world.contacts[node].state.closed()?)));
+        let left = gone.iter().filter_map(|&node| Some((node, *self.states.world.contacts[node].state.closed()?)));
         let before: Vec<_> = kept.chain(left).chain([(contact, *closed)]).collect();
-        let pair = self.world.pair_of(contact);
+        let pair = self.states.world.pair_of(contact);
         let count = nodes.len() as f64;
-        let divisor = match (self.world.model.pairs[pair.model_pair].contact.sharing, self.world.model.kind) {
-            // A vertex has its part of K whichever of its nodes have left.
-            (Sharing::Tributary, Kind::Spatial) => pair.sharers as f64 * count,
-            // In plan nodes share K, and the parts of all nodes at the vertex stay.
-            (Sharing::Tributary, Kind::Planar) => {
-                let tracks = &self.world.contacts;
-                let open = nodes.iter().filter(|&&node| tracks[node].state.closed().is_none() && tracks[node].has_part);
-                // A node that closed without a part of its own, since its place came over the face only later, has that of an open one.
-                let open = open.skip(before.iter().filter(|(node, _)| !tracks[*node].has_part).count());
-                let at_vertex = before.iter().map(|(node, _)| node).chain(open);
-                count / at_vertex.map(|&node| 1.0 / tracks[node].divisor).sum::<f64>()
-            }
-            (Sharing::PerNode, _) => sharers,
-        };
+        let divisor =
+            match (self.states.world.model.pairs[pair.model_pair].contact.sharing, self.states.world.model.kind) {
+                // A vertex has its part of K whichever of its nodes have left.
+                (Sharing::Tributary, Kind::Spatial) => pair.sharers as f64 * count,
+                // In plan nodes share K, and the parts of all nodes at the vertex stay.
+                (Sharing::Tributary, Kind::Planar) => {
+                    let tracks = &self.states.world.contacts;
+                    let open =
+                        nodes.iter().filter(|&&node| tracks[node].state.closed().is_none() && tracks[node].has_part);
+                    // A node that closed without a part of its own, since its place came over the face only later, has that of an open one.
+                    let open = open.skip(before.iter().filter(|(node, _)| !tracks[*node].has_part).count());
+                    let at_vertex = before.iter().map(|(node, _)| node).chain(open);
+                    count / at_vertex.map(|&node| 1.0 / tracks[node].divisor).sum::<f64>()
+                }
+                (Sharing::PerNode, _) => sharers,
+            };
         // Where a node is beside its face, it may go on as far again.
         let carried = Carried { kept_beyond_edge: 2.0 * beside, ..self.carried(&before, count / divisor) };
         // No contact at a penetration of at least the depth of the face's body.
-        if nodes.iter().any(|&node| self.site(node).face.depth <= carried.depth) {
+        if nodes.iter().any(|&node| self.states.site(node).face.depth <= carried.depth) {
             return false;
         }
-        self.world.contacts[contact].has_part = false;
+        self.states.world.contacts[contact].has_part = false;
         for gone in gone {
-            self.world.contacts[gone].has_part = false;
-            let Some(state) = self.world.contacts[gone].state.closed().copied() else { continue };
-            let released = self.strain(gone, &state);
-            self.log(gone, Contact::Open { armed: false }, EventKind::LeftFace, released);
+            self.states.world.contacts[gone].has_part = false;
+            let Some(state) = self.states.world.contacts[gone].state.closed().copied() else { continue };
+            let released = self.states.strain(gone, &state);
+            self.states.log(gone, Contact::Open { armed: false }, EventKind::LeftFace, released);
         }
         for node in nodes {
             // A corner is in contact with one face of a body at a time.
-            for other in self.world.contacts[node].other_faces.clone() {
-                let Some(state) = self.world.contacts[other].state.closed().copied() else { continue };
-                let released = self.strain(other, &state);
-                self.log(other, Contact::Open { armed: false }, EventKind::LeftFace, released);
-                self.forget_sharers_of_open(other);
+            for other in self.states.world.contacts[node].other_faces.clone() {
+                let Some(state) = self.states.world.contacts[other].state.closed().copied() else { continue };
+                let released = self.states.strain(other, &state);
+                self.states.log(other, Contact::Open { armed: false }, EventKind::LeftFace, released);
+                self.states.forget_sharers_of_open(other);
             }
-            (self.world.contacts[node].divisor, self.world.contacts[node].has_part) = (divisor, true);
+            (self.states.world.contacts[node].divisor, self.states.world.contacts[node].has_part) = (divisor, true);
             self.carry(node, contact, closed, &carried);
         }
         true
@@ -143,19 +152,19 @@ impl ContactStates<'_> {
     /// Whether the vertex of an open corner inside a flush face has a node in contact, which leaves its part to this corner when it comes to
     /// the edge of its own face.
     pub(super) fn is_held(&self, contact: usize) -> bool {
-        let (pair, tilt) = (self.world.contacts[contact].pair, self.tilt(contact));
-        let passes_on = self.world.model_pair(pair).passes_on;
-        let apart = self.at().local(contact).penetration().max(0.0) * tilt;
-        let poses = |c: usize| self.at().sides(c);
-        passes_on && tilt <= FLUSH && contact_points::is_held(self.world, contact, apart, &poses)
+        let (pair, tilt) = (self.states.world.contacts[contact].pair, self.tilt(contact));
+        let passes_on = self.states.world.model_pair(pair).passes_on;
+        let apart = self.states.at().local(contact).penetration().max(0.0) * tilt;
+        let poses = |c: usize| self.states.at().sides(c);
+        passes_on && tilt <= FLUSH && contact_points::is_held(self.states.world, contact, apart, &poses)
     }
 
     /// The nodes that are at the vertex that a node has left, closed or about to be, and closed ones that are there no more;
     /// see [`contact_points::at_vertex_of`].
     fn at_vertex_of(&mut self, contact: usize, [extra, beyond]: [f64; 2]) -> [Vec<usize>; 2] {
-        let poses = |c: usize| self.at().sides(c);
-        let [mut nodes, gone] = contact_points::at_vertex_of(self.world, contact, [extra, beyond], &poses);
-        nodes.retain(|&node| self.world.is_closed(node) || self.place_if_behind_face(node, beyond));
+        let poses = |c: usize| self.states.at().sides(c);
+        let [mut nodes, gone] = contact_points::at_vertex_of(self.states.world, contact, [extra, beyond], &poses);
+        nodes.retain(|&node| self.states.world.is_closed(node) || self.place_if_behind_face(node, beyond));
         nodes.retain(|&node| !self.leaves_with(node));
         [nodes, gone]
     }
@@ -163,22 +172,22 @@ impl ContactStates<'_> {
     /// Whether a corner at a vertex that another one has left comes out over the edge of its own face: in plan the faces part there, corner
     /// past corner, and the vertex is gone. Where they go on to lie before each other it goes in.
     fn leaves_with(&self, node: usize) -> bool {
-        let (here, face) = (self.here(node), &self.site(node).face);
+        let (here, face) = (self.states.here(node), &self.states.site(node).face);
         let middle = face.coordinates(face.corners[0]).midpoint(face.coordinates(face.corners[1]));
-        self.world.model.kind == Kind::Planar && (here.at.x - middle.x) * here.rate.x > 0.0
+        self.states.world.model.kind == Kind::Planar && (here.at.x - middle.x) * here.rate.x > 0.0
     }
 
     /// Sine of the angle between the two faces of a contact's pair \[–\]; 0 where one of the two has no nodes.
     fn tilt(&self, contact: usize) -> f64 {
-        let mut contacts = self.world.pair_of(contact).contacts.clone();
-        let (at, body) = (self.at(), self.site(contact).face_body);
+        let mut contacts = self.states.world.pair_of(contact).contacts.clone();
+        let (at, body) = (self.states.at(), self.states.site(contact).face_body);
         let tilt = |c: usize| {
             let [node, face] = at.sides(c);
             Some(at.edge(c)?.tilt([&node, &face]))
         };
         let by_edges = contacts.clone().rev().find_map(tilt);
         // In plan the other side's nodes are against the other face.
-        let mut facing = || contacts.find(|&c| self.site(c).face_body != body);
+        let mut facing = || contacts.find(|&c| self.states.site(c).face_body != body);
         by_edges.or_else(|| Some(at.normal(contact).cross(at.normal(facing()?)).length())).unwrap_or(0.0)
     }
 
@@ -188,7 +197,7 @@ impl ContactStates<'_> {
         let (mut depth, mut length) = (0.0, 0.0);
         let power = before.first().map_or(2.0, |(_, closed)| closed.law.normal.energy_power());
         for (node, closed) in before {
-            let (here, part) = (self.here(*node), 1.0 / self.world.contacts[*node].divisor);
+            let (here, part) = (self.states.here(*node), 1.0 / self.states.world.contacts[*node].divisor);
             let penetration = here.penetration();
             depth += part * if power == 2.0 { penetration * penetration } else { penetration.max(0.0).powf(power) };
             length += part * stretch(closed, &here).length_squared();
@@ -201,18 +210,18 @@ impl ContactStates<'_> {
     /// Gives a node its part of a vertex after the node `left`, which was in state `before`: a closed one its law, an
     /// open one its state too.
     fn carry(&mut self, node: usize, left: usize, before: &ClosedContact, carried: &Carried) {
-        let law = contact_law::of(self.world, node, self.now).resumed(&before.law, carried.depth);
+        let law = contact_law::of(self.states.world, node, self.states.now).resumed(&before.law, carried.depth);
         let at = |stretch: DVec2| stretch.normalize_or_zero() * carried.stretch;
-        if let Some(own) = self.world.contacts[node].state.closed().copied() {
-            let (place, own_stretch) = (self.world.contacts[node].place, stretch(&own, &self.here(node)));
-            let energy = self.strain(node, &own);
+        if let Some(own) = self.states.world.contacts[node].state.closed().copied() {
+            let (place, own_stretch) = (self.states.world.contacts[node].place, stretch(&own, &self.states.here(node)));
+            let energy = self.states.strain(node, &own);
             let closed = ClosedContact { law: law.resumed(&own.law, carried.depth), ..own };
             let at_vertex = NodeAtVertex { place, depth: carried.depth, stretch: at(own_stretch) };
-            self.enter_at_vertex(node, EventKind::Moved, closed, at_vertex, energy);
+            self.enter(node, EventKind::Moved, closed, at_vertex, energy);
             return;
         }
         let along = match before.mode {
-            Mode::Stick { .. } => stretch(before, &self.here(left)),
+            Mode::Stick { .. } => stretch(before, &self.states.here(left)),
             Mode::Slip { direction } => direction,
         };
         let along = self.on_face_of(node, along, left);
@@ -221,60 +230,54 @@ impl ContactStates<'_> {
             Mode::Slip { .. } => Mode::Slip { direction: along.try_normalize().unwrap_or(DVec2::X) },
         };
         let kind = EventKind::of_closing(&mode);
-        let regularisation = self.at().regularisation_length(node, &law, &self.here(node));
+        let regularisation = self.states.at().regularisation_length(node, &law, &self.states.here(node));
         let mut closed = ClosedContact::new(law, mode, regularisation);
-        closed.solver.kept_beyond_edge = if self.at().edge(node).is_some() { 0.0 } else { carried.kept_beyond_edge };
+        closed.solver.kept_beyond_edge =
+            if self.states.at().edge(node).is_some() { 0.0 } else { carried.kept_beyond_edge };
         // It may be beside its face by as much as the faces' angle has it seen there.
         (closed.solver.handover_distance, closed.solver.beside) =
             (Some(carried.kept_beyond_edge), carried.kept_beyond_edge);
-        self.world.contacts[node].closing = None;
-        let place = self.world.contacts[node].place;
-        self.enter_at_vertex(node, kind, closed, NodeAtVertex { place, depth: carried.depth, stretch: at(along) }, 0.0);
+        self.states.world.contacts[node].closing = None;
+        let place = self.states.world.contacts[node].place;
+        self.enter(node, kind, closed, NodeAtVertex { place, depth: carried.depth, stretch: at(along) }, 0.0);
     }
 
     /// Enters a closed state of a node, displaced along the normal to its penetration; its springs had the energy `before` \[J\].
-    fn enter_at_vertex(
-        &mut self,
-        contact: usize,
-        kind: EventKind,
-        closed: ClosedContact,
-        node: NodeAtVertex,
-        before: f64,
-    ) {
+    fn enter(&mut self, contact: usize, kind: EventKind, closed: ClosedContact, node: NodeAtVertex, before: f64) {
         let NodeAtVertex { place, depth, stretch } = node;
-        self.world.contacts[contact].place = place;
-        let [node, _] = self.at().sides(contact);
-        let outwards = self.at().normal(contact) * (self.here(contact).penetration() - depth);
+        self.states.world.contacts[contact].place = place;
+        let [node, _] = self.states.at().sides(contact);
+        let outwards = self.states.at().normal(contact) * (self.states.here(contact).penetration() - depth);
         let shift = place.shift + outwards + node.turned.transpose() * outwards;
         let place = NodePlace { shift, ..place };
-        self.world.contacts[contact].place = place;
-        let here = self.here(contact);
+        self.states.world.contacts[contact].place = place;
+        let here = self.states.here(contact);
         let mode = match closed.mode {
             Mode::Stick { .. } => Mode::Stick { anchor: here.way - stretch },
             slip @ Mode::Slip { .. } => slip,
         };
         let closed = ClosedContact { mode, place, ..closed };
-        let released = before - self.strain(contact, &closed);
-        self.log(contact, Contact::Closed(closed), kind, released);
+        let released = before - self.states.strain(contact, &closed);
+        self.states.log(contact, Contact::Closed(closed), kind, released);
     }
 
     /// Whether an open node, an edge node at the crossing up to `beyond` beyond the ends of the edges \[m\], is behind its
     /// face and not behind the body.
     fn place_if_behind_face(&mut self, contact: usize, beyond: f64) -> bool {
-        self.set_place(contact, beyond);
-        let depth = self.site(contact).face.depth;
-        (0.0..depth).contains(&self.here(contact).penetration())
+        self.states.set_place(contact, beyond);
+        let depth = self.states.site(contact).face.depth;
+        (0.0..depth).contains(&self.states.here(contact).penetration())
     }
 
     /// A stretch or a direction of sliding of the contact `of`, in the axes of its face, as one of the contact `to` of
     /// the same pair in the axes of that one's face.
     fn on_face_of(&self, to: usize, vector: DVec2, of: usize) -> DVec2 {
         let world = |contact: usize, along: DVec2| {
-            let here = self.at().relative(contact, &self.now.since);
+            let here = self.states.at().relative(contact, &self.states.now.since);
             to_world(&here.geometry, &here.poses[1], along, 0.0)
         };
         // Of a node on the other body it is the opposite.
-        let is_same = self.world.contacts[of].slots[0] == self.world.contacts[to].slots[0];
+        let is_same = self.states.world.contacts[of].slots[0] == self.states.world.contacts[to].slots[0];
         let vector = world(of, vector) * if is_same { 1.0 } else { -1.0 };
         DVec2::new(vector.dot(world(to, DVec2::X)), vector.dot(world(to, DVec2::Y)))
     }

@@ -130,8 +130,12 @@ impl Connection for Hysteresis {
 }
 
 impl Device for Hysteresis {
+    fn is_linear_in(&self, _: &Phase) -> bool {
+        matches!(self, Hysteresis::PerAxis(_))
+    }
+
     /// All but the yield circle in yield.
-    fn is_linear_in(&self, phase: &Phase) -> bool {
+    fn has_linear_force_in(&self, phase: &Phase) -> bool {
         !self.evolves(phase)
     }
 

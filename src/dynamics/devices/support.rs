@@ -110,8 +110,8 @@ impl Device for Support {
         self.ends_run && phase.branch == LOST
     }
 
-    fn is_linear_in(&self, phase: &Phase) -> bool {
-        self.standing(phase).is_none_or(|law| law.is_linear_in(phase))
+    fn has_linear_force_in(&self, phase: &Phase) -> bool {
+        self.standing(phase).is_none_or(|law| law.has_linear_force_in(phase))
     }
 
     fn gap(&self, phase: &Phase, motion: &Separation) -> [f64; 2] {

@@ -9,7 +9,7 @@ pub(super) const TAYLOR_TERMS: u32 = 20;
 /// `max(γ, ω) τ` below which the integrals of the impulse response are summed as power series: their closed forms divide differences
 /// of nearly equal numbers by ω². 19 terms then leave less than 0.3^20/20!.
 pub(super) const SERIES_LIMIT: f64 = 0.3;
-/// Term of a series in parts of its sum that changes no bit of the sum, with a factor of 8 to spare \[–\].
+/// Term of a series in parts of its sum that changes no bit of the sum \[–\]: half of the last bit is ε/4 of it at the least, four times this.
 pub(super) const NEGLIGIBLE: f64 = f64::EPSILON / 16.0;
 /// `ω²/γ²` below which the integrals of an overdamped oscillator are differences of those of its two decays: the other closed forms divide
 /// by ω² differences that vanish with ω². Both rates then differ by more than a factor of 5, so that nothing cancels.

@@ -96,9 +96,7 @@ impl FreeMotion {
             spin_rate: acceleration / i,
         }
     }
-}
 
-impl FreeMotion {
     /// Where the constant push is held by springs, and what of it no spring holds \[m, rad; m/s², rad/s²\]; all of it where directions are
     /// coupled.
     fn rest(&self) -> (DVec3, DVec3) {

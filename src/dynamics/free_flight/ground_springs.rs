@@ -50,3 +50,16 @@ fn sum(one: &DMat3, other: &DMat3) -> DMat3 {
         if sum.abs() > CANCELLED * (one[i].abs() + other[i].abs()) { sum } else { 0.0 }
     }))
 }
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn what_cancels_is_nothing_and_the_rest_is_the_sum() {
+        let own = DMat3::from_diagonal(DVec3::new(3e6, 2e6, 7e8));
+        let lost = DMat3::from_diagonal(DVec3::new(-3e6 * (1.0 + 4.0 * f64::EPSILON), 1e6, 0.0));
+        assert_eq!(sum(&own, &lost), DMat3::from_diagonal(DVec3::new(0.0, 3e6, 7e8)), "x is free");
+        assert_eq!(sum(&own, &PlanarSprings::NONE.stiffness), own, "to the last bit");
+    }
+}

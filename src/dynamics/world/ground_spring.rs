@@ -15,25 +15,25 @@ use crate::dynamics::world::constants::FORCE_ROUNDING;
 use crate::dynamics::world::tracks::{LinkTrack, Trajectory};
 
 impl World {
-    /// What all connections that act on a body are together; `None` where one acts on another body as well or is not linear in its phase, or
-    /// where the body's motion on such has no closed form.
+    /// What all connections that act on a body are together; `None` where one acts on another body as well or its force is not linear in its
+    /// phase (of a body of one coordinate its switching functions too), or where the body's motion on such has no closed form.
     pub(in crate::dynamics) fn ground_springs(&self, slot: usize) -> Option<GroundSprings> {
         let track = &self.bodies[slot];
         let body = &self.model.bodies[track.body];
         if track.pairs.iter().any(|&pair| self.pair_acts(pair)) {
             return None;
         }
-        let acting: Option<Vec<(&LinkTrack, &Link)>> = track
-            .links
-            .iter()
-            .filter(|&&number| self.link_acts(number))
-            .map(|&number| {
-                let own = &self.links[number];
-                let link = &self.model.links[own.link];
-                let linear = own.slots == [Some(slot), None] && link.device.is_linear_in(&own.phase);
-                linear.then_some((own, link))
-            })
-            .collect();
+        let is_planar = matches!(body.coordinates, BodyCoordinates::Planar);
+        let linear = |&number: &usize| {
+            let own = &self.links[number];
+            let link = &self.model.links[own.link];
+            let device = &link.device;
+            let linear =
+                if is_planar { device.has_linear_force_in(&own.phase) } else { device.is_linear_in(&own.phase) };
+            (linear && own.slots == [Some(slot), None]).then_some((own, link))
+        };
+        let acting: Option<Vec<(&LinkTrack, &Link)>> =
+            track.links.iter().filter(|&&number| self.link_acts(number)).map(linear).collect();
         match body.coordinates {
             // Where they couple x, y and θ, a matrix exponential for every look costs more than steps do (docs/cost.md).
             BodyCoordinates::Planar => {
