@@ -7,12 +7,14 @@
 use glam::{Mat4, Vec2, Vec3, Vec4, Vec4Swizzles as _};
 
 use super::cull::{ARROW_REACH, MARGIN, Shade, cone_ends, cone_reach, corners};
+use super::letters::width_bound;
 use super::{Quality, Region, Regions};
 use crate::view::DrawList;
 use crate::view::list::{Line, Mark, Solid};
 
-/// Widest letter with what is between lines and around a plate, in heights of the font: no text is longer than its letters times this.
-const LETTER: f32 = 1.3;
+/// Height of a line of text, and how far a plate reaches around it, in heights of the font (`flat`).
+const LINE: f32 = 1.5;
+const PLATE: f32 = 0.4;
 
 /// Where the pictures of two lists differ, drawn as coarsely as any.
 pub fn changes(before: &DrawList, now: &DrawList) -> Regions {
@@ -47,6 +49,26 @@ pub fn changes(before: &DrawList, now: &DrawList) -> Regions {
         }
     }
     regions
+}
+
+/// Where the shadow maps of two lists differ \[texels\]; none where that is not known, and all is drawn anew.
+pub(super) fn shadow_changes(before: &DrawList, now: &DrawList, quality: Quality) -> Option<Regions> {
+    let side = quality.shadow_map_size();
+    let lit = before.ground.is_some() && now.ground.is_some();
+    // A body that throws no shadow into the view is not in the map: which these are depends on how low a shadow may fall.
+    let lowest = |list| Shade::of(list, quality).lowest.to_bits();
+    if !(lit && before.frame == now.frame && before.size == now.size && lowest(before) == lowest(now)) {
+        return None;
+    }
+    let sight = Sight { clip_from_world: now.frame.light_from_world, size: [side; 2] };
+    let mut regions = Regions::default();
+    for (list, other) in [(before, now), (now, before)] {
+        for bound in bounds(&list.solids, &other.solids, |s| sight.hull(&corners(s), 0.0, 1.0)) {
+            let Bound::Within(min, max) = bound else { return None };
+            regions.extend(Region::of(min.to_array(), max.to_array(), sight.size));
+        }
+    }
+    Some(regions)
 }
 
 /// Where something may be drawn.
@@ -107,10 +129,10 @@ fn flat(mark: &Mark) -> Bound {
     };
     match mark {
         Mark::Text { at, align, size, text, .. } => {
-            let letters = text.chars().count().max(1) as f32;
-            let extent = Vec2::new(letters * LETTER * size, 2.0 * size);
+            let extent = Vec2::new(width_bound(text, *size), LINE * size);
             let corner = *at - *align * extent;
-            Bound::Within(corner - *size - MARGIN, corner + extent + *size + MARGIN)
+            let beyond = PLATE * size + MARGIN;
+            Bound::Within(corner - beyond, corner + extent + beyond)
         }
         Mark::Disk { at, radius, .. } => about(*at, 2.0 * radius),
         Mark::Ring { at, radius, width, .. } | Mark::Cross { at, radius, width, .. } => {

@@ -87,11 +87,6 @@ impl<'l> Seen<'l> {
         }
         gpu.count(Thing::Drawn, "casters", self.casters.len());
     }
-
-    /// Whether anything is drawn over the bodies.
-    pub(super) fn is_anything_on_top(&self) -> bool {
-        !(self.xray_lines.is_empty() && self.cones.is_empty() && self.arrows.is_empty() && self.marks.is_empty())
-    }
 }
 
 /// The half spaces that a view lies in: a point is inside where the product with each is not negative.
@@ -122,7 +117,7 @@ pub(super) fn corners(solid: &Solid) -> [Vec3; 8] {
 pub(super) struct Shade {
     /// Unit vector away from the light, and how low anything is that a shadow can fall on \[m\].
     away: Vec3,
-    lowest: f32,
+    pub(super) lowest: f32,
     /// How far a shadow reaches beyond its caster's outline \[m\].
     pub(super) reach: f32,
 }

@@ -146,3 +146,31 @@ fn cross(at: Vec2, radius: f32, width: f32, c: Rgba, halo: Rgba) -> Vec<Shape> {
     let around = arms.map(|[a, b]| stroke(&[a - (b - a) * 0.12, b + (b - a) * 0.12], wide, halo));
     around.into_iter().chain(arms.map(|arm| stroke(&arm, width, c))).collect()
 }
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::render::letters::width_bound;
+
+    #[test]
+    fn no_line_is_wider_than_its_bound_and_few_are_much_narrower() {
+        let mut flat = Flat { fonts: Fonts::new(TextOptions::default(), with_japanese()), has_japanese: true };
+        let lines = [
+            "t = 1.1209 s · 2.914 periods",
+            "gap 4.77 mm, least 1.34 mm square",
+            "ground: sine 0.40 g, 2.6 Hz at 0°",
+            "AVAVAWLTo. fi ffl, WWWMMM iiilll",
+            "−12.5 kN·m, ±0.3 ‰, Σ|R|, θ² ≤ μ_s",
+            "遊間 4.77 mm、最小 1.34 mm",
+            "",
+        ];
+        for (line, size) in lines.iter().flat_map(|line| [9.0, 13.0, 15.0, 26.7, 40.0].map(|size| (line, size))) {
+            let job = layout(line, size, Color32::WHITE);
+            let width = flat.fonts.with_pixels_per_point(1.0).layout_job(job).size().x;
+            let bound = width_bound(line, size);
+            assert!(width <= bound, "{line:?} at {size}: {width} > {bound}");
+            let narrow = line.is_ascii() && bound > 1.2 * width + 2.0;
+            assert!(!narrow, "{line:?} at {size}: {bound} for {width}");
+        }
+    }
+}

@@ -12,6 +12,8 @@ pub(super) const DEPTH: wgpu::TextureFormat = wgpu::TextureFormat::Depth32Float;
 pub(super) enum Depth {
     /// Hides what is behind it.
     Write,
+    /// Hides whatever is there.
+    Set,
     /// Is hidden, hides nothing.
     Test,
     /// Neither.
@@ -50,9 +52,8 @@ impl Recipe<'_> {
         self.pipeline(gpu, &module, Some(fragment), wgpu::DepthBiasState::default())
     }
 
-    /// The pipeline, drawing depth alone, pushed away by a little so that a surface does not shade itself.
-    pub(super) fn build_depth(&self, gpu: &Gpu) -> wgpu::RenderPipeline {
-        let bias = wgpu::DepthBiasState { constant: 2, slope_scale: 1.5, clamp: 0.0 };
+    /// The pipeline, drawing depth alone.
+    pub(super) fn build_depth(&self, gpu: &Gpu, bias: wgpu::DepthBiasState) -> wgpu::RenderPipeline {
         self.pipeline(gpu, &self.module(gpu), None, bias)
     }
 
@@ -97,11 +98,15 @@ impl Recipe<'_> {
 
 impl Depth {
     fn state(self, bias: wgpu::DepthBiasState) -> wgpu::DepthStencilState {
-        let compare =
-            if self == Self::Ignore { wgpu::CompareFunction::Always } else { wgpu::CompareFunction::LessEqual };
+        let (compare, writes) = match self {
+            Self::Write => (wgpu::CompareFunction::LessEqual, true),
+            Self::Set => (wgpu::CompareFunction::Always, true),
+            Self::Test => (wgpu::CompareFunction::LessEqual, false),
+            Self::Ignore => (wgpu::CompareFunction::Always, false),
+        };
         wgpu::DepthStencilState {
             format: DEPTH,
-            depth_write_enabled: Some(self == Self::Write),
+            depth_write_enabled: Some(writes),
             depth_compare: Some(compare),
             stencil: wgpu::StencilState::default(),
             bias,

@@ -56,6 +56,12 @@ impl Region {
         (min[0] < max[0] && min[1] < max[1]).then_some(Self { min, max })
     }
 
+    /// Draws in it alone from here on.
+    pub(super) fn cut(self, pass: &mut wgpu::RenderPass<'_>) {
+        let ([x, y], [width, height]) = (self.min, self.size());
+        pass.set_scissor_rect(x, y, width, height);
+    }
+
     /// The same in another picture, in which this one begins at `by`.
     #[must_use]
     pub fn moved(self, by: [u32; 2]) -> Self {

@@ -2,12 +2,13 @@
 
 use std::sync::Arc;
 
-use super::changes::changes;
+use super::changes::{changes, shadow_changes};
 use super::cull::Seen;
 use super::frame::{Frame, color};
 use super::pass::arrow::ArrowPass;
 use super::pass::backdrop::Backdrop;
 use super::pass::cone::ConePass;
+use super::pass::far::Far;
 use super::pass::ground::GroundPass;
 use super::pass::line::LinePass;
 use super::pass::overlay::Overlay;
@@ -36,6 +37,10 @@ struct Passes {
     cones: Option<ConePass>,
     arrows: Option<ArrowPass>,
     overlay: Option<Overlay>,
+    /// Depth under arrows, which begins anew over the bodies.
+    far: Option<Far>,
+    /// Depth of the shadow map's parts.
+    far_shadow: Option<Far>,
 }
 
 /// What a picture is recorded with.
@@ -44,7 +49,14 @@ struct Recording<'r> {
     frame: &'r Frame,
     target: &'r Target,
     /// What is drawn anew over the picture before; the whole picture where nothing is said.
-    parts: Option<&'r Regions>,
+    parts: Option<&'r Parts>,
+}
+
+/// What of a picture differs from the one before.
+struct Parts {
+    picture: Regions,
+    /// Of the shadow map; all of it where nothing is said.
+    shadow: Option<Regions>,
 }
 
 /// Draws lists. Two draws must not be recorded before the first is submitted: they share their buffers.
@@ -108,7 +120,11 @@ impl Renderer {
         let size = list.size;
         let before = self.shown.take().filter(|_| self.quality.samples == 1 && is_opaque(list));
         let before = before.filter(|_| self.target.as_ref().is_some_and(|target| target.size == size));
-        let parts = before.map(|before| changes(&before, list)).filter(|parts| parts.are_a_part_of(size));
+        let parts = before.map(|before| Parts {
+            picture: changes(&before, list),
+            shadow: shadow_changes(&before, list, self.quality),
+        });
+        let parts = parts.filter(|parts| parts.picture.are_a_part_of(size));
         self.shown = Some(list.clone());
         self.draw_parts(gpu, encoder, list, size, parts.as_ref())
     }
@@ -119,7 +135,7 @@ impl Renderer {
         encoder: &mut wgpu::CommandEncoder,
         list: &DrawList,
         size: [u32; 2],
-        parts: Option<&Regions>,
+        parts: Option<&Parts>,
     ) -> &wgpu::TextureView {
         let limit = gpu.device.limits().max_texture_dimension_2d;
         let size = size.map(|s| s.clamp(1, limit));
@@ -182,6 +198,7 @@ impl Renderer {
             ("line", p.lines.is_some() || p.xray_lines.is_some()),
             ("cone", p.cones.is_some()),
             ("arrow", p.arrows.is_some()),
+            ("far", p.far.is_some() || p.far_shadow.is_some()),
             ("overlay", p.overlay.is_some()),
         ];
         all.into_iter().filter(|(_, built)| *built).map(|(stem, _)| stem).collect()
@@ -204,6 +221,9 @@ impl Passes {
         }
         if needs_light(list, seen) {
             self.prepare_lit(gpu, frame, list, seen, quality);
+            if in_parts {
+                self.far_shadow.get_or_insert_with(|| Far::of_depth(gpu));
+            }
         }
         let lines = |label, depth| move || LinePass::new(gpu, frame, label, depth, samples);
         if !seen.lines.is_empty() {
@@ -217,6 +237,7 @@ impl Passes {
         }
         if !seen.arrows.is_empty() {
             self.arrows.get_or_insert_with(|| ArrowPass::new(gpu, frame, samples)).fill(gpu, &seen.arrows);
+            self.far.get_or_insert_with(|| Far::new(gpu, samples));
         }
         if !seen.marks.is_empty() {
             self.overlay.get_or_insert_with(|| Overlay::new(gpu, frame, samples)).fill(gpu, &seen.marks);
@@ -253,19 +274,17 @@ impl Passes {
         if let Some(shadow) = shadow {
             let thrown = !(seen.solids.is_empty() && seen.casters.is_empty());
             let casters = self.prism.as_ref().zip(self.solids.as_ref()).filter(|_| thrown);
-            shadow.draw(gpu, to.encoder, to.frame, casters);
+            let parts = to.parts.and_then(|parts| parts.shadow.as_ref()).zip(self.far_shadow.as_ref());
+            shadow.draw(gpu, to.encoder, to.frame, casters, parts);
         }
         let clear = to.parts.is_none().then(|| clear_color(list));
         let (parts, in_parts) = (to.parts(), to.parts.is_some());
-        let mut pass = to.target.begin(gpu, to.encoder, "bodies", clear, !seen.is_anything_on_top());
+        let mut pass = to.target.begin(gpu, to.encoder, clear);
         pass.set_bind_group(0, &to.frame.group, &[]);
         for part in parts {
-            cut(&mut pass, part);
+            part.cut(&mut pass);
             self.encode_bodies(&mut pass, in_parts, shadow, list, seen);
-        }
-        drop(pass);
-        if seen.is_anything_on_top() {
-            self.encode_on_top(gpu, to, seen);
+            self.encode_on_top(&mut pass, seen);
         }
     }
 
@@ -296,25 +315,20 @@ impl Passes {
         }
     }
 
-    /// What is seen through bodies, with a depth of its own, and what is flat.
-    fn encode_on_top(&self, gpu: &Gpu, to: &mut Recording<'_>, seen: &Seen<'_>) {
-        let parts = to.parts();
-        let mut pass = to.target.begin(gpu, to.encoder, "seen through bodies", None, true);
-        pass.set_bind_group(0, &to.frame.group, &[]);
-        for part in parts {
-            cut(&mut pass, part);
-            if let Some(cones) = self.cones.as_ref().filter(|_| !seen.cones.is_empty()) {
-                cones.draw(&mut pass);
-            }
-            if let Some(lines) = self.xray_lines.as_ref().filter(|_| !seen.xray_lines.is_empty()) {
-                lines.draw(&mut pass);
-            }
-            if let Some(arrows) = self.arrows.as_ref().filter(|_| !seen.arrows.is_empty()) {
-                arrows.draw(&mut pass);
-            }
-            if let Some(overlay) = self.overlay.as_ref().filter(|_| !seen.marks.is_empty()) {
-                overlay.draw(&mut pass);
-            }
+    /// What is seen through bodies, arrows with a depth of their own, and what is flat.
+    fn encode_on_top(&self, pass: &mut wgpu::RenderPass<'_>, seen: &Seen<'_>) {
+        if let Some(cones) = self.cones.as_ref().filter(|_| !seen.cones.is_empty()) {
+            cones.draw(pass);
+        }
+        if let Some(lines) = self.xray_lines.as_ref().filter(|_| !seen.xray_lines.is_empty()) {
+            lines.draw(pass);
+        }
+        if let Some((far, arrows)) = self.far.as_ref().zip(self.arrows.as_ref()).filter(|_| !seen.arrows.is_empty()) {
+            far.draw(pass);
+            arrows.draw(pass);
+        }
+        if let Some(overlay) = self.overlay.as_ref().filter(|_| !seen.marks.is_empty()) {
+            overlay.draw(pass);
         }
     }
 }
@@ -322,14 +336,8 @@ impl Passes {
 impl Recording<'_> {
     /// What is drawn, one after the other.
     fn parts(&self) -> Vec<Region> {
-        self.parts.map_or_else(|| vec![Region::whole(self.target.size)], |parts| parts.iter().collect())
+        self.parts.map_or_else(|| vec![Region::whole(self.target.size)], |parts| parts.picture.iter().collect())
     }
-}
-
-/// Draws in a part of the picture alone from here on.
-fn cut(pass: &mut wgpu::RenderPass<'_>, part: Region) {
-    let ([x, y], [width, height]) = (part.min, part.size());
-    pass.set_scissor_rect(x, y, width, height);
 }
 
 /// Whether the background hides what it is drawn over.

@@ -32,23 +32,20 @@ impl Target {
         Self { size, view: view(&color), texture: color, samples, depth }
     }
 
-    /// Begins drawing: on a cleared picture, or on what is there; depth is always cleared. `last` settles the samples.
+    /// Begins drawing: on a cleared picture, or on what is there; depth is always cleared, and samples are settled at the end.
     pub(super) fn begin<'e>(
         &self,
         gpu: &Gpu,
         encoder: &'e mut wgpu::CommandEncoder,
-        label: &'static str,
         clear: Option<wgpu::Color>,
-        last: bool,
     ) -> wgpu::RenderPass<'e> {
         let load = clear.map_or(wgpu::LoadOp::Load, wgpu::LoadOp::Clear);
         // Settled samples have done their work.
-        let settles = last && self.samples.is_some();
-        let store = if settles { wgpu::StoreOp::Discard } else { wgpu::StoreOp::Store };
+        let store = if self.samples.is_some() { wgpu::StoreOp::Discard } else { wgpu::StoreOp::Store };
         let color = wgpu::RenderPassColorAttachment {
             view: self.samples.as_ref().unwrap_or(&self.view),
             depth_slice: None,
-            resolve_target: self.samples.as_ref().filter(|_| last).map(|_| &self.view),
+            resolve_target: self.samples.as_ref().map(|_| &self.view),
             ops: wgpu::Operations { load, store },
         };
         let depth = wgpu::RenderPassDepthStencilAttachment {
@@ -56,9 +53,9 @@ impl Target {
             depth_ops: Some(wgpu::Operations { load: wgpu::LoadOp::Clear(1.0), store: wgpu::StoreOp::Discard }),
             stencil_ops: None,
         };
-        gpu.count(Thing::Pass, label, 1);
+        gpu.count(Thing::Pass, "picture", 1);
         encoder.begin_render_pass(&wgpu::RenderPassDescriptor {
-            label: Some(label),
+            label: Some("picture"),
             color_attachments: &[Some(color)],
             depth_stencil_attachment: Some(depth),
             timestamp_writes: None,

@@ -185,10 +185,10 @@ fn a_pass_is_built_only_when_a_list_has_something_for_it() {
     list.cones.clone_from(&full.cones);
     assert_eq!(built(&list), ["cone"], "cones alone");
     list.arrows.clone_from(&full.arrows);
-    assert_eq!(built(&list), ["cone", "arrow"], "arrows too");
+    assert_eq!(built(&list), ["cone", "arrow", "far"], "arrows too, with a depth of their own");
     list.solids.clone_from(&full.solids);
-    assert_eq!(built(&list), ["shadow", "solid", "cone", "arrow"], "bodies need their shadow");
-    let all = ["backdrop", "shadow", "ground", "solid", "line", "cone", "arrow", "overlay"];
+    assert_eq!(built(&list), ["shadow", "solid", "cone", "arrow", "far"], "bodies need their shadow");
+    let all = ["backdrop", "shadow", "ground", "solid", "line", "cone", "arrow", "far", "overlay"];
     assert_eq!(built(&full), all, "everything");
 }
 

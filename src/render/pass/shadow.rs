@@ -2,9 +2,10 @@
 
 use crate::render::frame::Frame;
 use crate::render::made::Thing;
+use crate::render::pass::far::Far;
 use crate::render::pipeline::{DEPTH, Depth, Recipe};
 use crate::render::solids::{Prism, Solids};
-use crate::render::{Gpu, Quality};
+use crate::render::{Gpu, Quality, Regions};
 
 pub(in crate::render) const SHADER: &str = concat!(
     include_str!("../../../shaders/shared/frame.wgsl"),
@@ -38,36 +39,51 @@ impl Shadow {
             samples: 1,
         };
         let map = map(gpu, quality.shadow_map_size());
+        // Pushed away by a little, so that a surface does not shade itself.
+        let bias = wgpu::DepthBiasState { constant: 2, slope_scale: 1.5, clamp: 0.0 };
         let layout = layout(gpu);
         let group = group(gpu, &layout, &map);
-        Self { pipeline: recipe.build_depth(gpu), map, layout, group }
+        Self { pipeline: recipe.build_depth(gpu, bias), map, layout, group }
     }
 
-    /// Draws the solids' depth into the map.
+    /// Draws the solids' depth into the map, or into parts of it over the depths before.
     pub(in crate::render) fn draw(
         &self,
         gpu: &Gpu,
         encoder: &mut wgpu::CommandEncoder,
         frame: &Frame,
         solids: Option<(&Prism, &Solids)>,
+        parts: Option<(&Regions, &Far)>,
     ) {
+        if parts.is_some_and(|(parts, _)| parts.is_empty()) {
+            return;
+        }
+        let load = if parts.is_some() { wgpu::LoadOp::Load } else { wgpu::LoadOp::Clear(1.0) };
         gpu.count(Thing::Pass, "shadow", 1);
         let mut pass = encoder.begin_render_pass(&wgpu::RenderPassDescriptor {
             label: Some("shadow"),
             color_attachments: &[],
             depth_stencil_attachment: Some(wgpu::RenderPassDepthStencilAttachment {
                 view: &self.map,
-                depth_ops: Some(wgpu::Operations { load: wgpu::LoadOp::Clear(1.0), store: wgpu::StoreOp::Store }),
+                depth_ops: Some(wgpu::Operations { load, store: wgpu::StoreOp::Store }),
                 stencil_ops: None,
             }),
             timestamp_writes: None,
             occlusion_query_set: None,
             multiview_mask: None,
         });
-        pass.set_pipeline(&self.pipeline);
-        pass.set_bind_group(0, &frame.group, &[]);
-        if let Some((prism, solids)) = solids {
-            solids.draw_casters(&mut pass, prism);
+        let draw = |pass: &mut wgpu::RenderPass<'_>| {
+            if let Some((prism, solids)) = solids {
+                pass.set_pipeline(&self.pipeline);
+                pass.set_bind_group(0, &frame.group, &[]);
+                solids.draw_casters(pass, prism);
+            }
+        };
+        let Some((parts, far)) = parts else { return draw(&mut pass) };
+        for part in parts.iter() {
+            part.cut(&mut pass);
+            far.draw(&mut pass);
+            draw(&mut pass);
         }
     }
 }
