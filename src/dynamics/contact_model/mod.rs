@@ -18,4 +18,3 @@ pub(in crate::dynamics) mod step_planning;
 pub(in crate::dynamics) mod step_store;
 pub(in crate::dynamics) mod transitions;
 mod vertices;
-mod work_bounds;

@@ -17,15 +17,15 @@ use crate::dynamics::contact_model::islands::{IslandStock, Start, end_flight};
 use crate::dynamics::contact_model::link_transitions::LinkTransitions;
 use crate::dynamics::contact_model::step_planning;
 use crate::dynamics::contact_model::step_store::StepStore;
-use crate::dynamics::contact_model::work_bounds::{ExceededBound, Spent, WorkBounds};
 use crate::dynamics::event_loop::event_queue::Source;
 use crate::dynamics::event_loop::mechanics::Mechanics;
 use crate::dynamics::event_loop::schedule::Schedule;
+use crate::dynamics::event_loop::work_bounds::{Spent, WorkBounds};
 use crate::dynamics::integrator::step_control::ControllerState;
 use crate::dynamics::record::event::Event;
 use crate::dynamics::world::World;
 use crate::dynamics::world::tracks::{BodyTrack, Trajectory};
-use crate::language::{Message, Text};
+use crate::language::{Message, Text, message};
 
 /// The run of one group of bodies under the contact model.
 #[derive(Debug)]
@@ -207,7 +207,7 @@ impl Mechanics for ContactRun {
             return None;
         }
         let spent = self.spent(t);
-        self.bounds.exceeded(&spent).map(ExceededBound::reason)
+        self.bounds.exceeded(&spent).map(|bound| message!("stop-too-fast", "spent" => bound.spent()))
     }
 
     fn place(&self, source: Source) -> String {

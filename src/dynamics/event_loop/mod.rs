@@ -3,7 +3,9 @@
 //! A model of contact ([`mechanics::Mechanics`]) enters in the queue the times of its next events; the loop takes the
 //! earliest, has the model handle it, and ends the run where the work exceeds its bound.
 
+mod constants;
 pub mod effort;
 pub mod event_queue;
 pub mod mechanics;
 pub mod schedule;
+pub mod work_bounds;

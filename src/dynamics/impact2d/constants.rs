@@ -123,11 +123,8 @@ pub(super) const SHARED_BOUNDS: u32 = 4;
 
 // Progress of a run.
 
-/// Hits, searches and steps per body after which a run stops: a bound on the time of a run, not on its
-/// motion. Tuned.
-pub(super) const WORK_PER_BODY: usize = 3_000_000;
-/// What a search that was cut short, after 100,000 looks, counts against [`WORK_PER_BODY`]: a run then stops after 6e7 such looks a
-/// body and not after 3e11. Tuned, as in the contact model.
+/// What a search that was cut short, after 100,000 looks, counts against the bound on a run's work: the run then stops after 2e8 such
+/// looks a body and not after 1e12. Tuned, as in the contact model.
 pub(super) const CUT_SHORT_WORK: usize = 5_000;
 /// Events at one instant after which a run stops, besides four for each pair and two for each body that may all act in it.
 pub(super) const EVENTS_AT_ONE_INSTANT: usize = 200;

@@ -1,6 +1,7 @@
 //! One run of a group of bodies: event queue, log, and the planning of steps and searches.
 
 use crate::dynamics::event_loop::schedule::Schedule;
+use crate::dynamics::event_loop::work_bounds::Spent;
 use crate::dynamics::free_flight::body_motion::BodyFlight;
 use crate::dynamics::impact2d::closing::next_impact::next_impact;
 use crate::dynamics::impact2d::constants::{
@@ -23,12 +24,14 @@ pub(in crate::dynamics::impact2d) struct ImpactProgress {
     pub record: Record,
     /// Last instant with an event \[s\], and the number of events in it.
     pub last: (f64, usize),
+    /// Memory of the stored motion \[bytes\].
+    pub stored: usize,
 }
 
 impl ImpactProgress {
     /// A run at t = 0, before its first event.
     pub(in crate::dynamics::impact2d) fn new(world: World) -> Self {
-        Self { world, schedule: Schedule::default(), record: Record::default(), last: (-1.0, 0) }
+        Self { world, schedule: Schedule::default(), record: Record::default(), last: (-1.0, 0), stored: 0 }
     }
 
     /// Searches the next impact of a pair from `t` on and enters it in the queue.
@@ -126,7 +129,24 @@ impl ImpactProgress {
                 self.world.lasting[*number].as_ref().and_then(|contact| contact.path(*place))
             }
         };
-        self.world.bodies[slot].segments.extend(path.map(|path| Segment { from: since, until: t, path }));
+        let segment = path.map(|path| Segment { from: since, until: t, path });
+        self.stored += segment.as_ref().map_or(0, Segment::bytes);
+        self.world.bodies[slot].segments.extend(segment);
+    }
+
+    /// What the run has spent at `t`.
+    pub(in crate::dynamics::impact2d) fn spent(&self, t: f64) -> Spent {
+        let (world, record) = (&self.world, &self.record);
+        Spent {
+            work: self.schedule.work,
+            bytes: self.stored + record.bytes(),
+            memory: world.model.memory,
+            events: record.hits.len() + record.transitions.len(),
+            touches: world.lasting.iter().any(Option::is_some),
+            t,
+            duration: world.model.duration,
+            bodies: [world.bodies.len(), world.model.bodies.len()],
+        }
     }
 
     /// Ends a lasting contact at `t` and logs it.

@@ -84,6 +84,14 @@ pub struct Record {
 }
 
 impl Record {
+    /// Memory of its lists \[bytes\], each hit and each interval with what a pair of contacts takes besides.
+    pub fn bytes(&self) -> usize {
+        let hits = self.hits.len() * (size_of::<Hit>() + 2 * size_of::<usize>());
+        let lasting =
+            self.lasting.len() * (size_of::<LastingInterval>() + 2 * size_of::<usize>() + 2 * size_of::<ContactMode>());
+        hits + lasting + size_of_val(&*self.transitions) + size_of_val(&*self.beside)
+    }
+
     /// Stretches in which the point of a declared contact is beside its face, in order of time \[s\].
     pub fn beside(&self, site: usize) -> impl Iterator<Item = [f64; 2]> {
         self.beside.iter().filter(move |(number, _)| *number == site).map(|(_, stretch)| *stretch)

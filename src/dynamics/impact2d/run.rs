@@ -7,9 +7,10 @@ use crate::dynamics::Model;
 use crate::dynamics::event_loop::event_queue::Source;
 use crate::dynamics::event_loop::mechanics::Mechanics;
 use crate::dynamics::event_loop::schedule::Schedule;
+use crate::dynamics::event_loop::work_bounds::WorkBounds;
 use crate::dynamics::impact2d::InlineVec;
 use crate::dynamics::impact2d::after_impact::resume;
-use crate::dynamics::impact2d::constants::{EVENTS_AT_ONE_INSTANT, RUN_SPEED_ROUNDING, TOUCH, WORK_PER_BODY};
+use crate::dynamics::impact2d::constants::{EVENTS_AT_ONE_INSTANT, RUN_SPEED_ROUNDING, TOUCH};
 use crate::dynamics::impact2d::event_source::EventSource;
 use crate::dynamics::impact2d::impulse::sequential::impulses;
 use crate::dynamics::impact2d::instant::ImpactInstant;
@@ -24,12 +25,15 @@ use crate::language::{Message, message};
 #[derive(Debug)]
 pub struct ImpactRun {
     run: ImpactProgress,
+    /// Bounds that end the run.
+    bounds: WorkBounds,
 }
 
 impl ImpactRun {
     /// Sets up a group of bodies, by its number in the model, at t = 0.
     pub fn new(model: &Arc<Model>, group: usize) -> Self {
-        let mut run = Self { run: ImpactProgress::new(World::new(model, group)) };
+        let progress = ImpactProgress::new(World::new(model, group));
+        let mut run = Self { run: progress, bounds: WorkBounds::default() };
         run.begin();
         run
     }
@@ -157,9 +161,15 @@ impl Mechanics for ImpactRun {
     }
 
     fn exceeded(&mut self, t: f64) -> Option<Message> {
-        let most = WORK_PER_BODY.saturating_mul(self.run.world.bodies.len());
-        let exceeds = self.run.schedule.work > most || self.is_stuck(t);
-        exceeds.then(|| message!("stop-nowhere", "work" => self.run.schedule.work, "same" => self.run.last.1))
+        if self.is_stuck(t) {
+            let work = self.run.schedule.work;
+            return Some(message!("stop-nowhere", "work" => work, "same" => self.run.last.1));
+        }
+        if !self.bounds.is_due(self.run.schedule.work) {
+            return None;
+        }
+        let exceeded = self.bounds.exceeded(&self.run.spent(t))?;
+        Some(message!("stop-hits-too-fast", "spent" => exceeded.spent()))
     }
 
     fn place(&self, source: Source) -> String {
@@ -294,6 +304,42 @@ mod tests {
         let lost = 0.5 * 2.0 * 0.25 * 0.25 * (1.0 - 0.16);
         assert!((hit.t - 0.012).abs() < 1e-15 && (hit.impulses.lost - lost).abs() < 1e-15, "{hit:?}");
         assert_eq!(record(&end).state(0, 0.05), State::Free, "b");
+    }
+
+    #[test]
+    fn a_run_ends_at_its_bound_of_memory() {
+        let text = r#"
+            name = "between walls"
+            duration_s = 0.1
+            model = { kind = "impact" }
+            impact = { restitution_normal = 1.0 }
+            [[girder]]
+            name = "deck"
+            length_m = 0.19
+            width_m = 0.07
+            thickness_m = 0.02
+            mass_kg = 2.0
+            initial = { velocity_m_s = [0.25, 0.0] }
+            [[abutment]]
+            name = "east"
+            faces = "deck"
+            end = "+x"
+            gap_m = 1e-6
+            [[abutment]]
+            name = "west"
+            faces = "deck"
+            end = "-x"
+            gap_m = 1e-6
+        "#;
+        let mut model = Model::compile(&format::parse(text, "test").expect("a scene")).expect("a sound scene");
+        let hits = |model: &Model| record(&finished(&Arc::new(model.clone()), 0)).hits.len();
+        let all = hits(&model);
+        assert!((12_400..12_600).contains(&all), "one in 8 µs: {all}");
+        model.memory = 1 << 20;
+        let end = finished(&Arc::new(model.clone()), 0);
+        let stop = end.stop.as_ref().expect("a reason");
+        assert!(stop.reason.to_string().contains("1 MiB that a run may take"), "{stop:?}");
+        assert!(stop.t > 0.01 && stop.t < 0.09 && record(&end).hits.len() > 1000, "what was found is kept: {stop:?}");
     }
 
     #[test]

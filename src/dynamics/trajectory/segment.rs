@@ -27,3 +27,16 @@ pub enum SegmentMotion {
     /// An integrator's step that is recomputed when read: its number in the group.
     Recomputed(u32),
 }
+
+impl Segment {
+    /// Memory of the segment \[bytes\]; of a recomputed step without its initial state, which the group keeps.
+    pub fn bytes(&self) -> usize {
+        let path = match &self.path {
+            SegmentMotion::Flight(flight) => flight.bytes(),
+            SegmentMotion::Slide(_) => size_of::<SlidingFace>(),
+            SegmentMotion::Step(piece) => piece.bytes() - size_of::<StepPolynomial>(),
+            SegmentMotion::Recomputed(_) => 0,
+        };
+        size_of::<Self>() + path
+    }
+}

@@ -1,34 +1,34 @@
 //! Bounds that end a run: of its work, of its memory, and of a pace at which neither would be enough.
 
-use crate::dynamics::contact_model::constants::{
+use crate::dynamics::event_loop::constants::{
     MEMORY_SHARE_OF_GROUP, PACE_SHARE, STEADY, WORK_BETWEEN_LOOKS, WORK_BOUND_PER_BODY, WORK_OVERRUN,
 };
 use crate::language::{Message, message};
 
 /// What a run has spent.
 #[derive(Clone, Copy, Debug)]
-pub(super) struct Spent {
-    /// Handled events, and `CUT_SEARCH_WORK` for every search that ended at its bound of advances \[–\].
-    pub(super) work: usize,
+pub(in crate::dynamics) struct Spent {
+    /// Handled events, and what a search that ended at its bound of advances counts for \[–\].
+    pub work: usize,
     /// Memory of stored steps and events \[bytes\].
-    pub(super) bytes: usize,
+    pub bytes: usize,
     /// The most that the whole run may take of it \[bytes\].
-    pub(super) memory: usize,
+    pub memory: usize,
     /// Events of contacts so far.
-    pub(super) events: usize,
+    pub events: usize,
     /// Whether a contact is closed now.
-    pub(super) touches: bool,
+    pub touches: bool,
     /// When it is \[s\].
-    pub(super) t: f64,
+    pub t: f64,
     /// Length of the run \[s\].
-    pub(super) duration: f64,
+    pub duration: f64,
     /// Bodies of the group, and of the model.
-    pub(super) bodies: [usize; 2],
+    pub bodies: [usize; 2],
 }
 
 /// A bound that a run has exceeded, with what it has spent.
 #[derive(Clone, Copy, Debug, PartialEq)]
-pub(super) enum ExceededBound {
+pub(in crate::dynamics) enum ExceededBound {
     /// That of its work.
     Work { done: usize },
     /// That of its memory \[bytes\].
@@ -48,7 +48,7 @@ struct PaceMark {
 
 /// The bounds of the run of one group of bodies.
 #[derive(Debug, Default)]
-pub(super) struct WorkBounds {
+pub(in crate::dynamics) struct WorkBounds {
     /// Work at which the bounds are looked at next.
     due: usize,
     /// From where the pace is measured.
@@ -57,12 +57,12 @@ pub(super) struct WorkBounds {
 
 impl WorkBounds {
     /// Whether the bounds are to be looked at after so much work.
-    pub(super) fn is_due(&self, work: usize) -> bool {
+    pub(in crate::dynamics) fn is_due(&self, work: usize) -> bool {
         work >= self.due
     }
 
     /// The one that is exceeded.
-    pub(super) fn exceeded(&mut self, spent: &Spent) -> Option<ExceededBound> {
+    pub(in crate::dynamics) fn exceeded(&mut self, spent: &Spent) -> Option<ExceededBound> {
         let most = WORK_BOUND_PER_BODY.saturating_mul(spent.bodies[0]);
         self.due = (spent.work + WORK_BETWEEN_LOOKS).min(most + 1);
         let [own, all] = spent.bodies;
@@ -92,9 +92,9 @@ impl WorkBounds {
 }
 
 impl ExceededBound {
-    /// It in words, and what would avoid it.
-    pub(super) fn reason(self) -> Message {
-        let spent = match self {
+    /// It in words.
+    pub(in crate::dynamics) fn spent(self) -> Message {
+        match self {
             Self::Memory { taken, most } => {
                 let [bytes, most] = [taken, most].map(|bytes| format!("{:.0}", bytes as f64 / f64::from(1 << 20)));
                 message!("stop-memory", "bytes" => bytes, "most" => most)
@@ -107,8 +107,7 @@ impl ExceededBound {
                 message!("stop-pace", "done" => done, "from" => from, "expected" => expected)
             }
             Self::Work { done } => message!("stop-work", "work" => done),
-        };
-        message!("stop-too-fast", "spent" => spent)
+        }
     }
 }
 
@@ -126,7 +125,7 @@ mod tests {
         let at = |work| Spent { work, t: 9.0, ..BODY };
         assert_eq!(bounds.exceeded(&at(WORK_BOUND_PER_BODY)), None, "as much as is allowed");
         assert!(bounds.is_due(WORK_BOUND_PER_BODY + 1), "the next one is looked at");
-        let words = bounds.exceeded(&at(WORK_BOUND_PER_BODY + 1)).expect("one more").reason().to_string();
+        let words = bounds.exceeded(&at(WORK_BOUND_PER_BODY + 1)).expect("one more").spent().to_string();
         assert!(words.contains("exceed the bound on the work"), "{words}");
         let two = Spent { bodies: [2, 2], ..at(WORK_BOUND_PER_BODY + 1) };
         assert_eq!(WorkBounds::default().exceeded(&two), None, "two bodies");
@@ -148,10 +147,10 @@ mod tests {
         assert!(!pace(1.01 * dense) && pace(0.99 * dense), "a thousand bounds until the end");
         let mut bounds = WorkBounds::default();
         assert_eq!(bounds.exceeded(&Spent { work: window - 1, t: 1e-12, ..BODY }), None, "too short to tell");
-        let words = bounds.exceeded(&Spent { work: window, t: 1e-12, ..BODY }).expect("now").reason().to_string();
+        let words = bounds.exceeded(&Spent { work: window, t: 1e-12, ..BODY }).expect("now").spent().to_string();
         assert!(words.contains("at this pace"), "{words}");
         let stands = WorkBounds::default().exceeded(&Spent { work: window, ..BODY }).expect("it stands");
-        assert!(stands.reason().to_string().contains("without getting on"), "{}", stands.reason());
+        assert!(stands.spent().to_string().contains("without getting on"), "{}", stands.spent());
         assert!(!pace(BODY.duration), "at the end nothing is left");
     }
 
