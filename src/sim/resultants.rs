@@ -1,7 +1,7 @@
 //! Force between two bodies: the sum over all their contacts, whichever faces these belong to (`docs/physics.md#sharing-of-a-pairs-stiffness`).
 //! How it is divided among corners depends on how many touch at one place; their sum does not.
 
-use std::collections::{BTreeMap, BTreeSet};
+use std::collections::BTreeMap;
 
 use glam::DVec3;
 use rayon::prelude::*;
@@ -109,12 +109,18 @@ impl History {
         if let [touch] = hit {
             return Extreme { value: touch.peak_force, t: touch.peak_time };
         }
+        // A contact touches once at a time, but for hits without length: at `t` in the last of its touches that have begun.
+        let mut of_contact: BTreeMap<usize, Vec<&Touch>> = BTreeMap::new();
+        let lasting = hit.iter().filter(|touch| touch.end > touch.start);
+        lasting.for_each(|touch| of_contact.entry(touch.contact).or_default().push(touch));
+        let touches = |own: &[&Touch], t: f64| {
+            let begun = own.partition_point(|touch| touch.start <= t);
+            begun.checked_sub(1).is_some_and(|last| t <= own[last].end)
+        };
         let sum = |t: f64| {
-            // Two touches of one contact may meet at an instant.
-            let touching = hit.iter().filter(|touch| touch.start <= t && t <= touch.end);
-            let contacts: BTreeSet<usize> = touching.map(|touch| touch.contact).collect();
+            let touching = of_contact.iter().filter(|(_, own)| touches(own, t));
             let force = |contact| Some(self.contact_at(contact, t)?.force * self.sign(contact, solids)?);
-            contacts.into_iter().filter_map(force).sum::<DVec3>().length()
+            touching.filter_map(|(&contact, _)| force(contact)).sum::<DVec3>().length()
         };
         peaks::largest(&looks_in_hit(self, hit), &sum)
     }

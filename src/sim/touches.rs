@@ -113,8 +113,7 @@ pub(super) fn looks_in_hit(history: &History, hit: &[&Touch]) -> Vec<f64> {
     }
     let of_touch = |touch: &&Touch| {
         let log = history.trajectories.log(touch.contact);
-        let inside = log.states().map(|(t, _)| t).filter(|t| (touch.start..=touch.end).contains(t));
-        let starts: Vec<f64> = inside.collect();
+        let starts = log.beginnings(touch.start, touch.end);
         let ends = starts.iter().copied().skip(1).chain([touch.end]).collect::<Vec<_>>();
         let looks = starts.iter().zip(&ends).map(|(&from, &until)| looks_in_state(history, touch.contact, from, until));
         looks.flatten().collect::<Vec<f64>>()

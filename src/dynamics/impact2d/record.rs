@@ -1,5 +1,7 @@
 //! Log of a run of the impact model: hits, changes of state, intervals of lasting contact.
 
+use std::sync::OnceLock;
+
 use glam::DVec2;
 
 use crate::dynamics::impact2d::impulse::collision::HitImpulses;
@@ -81,6 +83,19 @@ pub struct Record {
     pub beside: Vec<(usize, [f64; 2])>,
     /// Time reached \[s\].
     pub end: f64,
+    /// Where to look in the lists; made at the first look into a finished log.
+    index: Index,
+}
+
+/// Numbers of changes of state by girder, and of lasting intervals by the first of their girders, which is in one at a time: both rising.
+#[derive(Clone, Debug, Default)]
+struct Index(OnceLock<[Vec<Vec<usize>>; 2]>);
+
+/// It follows from the lists.
+impl PartialEq for Index {
+    fn eq(&self, _: &Self) -> bool {
+        true
+    }
 }
 
 impl Record {
@@ -99,17 +114,37 @@ impl Record {
 
     /// State of a girder at `t` \[s\].
     pub fn state(&self, body: usize, t: f64) -> State {
-        let until = self.transitions.partition_point(|change| change.t <= t);
-        let last = self.transitions[..until].iter().rev().find(|change| change.body == body);
-        last.map_or(State::Free, |change| change.to)
+        let [of_body, _] = self.index();
+        let own = of_body.get(body).map_or(&[][..], Vec::as_slice);
+        let until = own.partition_point(|&number| self.transitions[number].t <= t);
+        own[..until].last().map_or(State::Free, |&number| self.transitions[number].to)
+    }
+
+    fn index(&self) -> &[Vec<Vec<usize>>; 2] {
+        fn enter(lists: &mut Vec<Vec<usize>>, body: usize, number: usize) {
+            lists.resize_with(lists.len().max(body + 1), Vec::new);
+            lists[body].push(number);
+        }
+        self.index.0.get_or_init(|| {
+            let [mut changes, mut intervals] = [Vec::new(), Vec::new()];
+            self.transitions.iter().enumerate().for_each(|(i, change)| enter(&mut changes, change.body, i));
+            for (i, interval) in self.lasting.iter().enumerate() {
+                interval.bodies.first().iter().for_each(|&&body| enter(&mut intervals, body, i));
+            }
+            [changes, intervals]
+        })
     }
 
     /// Lasting contacts at `t` \[s\].
     pub fn lasting_at(&self, t: f64) -> impl Iterator<Item = &LastingInterval> {
-        let started = self.lasting.partition_point(|interval| interval.from <= t);
+        let [_, of_first] = self.index();
         let lasts =
             move |interval: &&LastingInterval| t < interval.until || (t >= self.end && interval.until >= self.end);
-        self.lasting[..started].iter().filter(lasts)
+        let last = move |own: &Vec<usize>| {
+            let started = own.partition_point(|&number| self.lasting[number].from <= t);
+            started.checked_sub(1).map(|last| &self.lasting[own[last]])
+        };
+        of_first.iter().filter_map(last).filter(lasts)
     }
 
     /// The logs of all groups in one, in order of time, up to `end` \[s\].

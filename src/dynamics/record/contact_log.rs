@@ -92,6 +92,12 @@ impl ContactLog {
         self.from.iter().zip(&self.states).map(|(from, kept)| (*from, self.whole(*kept)))
     }
 
+    /// Beginnings of the states that begin between two times, both included \[s\].
+    pub fn beginnings(&self, from: f64, until: f64) -> Vec<f64> {
+        let first = self.from.partition_point(|t| *t < from);
+        self.from[first..].iter().copied().take_while(|t| *t <= until).collect()
+    }
+
     /// Origin of the anchors of the last touch: a displacement along the face \[m\].
     pub fn way(&self) -> DVec2 {
         self.touches.last().map_or(DVec2::ZERO, |touch| touch.way)

@@ -1,5 +1,9 @@
 //! Bounds on the motion of a body on the trajectory that a run left, segment by segment.
 
+use std::f64::consts::PI;
+
+use crate::contact::Frame;
+use crate::dynamics::Body;
 use crate::dynamics::model::motion_bounds::MotionBounds;
 use crate::dynamics::trajectory::step_polynomial::StepPolynomial;
 use crate::dynamics::trajectory::stored_path::StoredMotion;
@@ -55,33 +59,67 @@ pub(super) fn speed(history: &History, body: usize, radius: f64, t: f64) -> f64 
     frame.velocity.length() + frame.spin.length() * radius
 }
 
-/// Largest distance of G of girder `body` from where the body was placed, over the whole answer \[m\].
-pub(super) fn reach(history: &History, body: usize) -> f64 {
+/// How far a body comes from where it was placed, over the whole answer \[m\].
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub(super) struct Reach {
+    /// Its G.
+    pub place: f64,
+    /// Any of its corners; infinite where no bound on its rotation is known, or where it bends.
+    pub corner: f64,
+}
+
+impl Reach {
+    /// Where G moves by `way` \[m\] and a point at `radius` \[m\] from G by the rotation `chord` times that.
+    fn of(way: f64, chord: f64, radius: f64) -> Self {
+        Self { place: way, corner: way + chord * radius }
+    }
+
+    fn most(self, other: Self) -> Self {
+        Self { place: self.place.max(other.place), corner: self.corner.max(other.corner) }
+    }
+}
+
+/// Whether a body turns at all; one that is guided along a line does not.
+pub(super) fn turns(own: &Body) -> bool {
+    own.excursion(1.0, &|_| 1.0) > own.excursion(0.0, &|_| 1.0)
+}
+
+/// How far girder `body`, whose farthest corner is at `radius` \[m\] from G, comes from where it was placed.
+pub(super) fn reach(history: &History, body: usize, radius: f64) -> Reach {
     let (path, own) = (history.trajectories.path(body), &history.model().bodies[body]);
-    let at = |t: f64| history.frame(body, t).shift.length();
+    let of_frame = |frame: &Frame| Reach::of(frame.shift.length(), frame.chord(), radius);
+    let at = |t: f64| of_frame(&history.frame(body, t));
     let within = |number: usize| match path.motion_of(number) {
-        (from, StoredMotion::Step(piece)) => at(from) + own.excursion(0.0, &|range| piece.displacement_bound(range)),
-        // Together, below.
-        (_, StoredMotion::Recomputed(_)) => 0.0,
+        (from, StoredMotion::Step(piece)) => {
+            let (start, way) = (at(from), |range| piece.displacement_bound(range));
+            let [place, corner] = [0.0, radius].map(|arm| own.excursion(arm, &way));
+            Reach { place: start.place + place, corner: start.corner + corner }
+        }
+        // Their ways together, below; of their rotation what is known is that at their beginnings.
+        (_, StoredMotion::Recomputed(_)) if turns(own) => Reach { place: 0.0, corner: f64::INFINITY },
+        (_, StoredMotion::Recomputed(_)) => Reach::of(0.0, 0.0, radius),
         (from, StoredMotion::Slide(slide)) => {
             let (end, step) = (end_of(history, body, number), slide.sight / LOOKS_PER_REVERSAL);
             let looks = std::iter::successors(Some(from), |t| (*t < end).then(|| (t + step).max(t.next_up())));
-            looks.map(|t| at(t.min(end))).fold(0.0, f64::max)
+            looks.map(|t| at(t.min(end))).fold(Reach::of(0.0, 0.0, radius), Reach::most)
         }
         (from, StoredMotion::Start(_) | StoredMotion::Flight(_)) => {
             let end = end_of(history, body, number);
-            let (mut t, mut reach) = (from, 0.0f64);
+            let (mut t, mut reach) = (from, Reach::of(0.0, 0.0, radius));
             while t < end {
                 let bounds = in_flight(history, body, number, t);
-                reach = reach.max(bounds.reach);
+                let chord = 2.0 * (0.5 * bounds.turn.min(PI)).sin();
+                reach = reach.most(Reach::of(bounds.reach, chord, radius));
                 // A window may be shorter than the spacing of times.
                 t = (t + bounds.window).max(t.next_up());
             }
             reach
         }
     };
-    let start = own.frame(0, &own.initial()).shift.length().max(path.swept().reach);
-    (0..path.len()).map(within).fold(start, f64::max)
+    let swept = path.swept();
+    let start = of_frame(&own.frame(0, &own.initial())).most(Reach::of(swept.reach, swept.chord, radius));
+    let reach = (0..path.len()).map(within).fold(start, Reach::most);
+    if history.flexible(body).is_none() { reach } else { Reach { corner: f64::INFINITY, ..reach } }
 }
 
 /// End of segment `number` of a body's path \[s\].

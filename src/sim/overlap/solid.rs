@@ -160,6 +160,13 @@ impl Solids {
         Some(corners)
     }
 
+    /// Corners of a rigid body at `t`, in the world \[m\].
+    #[cfg(test)]
+    pub(super) fn corners(&self, history: &History, number: usize, t: f64) -> [DVec3; 8] {
+        let stand = self.stand(history, number, t);
+        self.all[number].corners.map(|corner| stand.place + stand.attitude * corner)
+    }
+
     fn stand(&self, history: &History, number: usize, t: f64) -> Stand {
         self.body(number).map_or(Stand::WORLD, |body| {
             // Without the half turns that its angle counts.

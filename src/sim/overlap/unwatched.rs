@@ -13,6 +13,7 @@ use crate::dynamics::penalty3d::contact_state::Contact;
 use crate::dynamics::trajectory::stored_path::StoredMotion;
 use crate::scene::Kind;
 use crate::sim::History;
+use crate::sim::overlap::motion::turns;
 
 /// Largest rotation of a body up to which the far end of a girder is taken to lie behind its near end, seen from the face
 /// before it \[rad\]: a skew of 20° leaves 0.35 rad.
@@ -89,6 +90,9 @@ impl Turned {
 /// Whether a body is turned by more than [`MOST_TURNED`] where one of its segments begins.
 fn turns_far(history: &History, body: usize) -> bool {
     let (path, own) = (history.trajectories.path(body), &history.model().bodies[body]);
+    if !turns(own) {
+        return false;
+    }
     let turned = |t: f64| {
         let (theta, attitude) = own.attitude(&history.state(body, t));
         theta.abs().max(attitude.to_axis_angle().1)
