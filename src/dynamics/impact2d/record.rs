@@ -129,7 +129,9 @@ impl Record {
             let [mut changes, mut intervals] = [Vec::new(), Vec::new()];
             self.transitions.iter().enumerate().for_each(|(i, change)| enter(&mut changes, change.body, i));
             for (i, interval) in self.lasting.iter().enumerate() {
-                interval.bodies.first().iter().for_each(|&&body| enter(&mut intervals, body, i));
+                if let Some(&body) = interval.bodies.first() {
+                    enter(&mut intervals, body, i);
+                }
             }
             [changes, intervals]
         })
