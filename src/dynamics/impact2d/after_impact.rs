@@ -87,7 +87,7 @@ fn start_trajectories(
     modes: Vec<ContactMode>,
     lost: f64,
 ) {
-    end_trajectories(run, instant);
+    let first_step = end_trajectories(run, instant);
     for (place, &slot) in instant.slots.iter().enumerate() {
         let state = state_of(&run.world, instant, place, &modes);
         log_change(run, instant, place, [to[place], state], &modes, if place == 0 { lost } else { 0.0 });
@@ -100,23 +100,30 @@ fn start_trajectories(
     mark_sites(&mut run.world, instant, &modes);
     let model = std::sync::Arc::clone(&run.world.model);
     for group in connected_groups(&model, &instant.kinematics, modes) {
-        start_lasting(run, instant, group);
+        start_lasting(run, instant, group, first_step);
     }
     run.search_around(&instant.slots, instant.t);
 }
 
-fn end_trajectories(run: &mut ImpactProgress, instant: &ImpactInstant) {
+/// The shortest step that an ended lasting contact would have taken next, from which those that follow begin \[s\]; `None` where none ended
+/// or none took steps.
+fn end_trajectories(run: &mut ImpactProgress, instant: &ImpactInstant) -> Option<f64> {
     for &slot in &instant.slots {
         run.close_segment(slot, instant.t);
     }
-    for &slot in &instant.slots {
-        if let Motion::Lasting(number, _) = run.world.bodies[slot].motion {
-            run.end_lasting(number, instant.t);
-        }
-    }
+    let ended = instant.slots.iter().filter_map(|&slot| match run.world.bodies[slot].motion {
+        Motion::Lasting(number, _) => run.end_lasting(number, instant.t),
+        Motion::Flight(_) => None,
+    });
+    ended.reduce(f64::min)
 }
 
-fn start_lasting(run: &mut ImpactProgress, instant: &ImpactInstant, (places, modes): (Vec<usize>, Vec<ContactMode>)) {
+fn start_lasting(
+    run: &mut ImpactProgress,
+    instant: &ImpactInstant,
+    (places, modes): (Vec<usize>, Vec<ContactMode>),
+    first_step: Option<f64>,
+) {
     let bodies: Vec<usize> = places.iter().map(|&place| instant.kinematics.bodies[place]).collect();
     let states: Vec<PlanarState> = places.iter().map(|&place| instant.states[place]).collect();
     let lasting = &mut run.world.lasting;
@@ -124,7 +131,7 @@ fn start_lasting(run: &mut ImpactProgress, instant: &ImpactInstant, (places, mod
     if number == lasting.len() {
         lasting.push(None);
     }
-    lasting[number] = Some(LastingContact::new(bodies, modes, &states, instant.t));
+    lasting[number] = Some(LastingContact::new(bodies, modes, &states, instant.t).with_first_step(first_step));
     for (at, &place) in places.iter().enumerate() {
         run.world.bodies[instant.slots[place]].motion = Motion::Lasting(number, at);
     }

@@ -149,15 +149,16 @@ impl ImpactProgress {
         }
     }
 
-    /// Ends a lasting contact at `t` and logs it.
-    pub(in crate::dynamics::impact2d) fn end_lasting(&mut self, number: usize, t: f64) {
+    /// Ends a lasting contact at `t` and logs it; the step that it would have taken next, where it took steps \[s\].
+    pub(in crate::dynamics::impact2d) fn end_lasting(&mut self, number: usize, t: f64) -> Option<f64> {
         self.schedule.queue.remove(EventSource::Lasting(number).into());
-        if let Some(contact) = self.world.lasting[number].take()
-            && t > contact.since
-        {
+        let contact = self.world.lasting[number].take()?;
+        let next = contact.next_step();
+        if t > contact.since {
             let (bodies, modes) = (contact.bodies, contact.modes);
             self.record.lasting.push(LastingInterval { from: contact.since, until: t, bodies, modes });
         }
+        next
     }
 }
 

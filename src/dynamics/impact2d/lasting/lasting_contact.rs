@@ -56,7 +56,8 @@ pub(in crate::dynamics::impact2d) struct LastingContact {
     pub ending: Option<Ending>,
     planned: Option<PlannedMotion>,
     y: Vec<f64>,
-    step: f64,
+    /// Length of the next step that the tolerance asks for \[s\]; `None` before the first.
+    step: Option<f64>,
 }
 
 /// Right-hand side: states body by body, accelerations under the reactions of the contact modes.
@@ -134,7 +135,17 @@ impl LastingContact {
         t: f64,
     ) -> Self {
         let y = states.iter().flatten().copied().collect();
-        Self { bodies, modes, since: t, from: t, until: t, ending: None, planned: None, y, step: 0.0 }
+        Self { bodies, modes, since: t, from: t, until: t, ending: None, planned: None, y, step: None }
+    }
+
+    /// The same with this length of its first step \[s\], where one is known.
+    pub(in crate::dynamics::impact2d) fn with_first_step(self, step: Option<f64>) -> Self {
+        Self { step, ..self }
+    }
+
+    /// Length of the next step that the tolerance asks for \[s\]; `None` before the first.
+    pub(in crate::dynamics::impact2d) fn next_step(&self) -> Option<f64> {
+        self.step
     }
 
     /// Whether all bodies are at rest and stay so: every contact is a face that sticks, one of them on a wall, and all bodies are at rest.
@@ -203,13 +214,13 @@ impl LastingContact {
         let mut method = Dop853::default();
         method.resize(y.len());
         method.start(&mut system, t, &y);
-        let mut h = if self.step > 0.0 { self.step } else { FIRST_STEP * (cap - t) };
+        let mut h = self.step.unwrap_or(FIRST_STEP * (cap - t));
         for _ in 0..REJECTED_STEPS {
             h = if h >= STRETCHED_STEP * (cap - t) { cap - t } else { h };
             let error = method.attempt(&mut system, t, &y, h);
             if error <= 1.0 {
                 let dense = method.accept(&mut system, t, &mut y, h);
-                self.step = h * next_factor(error);
+                self.step = Some(h * next_factor(error));
                 return Ok(dense);
             }
             h *= if error.is_finite() { next_factor(error).min(REJECTED_FACTOR) } else { NOT_FINITE_FACTOR };
