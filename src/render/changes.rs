@@ -12,8 +12,9 @@ use super::{Quality, Region, Regions};
 use crate::view::DrawList;
 use crate::view::list::{Line, Mark, Solid};
 
-/// Height of a line of text, and how far a plate reaches around it, in heights of the font (`flat`).
+/// A line of text is no higher than this, in heights of the font: 1.15 in the usual one, 1.45 with Japanese letters.
 const LINE: f32 = 1.5;
+/// A plate reaches no farther around it than this, in heights of the font: 0.32 (`Flat::text`).
 const PLATE: f32 = 0.4;
 
 /// Where the pictures of two lists differ, drawn as coarsely as any.
