@@ -4,7 +4,7 @@ use std::sync::Arc;
 
 use crate::dynamics::contact_model::run::ContactRun;
 use crate::dynamics::event_loop::effort::Effort;
-use crate::dynamics::event_loop::mechanics::{self, Mechanics};
+use crate::dynamics::event_loop::event_driven::EventDriven;
 use crate::dynamics::free_flight::body_motion::BodyMotion;
 use crate::dynamics::model::body::BodyCoordinates;
 use crate::dynamics::record::contact_log::ContactLog;
@@ -40,21 +40,9 @@ pub struct Finished {
 }
 
 /// A run of one group of bodies.
-pub trait Run: std::fmt::Debug + Send + Sync {
-    /// Handles everything that is due until `until` \[s\].
-    fn advance(&mut self, until: f64);
-
+pub trait Run: EventDriven + std::fmt::Debug + Send + Sync {
     /// Number of contact events so far; 0 under the impact model, which records hits instead.
     fn events(&self) -> usize;
-
-    /// What has been done so far, counted.
-    fn effort(&self) -> Effort;
-
-    /// Why the run stopped early.
-    fn stop(&self) -> Option<&Stop>;
-
-    /// Number in the model and state of every body at `t`, until which everything is handled.
-    fn states(&self, t: f64) -> Vec<(usize, Vec<f64>)>;
 
     /// Everything that was computed.
     fn finish(self: Box<Self>) -> Finished;
@@ -75,24 +63,8 @@ pub fn start(model: &Arc<Model>, group: usize, kind: ModelKind) -> Box<dyn Run> 
 }
 
 impl Run for ContactRun {
-    fn advance(&mut self, until: f64) {
-        mechanics::advance(self, until);
-    }
-
     fn events(&self) -> usize {
         self.events.len()
-    }
-
-    fn effort(&self) -> Effort {
-        self.schedule.effort
-    }
-
-    fn stop(&self) -> Option<&Stop> {
-        self.schedule.stop()
-    }
-
-    fn states(&self, t: f64) -> Vec<(usize, Vec<f64>)> {
-        Mechanics::states(self, t)
     }
 
     fn finish(mut self: Box<Self>) -> Finished {
@@ -113,24 +85,8 @@ impl Run for ContactRun {
 }
 
 impl Run for impact2d::run::ImpactRun {
-    fn advance(&mut self, until: f64) {
-        mechanics::advance(self, until);
-    }
-
     fn events(&self) -> usize {
         0
-    }
-
-    fn effort(&self) -> Effort {
-        self.schedule().effort
-    }
-
-    fn stop(&self) -> Option<&Stop> {
-        self.schedule().stop()
-    }
-
-    fn states(&self, t: f64) -> Vec<(usize, Vec<f64>)> {
-        Mechanics::states(self, t)
     }
 
     fn finish(mut self: Box<Self>) -> Finished {

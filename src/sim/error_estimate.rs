@@ -176,7 +176,7 @@ mod tests {
         scene.duration = 12.0;
         let whole = History::of(&scene).expect("a scene");
         // Memory is looked at every few thousand steps.
-        let bounded = Model { memory: 1 << 16, ..Model::compile(&scene).expect("a scene") };
+        let bounded = Model { memory_bytes: 1 << 16, ..Model::compile(&scene).expect("a scene") };
         let mut session = Session::of_model(&scene, bounded);
         session.advance(scene.duration, &mut |_| true);
         let stopped = session.finish();

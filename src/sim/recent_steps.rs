@@ -67,7 +67,7 @@ mod tests {
 
     fn computed(scene: Scene, polynomials: usize) -> History {
         let mut model = Model::compile(&scene).expect("a scene");
-        model.polynomials = polynomials;
+        model.polynomial_bytes = polynomials;
         let model = Arc::new(model);
         let kind = scene.model.kind;
         let groups = (0..model.groups.len()).map(|group| {

@@ -18,10 +18,7 @@ impl History {
     pub fn resultant(&self, pair: usize, t: f64) -> DVec3 {
         let Some(own) = self.model().pairs.get(pair) else { return DVec3::ZERO };
         let solids = [own.first.solid(), own.second.solid()];
-        let between = self.model().pairs.iter().filter(|pair| {
-            let own = [pair.first.solid(), pair.second.solid()];
-            own == solids || own == [solids[1], solids[0]]
-        });
+        let between = self.model().pairs.iter().filter(|pair| pair.is_between(solids));
         let closed = between.flat_map(Pair::nodes).filter_map(|contact| self.contact_at(contact, t));
         closed.filter_map(|now| Some(now.force * self.sign(now.contact, solids)?)).sum()
     }

@@ -155,12 +155,12 @@ impl Session {
 
     /// How many steps the integrators of all groups have taken.
     fn steps(&self) -> u64 {
-        self.groups.iter().map(|group| group.effort().steps).sum()
+        self.groups.iter().map(|group| group.schedule().effort.steps).sum()
     }
 
     /// Why a group of bodies stopped early, the first of them if any did.
     fn stop(&self) -> Option<&Stop> {
-        self.groups.iter().filter_map(|group| group.stop()).min_by(|a, b| a.t.total_cmp(&b.t))
+        self.groups.iter().filter_map(|group| group.schedule().stop()).min_by(|a, b| a.t.total_cmp(&b.t))
     }
 
     /// Motion of every girder at the time that was last asked for: what [`History::motion`] will say of it, to within

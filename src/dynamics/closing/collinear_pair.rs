@@ -49,17 +49,19 @@ pub(in crate::dynamics) fn search(world: &mut World, pair: usize, t: f64) -> Opt
     }
     let collinear = CollinearPair::of(world, pair, axial)?;
     let resolution = RESOLUTION * (axial.size + collinear.moved(t));
-    let (due, closing, evaluations) = match collinear.first_step_end() {
-        Some(until) => {
-            let closing = collinear.in_step(t, until, resolution);
-            (closing.unwrap_or(f64::INFINITY), closing, 0)
-        }
-        None => collinear.in_flight([t, horizon(world, world.pairs[pair].slots, t)], resolution),
+    let (next, closing) = if let Some(until) = collinear.first_step_end() {
+        let closing = collinear.in_step(t, until, resolution);
+        (NextClosing::at(closing.unwrap_or(f64::INFINITY)), closing)
+    } else {
+        let until = horizon(world, world.pairs[pair].slots, t);
+        let (found, evaluations) = collinear.in_flight([t, until], resolution);
+        let closing = if let FirstZero::Crossing(at) = found { Some(at) } else { None };
+        (NextClosing::of(found, until, world.model.duration, evaluations), closing)
     };
     for contact in contacts {
         (world.contacts[contact].closing, world.contacts[contact].rearmed_at) = (closing, None);
     }
-    Some(NextClosing { due, evaluations, work: 0 })
+    Some(next)
 }
 
 impl<'a> CollinearPair<'a> {
@@ -146,24 +148,20 @@ impl<'a> CollinearPair<'a> {
         self.sides.iter().map(curvature).sum()
     }
 
-    /// Conservative advancement in flight from `t` to `until`: due time of the pair, its closing if that is the reason, and the number of
-    /// evaluations.
-    fn in_flight(&self, [t, until]: [f64; 2], resolution: f64) -> (f64, Option<f64>, u64) {
-        let model = &self.world.model;
-        let here = self.bounded_gap(t, model.duration);
+    /// Conservative advancement in flight from `t` to `until`, and the number of evaluations.
+    fn in_flight(&self, [t, until]: [f64; 2], resolution: f64) -> (FirstZero, u64) {
+        let duration = self.world.model.duration;
+        let here = self.bounded_gap(t, duration);
         if here.out_of_reach {
-            return (f64::INFINITY, None, 1);
+            return (FirstZero::NoneUntil(duration), 1);
         }
         let mut evaluations = 1;
         let bounded_gap_at = |at: f64| {
             evaluations += 1;
             self.bounded_gap(at, until)
         };
-        match first_crossing_from(here, bounded_gap_at, [t, until], true, resolution) {
-            FirstZero::Crossing(at) => (at, Some(at), evaluations),
-            FirstZero::NoneUntil(at) if at >= model.duration => (f64::INFINITY, None, evaluations),
-            FirstZero::NoneUntil(at) => (at, None, evaluations),
-        }
+        let found = first_crossing_from(here, bounded_gap_at, [t, until], true, resolution);
+        (found, evaluations)
     }
 
     fn bounded_gap(&self, t: f64, until: f64) -> BoundedGap {

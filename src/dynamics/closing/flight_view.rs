@@ -3,13 +3,14 @@
 use glam::DVec3;
 
 use crate::contact::Frame;
-use crate::dynamics::closing::constants::{PHASE_END_SAMPLES, RECORD_SAMPLES_PER_SEARCH};
+use crate::dynamics::closing::constants::PHASE_END_SAMPLES;
 use crate::dynamics::free_flight::relative_bounds::{BodyInFlight, GirderInFlight, RelativeBounds};
 use crate::dynamics::linear::Parts;
+use crate::dynamics::locate::constants::SAMPLES_PER_SEARCH;
+use crate::dynamics::locate::horizon::Horizon;
 use crate::dynamics::model::motion_bounds::MotionBounds;
 use crate::dynamics::world::World;
 use crate::dynamics::world::tracks::{PairTrack, Trajectory};
-use crate::motion::Ground;
 
 /// Two bodies in flight at one time, or one and the ground, with bounds on their motion from then on.
 #[derive(Clone, Copy)]
@@ -84,24 +85,14 @@ fn flyer<'a>(
 pub(in crate::dynamics) fn horizon(world: &World, slots: [Option<usize>; 2], t: f64) -> f64 {
     let on_springs = |slot: usize| world.bodies[slot].flight().is_some_and(|(flight, _)| flight.is_on_springs());
     let short = slots.into_iter().flatten().any(on_springs);
-    let samples = if short { PHASE_END_SAMPLES } else { RECORD_SAMPLES_PER_SEARCH };
-    horizon_of(&world.model.ground, t, world.model.duration, samples)
+    let samples = if short { PHASE_END_SAMPLES } else { SAMPLES_PER_SEARCH };
+    Horizon { periods: 1.0, samples }.end(&world.model.ground, t, world.model.duration)
 }
 
 /// Up to when bounds on flights are asked for in a search from `t` to `until` \[s\]: to the end of the run, but for a record that goes on,
 /// under which none holds as long.
 pub(in crate::dynamics) fn farthest(world: &World, [t, until]: [f64; 2]) -> f64 {
     if world.model.ground.next_kink(t).is_finite() { until } else { world.model.duration }
-}
-
-/// The same over this many samples of a record.
-pub(super) fn horizon_of(ground: &Ground, t: f64, duration: f64, samples: f64) -> f64 {
-    let stretch = match ground {
-        Ground::Still => duration,
-        Ground::Sine { omega, .. } => std::f64::consts::TAU / omega,
-        Ground::Record { dt, .. } => samples * dt,
-    };
-    (t + stretch).min(duration)
 }
 
 /// Stores in flights under a record the states at its samples up to `until`, from which later states are computed.
@@ -121,22 +112,6 @@ mod tests {
     use crate::scene::{Motion, Scene, presets};
 
     const FLIGHT_SAMPLES: u32 = 2000;
-
-    #[test]
-    fn a_search_covers_a_period_or_samples_or_the_run() {
-        let sine = Ground::Sine {
-            amplitude: DVec3::X,
-            quadrature: DVec3::ZERO,
-            omega: 4.0 * std::f64::consts::PI,
-            phase: 0.3,
-        };
-        let record = Ground::record(DVec3::X, 0.01, [0.0; 5]);
-        let end = |ground: &Ground, t: f64| horizon_of(ground, t, 60.0, RECORD_SAMPLES_PER_SEARCH);
-        assert_eq!(end(&Ground::Still, 1.0), 60.0, "nothing drives: to the end");
-        assert!((end(&sine, 1.0) - 1.5).abs() < 1e-15, "a period of 2 Hz");
-        assert_eq!(end(&record, 1.0), 1.0 + 0.01 * RECORD_SAMPLES_PER_SEARCH);
-        assert_eq!(end(&sine, 59.9), 60.0, "no further than the run");
-    }
 
     /// Every bound of two girders in flight is above the motion, and below `factor` times it.
     fn expect_bounds(scene: &Scene, factor: f64) {

@@ -6,12 +6,11 @@
 
 use crate::contact::{Local, locate};
 use crate::dynamics::ContactSite;
-use crate::dynamics::closing::constants::CUT_SEARCH_WORK;
 use crate::dynamics::closing::flight_view::{FlightSample, farthest, horizon, remember};
 use crate::dynamics::closing::found::NextClosing;
 use crate::dynamics::closing::shared::{Shared, in_block};
 use crate::dynamics::closing::step_samples::resolution_of;
-use crate::dynamics::locate::advancement::{AdvanceOutcome, Advancement, BoundedGap, polish};
+use crate::dynamics::locate::advancement::{AdvanceOutcome, Advancement, BoundedGap, FirstZero, polish};
 use crate::dynamics::locate::constants::MAX_ADVANCES;
 use crate::dynamics::locate::positive_again::is_positive_again;
 use crate::dynamics::locate::root::root;
@@ -62,12 +61,12 @@ pub(in crate::dynamics) fn search(world: &mut World, pair: usize, t: f64, shared
     let armed: Vec<usize> = open_contacts.iter().filter(|q| q.advancement.armed()).map(|q| q.contact).collect();
     let never_closes =
         !open_contacts.iter().any(|q| !(q.advancement.out_of_reach() && first.between.window >= duration - t));
-    let (due, closing) = if never_closes {
-        (f64::INFINITY, Vec::new())
+    let (end, closing) = if never_closes {
+        (duration, Vec::new())
     } else {
         advance_all(present, pair, &mut open_contacts, [t, until], &mut evaluations)
     };
-    let cut = closing.is_empty() && due < until;
+    let found = if closing.is_empty() { FirstZero::NoneUntil(end) } else { FirstZero::Crossing(end) };
     let rearmed: Vec<(usize, Option<f64>)> =
         open_contacts.iter().map(|q| (q.contact, q.advancement.rearmed_at())).collect();
     for contact in world.pairs[pair].contacts.clone() {
@@ -82,7 +81,7 @@ pub(in crate::dynamics) fn search(world: &mut World, pair: usize, t: f64, shared
     for (contact, at) in closing {
         world.contacts[contact].closing = Some(at);
     }
-    NextClosing { due, evaluations, work: if cut { CUT_SEARCH_WORK } else { 0 } }
+    NextClosing::of(found, until, duration, evaluations)
 }
 
 /// The open corners of a pair (edge nodes are of spatial girders, which have no flight in closed form); a disarmed one whose gap is positive is armed again.
@@ -115,8 +114,7 @@ fn open<'a>(world: &'a World, pair: usize, [t, until]: [f64; 2], sample: &Flight
     world.pairs[pair].contacts.clone().filter_map(open_contact).collect()
 }
 
-/// Advances until a contact closes or the search ends: the due time of the pair \[s\] and the contacts that close
-/// then.
+/// Advances until a contact closes or the search ends: that time \[s\] and the contacts that close then.
 fn advance_all(
     world: &World,
     pair: usize,
@@ -158,7 +156,7 @@ fn advance_all(
         }
         t = next;
     }
-    (if t >= world.model.duration { f64::INFINITY } else { t }, Vec::new())
+    (t, Vec::new())
 }
 
 /// Samples of a pair's flights near one time, kept because the contacts of a flush face ask for equal times.

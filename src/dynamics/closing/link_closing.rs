@@ -4,7 +4,7 @@
 use glam::DVec3;
 
 use crate::contact::Frame;
-use crate::dynamics::closing::constants::{CLOSING_INTERVAL, CUT_SEARCH_WORK, SPEED_ROUNDING, STEP_SAMPLES};
+use crate::dynamics::closing::constants::{CLOSING_INTERVAL, SPEED_ROUNDING, STEP_SAMPLES};
 use crate::dynamics::closing::flight_view::{FlightSample, farthest, horizon, remember};
 use crate::dynamics::closing::found::{NextClosing, first_step_end};
 use crate::dynamics::closing::gap_curvature::GapCurvature;
@@ -60,16 +60,10 @@ fn in_flight(world: &mut World, link: usize, t: f64) -> NextClosing {
     } else {
         first_crossing_from(here, sample, [t, until], true, size)
     };
-    match found {
-        FirstZero::Crossing(at) => {
-            world.links[link].ends = Some((at, Switch::Closing));
-            NextClosing { due: at, evaluations, work: 0 }
-        }
-        FirstZero::NoneUntil(end) if end >= duration => NextClosing { due: f64::INFINITY, evaluations, work: 0 },
-        FirstZero::NoneUntil(end) => {
-            NextClosing { due: end, evaluations, work: if end < until { CUT_SEARCH_WORK } else { 0 } }
-        }
+    if let FirstZero::Crossing(at) = found {
+        world.links[link].ends = Some((at, Switch::Closing));
     }
+    NextClosing::of(found, until, duration, evaluations)
 }
 
 /// Gap of a device in flight at `t` with a bound on its second derivative, valid up to `until` at most.

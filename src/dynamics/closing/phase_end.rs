@@ -7,10 +7,12 @@
 use smallvec::SmallVec;
 
 use crate::dynamics::closing::constants::{PHASE_END_SAMPLES, STEP_SAMPLES};
-use crate::dynamics::closing::flight_view::{horizon_of, remember};
+use crate::dynamics::closing::flight_view::remember;
 use crate::dynamics::closing::found::NextClosing;
 use crate::dynamics::connection::{Separation, Switch, SwitchUnit};
+use crate::dynamics::locate::advancement::FirstZero;
 use crate::dynamics::locate::first_rise::{EarliestEvent, Resolution, first_rise};
+use crate::dynamics::locate::horizon::Horizon;
 use crate::dynamics::locate::sample_times::sample_times;
 use crate::dynamics::penalty3d::link_events::{zero_and_band_of_length, zero_and_band_of_speed};
 use crate::dynamics::world::World;
@@ -42,7 +44,7 @@ pub(super) fn beginning(world: &mut World, link: usize, t: f64) -> Option<NextCl
 /// Searches the first rise of these functions from `t` on and enters it in the link's track.
 fn first_of(world: &mut World, (link, slot): (usize, usize), functions: &[(Switch, Linear)], t: f64) -> NextClosing {
     let duration = world.model.duration;
-    let until = horizon_of(&world.model.ground, t, duration, PHASE_END_SAMPLES);
+    let until = Horizon { periods: 1.0, samples: PHASE_END_SAMPLES }.end(&world.model.ground, t, duration);
     remember(world, world.links[link].slots, until);
     let (mut from, mut evaluations) = (t, 0);
     while from < until {
@@ -56,11 +58,11 @@ fn first_of(world: &mut World, (link, slot): (usize, usize), functions: &[(Switc
         evaluations += 1;
         if let Some((at, event)) = within(world, (link, slot), &likely, [from, to]) {
             world.links[link].ends = Some((at, event));
-            return NextClosing { due: at, evaluations, work: 0 };
+            return NextClosing::of(FirstZero::Crossing(at), until, duration, evaluations);
         }
         from = to;
     }
-    NextClosing { due: if until < duration { until } else { f64::INFINITY }, evaluations, work: 0 }
+    NextClosing::of(FirstZero::NoneUntil(until), until, duration, evaluations)
 }
 
 /// A function of the one coordinate u of a body, or of its rate, from where that is at the beginning of a search: `start + slope (u − u₀)` \[m\]

@@ -11,6 +11,7 @@ use crate::dynamics::closing::constants::STEP_SAMPLES;
 use crate::dynamics::closing::flight_view::{FlightSample, horizon, remember};
 use crate::dynamics::closing::found::NextClosing;
 use crate::dynamics::connection::{Excursion, Separation, Switch};
+use crate::dynamics::locate::advancement::FirstZero;
 use crate::dynamics::locate::first_rise::{EarliestEvent, Resolution, first_rise};
 use crate::dynamics::locate::sample_times::sample_times;
 use crate::dynamics::model::motion_bounds::MotionBounds;
@@ -41,7 +42,7 @@ pub(super) fn search(world: &mut World, leader: usize, t: f64) -> NextClosing {
         }
         from = to;
     }
-    NextClosing { due: if until < duration { until } else { f64::INFINITY }, evaluations, work: 0 }
+    NextClosing::of(FirstZero::NoneUntil(until), until, duration, evaluations)
 }
 
 /// Motion of a link's point of the girder against the ground.

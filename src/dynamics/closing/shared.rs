@@ -12,6 +12,7 @@ use crate::contact::Frame;
 use crate::dynamics::closing::constants::{NEAR, PARTED_ADVANCES};
 use crate::dynamics::closing::flight_view::{FlightSample, horizon, remember};
 use crate::dynamics::closing::step_samples::{StepSamples, excursion};
+use crate::dynamics::locate::advancement::FirstZero;
 use crate::dynamics::model::meeting::Meeting;
 use crate::dynamics::penalty3d::contact_state::Contact;
 use crate::dynamics::world::World;
@@ -128,7 +129,7 @@ fn in_flight(world: &mut World, (number, pair): (usize, usize), t: f64) -> Parte
         let advance = ((apart - near) / speed).max(soonest(apart - near, now, sample.between.acceleration + gains));
         from += advance.min(window);
         if from >= until {
-            return Parted::Throughout(if until >= duration { f64::INFINITY } else { until });
+            return Parted::Throughout(FirstZero::NoneUntil(until).due(duration));
         }
     }
     if from > t { Parted::Until(from) } else { Parted::Near }
@@ -144,7 +145,7 @@ fn in_flight_by_sections(world: &World, (meeting, pair): (&Meeting, usize), [t, 
     let reach =
         |side: usize| slots[side].map_or(0.0, |slot| excursion(world, slot, meeting.solids[side].radius, t, until));
     if meeting.apart(&[poses(0), poses(1)]) > reach(0) + reach(1) {
-        Parted::Throughout(if until >= world.model.duration { f64::INFINITY } else { until })
+        Parted::Throughout(FirstZero::NoneUntil(until).due(world.model.duration))
     } else {
         Parted::Near
     }

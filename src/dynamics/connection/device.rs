@@ -27,8 +27,7 @@ pub trait Device: DeviceReadings + std::fmt::Debug + Send + Sync {
 
     /// Whether, in a phase in which it acts, force and switching functions are linear with a constant in displacement and rate
     /// of its points, and a switching function that is a length changes by no more than they are displaced.
-    fn is_linear_in(&self, phase: &Phase) -> bool {
-        let _ = phase;
+    fn is_linear_in(&self, _phase: &Phase) -> bool {
         self.is_linear()
     }
 
@@ -45,32 +44,27 @@ pub trait Device: DeviceReadings + std::fmt::Debug + Send + Sync {
     fn gap_curvature(&self, phase: &Phase, bounds: &SeparationBounds) -> f64;
 
     /// Whether no force can begin while the motion keeps to `bounds`.
-    fn stays_idle(&self, phase: &Phase, bounds: &SeparationBounds) -> bool {
-        let _ = (phase, bounds);
+    fn stays_idle(&self, _phase: &Phase, _bounds: &SeparationBounds) -> bool {
         false
     }
 
     /// Number of switching functions of a phase in which a force acts; none for a device of one phase.
-    fn switches(&self, phase: &Phase) -> usize {
-        let _ = phase;
+    fn switches(&self, _phase: &Phase) -> usize {
         0
     }
 
     /// Unit of a switching function.
-    fn switch_unit(&self, number: usize, phase: &Phase) -> SwitchUnit {
-        let _ = (number, phase);
+    fn switch_unit(&self, _number: usize, _phase: &Phase) -> SwitchUnit {
         SwitchUnit::Length
     }
 
     /// Whether the first number that the law remembers changes while the phase lasts, by [`Device::evolution`].
-    fn evolves(&self, phase: &Phase) -> bool {
-        let _ = phase;
+    fn evolves(&self, _phase: &Phase) -> bool {
         false
     }
 
     /// How the first number that the law remembers changes.
-    fn evolution(&self, phase: &Phase, motion: &Separation) -> Evolution {
-        let _ = (phase, motion);
+    fn evolution(&self, _phase: &Phase, _motion: &Separation) -> Evolution {
         Evolution::default()
     }
 
@@ -80,46 +74,39 @@ pub trait Device: DeviceReadings + std::fmt::Debug + Send + Sync {
     }
 
     /// Whether no force can begin any more.
-    fn has_ended(&self, phase: &Phase) -> bool {
-        let _ = phase;
+    fn has_ended(&self, _phase: &Phase) -> bool {
         false
     }
 
     /// Whether the support that it is has been lost in this phase.
-    fn is_lost(&self, phase: &Phase) -> bool {
-        let _ = phase;
+    fn is_lost(&self, _phase: &Phase) -> bool {
         false
     }
 
     /// Distance of the relative velocity of its points from the nearest one, real or complex, at which the force is singular \[m/s\]: the
     /// force's series converges up to it. Infinite where there is none.
-    fn smooth_within(&self, phase: &Phase, motion: &Separation) -> f64 {
-        let _ = (phase, motion);
+    fn smooth_within(&self, _phase: &Phase, _motion: &Separation) -> f64 {
         f64::INFINITY
     }
 
     /// Whether a run ends where this phase begins.
-    fn ends_run(&self, phase: &Phase) -> bool {
-        let _ = phase;
+    fn ends_run(&self, _phase: &Phase) -> bool {
         false
     }
 
     /// A switching function of such a phase, in its [unit](Device::switch_unit): negative while the phase lasts.
-    fn switch(&self, number: usize, phase: &Phase, motion: &Separation) -> f64 {
-        let _ = (number, phase, motion);
+    fn switch(&self, _number: usize, _phase: &Phase, _motion: &Separation) -> f64 {
         f64::NEG_INFINITY
     }
 
     /// Whether a switching function stays below 0 for certain while the motion departs from `motion` by no more than `within`.
-    fn stays_below(&self, number: usize, phase: &Phase, motion: &Separation, within: Excursion) -> bool {
-        let _ = (number, phase, motion, within);
+    fn stays_below(&self, _number: usize, _phase: &Phase, _motion: &Separation, _within: Excursion) -> bool {
         false
     }
 
     /// Phase that begins where the gap closes (from a phase without force) or a switching function rises through 0; energy
     /// that the change releases \[J\].
-    fn next(&self, event: Switch, phase: &Phase, motion: &Separation) -> (Phase, f64) {
-        let _ = (event, motion);
+    fn next(&self, _event: Switch, phase: &Phase, _motion: &Separation) -> (Phase, f64) {
         (*phase, 0.0)
     }
 }

@@ -35,14 +35,12 @@ pub trait DeviceReadings: Connection<State = Phase, Motion = Separation> {
     }
 
     /// Whether it yields in this phase.
-    fn yields(&self, phase: &Phase) -> bool {
-        let _ = phase;
+    fn yields(&self, _phase: &Phase) -> bool {
         false
     }
 
     /// Centre line for a drawing between its points, world axes \[m\]: a straight line unless the device hangs or bends.
-    fn centre_line(&self, phase: &Phase, ends: [DVec3; 2]) -> Vec<DVec3> {
-        let _ = phase;
+    fn centre_line(&self, _phase: &Phase, ends: [DVec3; 2]) -> Vec<DVec3> {
         ends.to_vec()
     }
 }

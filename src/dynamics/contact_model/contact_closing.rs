@@ -3,7 +3,6 @@
 use glam::DVec2;
 
 use crate::contact::{Mode, NormalLaw};
-use crate::dynamics::contact_model::contact_law;
 use crate::dynamics::contact_model::contact_states::ContactStates;
 use crate::dynamics::contact_model::vertices::VertexNodes;
 use crate::dynamics::penalty3d::contact_state::{ClosedContact, Contact};
@@ -18,31 +17,10 @@ pub(in crate::dynamics) struct ContactClosing<'s, 'a> {
 }
 
 impl ContactClosing<'_, '_> {
-    /// Whether the projection of a node that has crossed the plane of a face is inside its polygon. Otherwise a miss is
-    /// recorded and the contact is disarmed until its gap is positive again (`docs/physics.md#closing`).
-    pub(in crate::dynamics) fn enters_or_records_miss(&mut self, contact: usize) -> bool {
-        if self.states.at().is_over(contact) {
-            return true;
-        }
-        self.states.world.contacts[contact].closing = None;
-        if self.states.at().edge(contact).is_some() {
-            return false;
-        }
-        let (pair, disarmed) = (self.states.world.contacts[contact].pair, Contact::Open { armed: false });
-        if self.states.world.model_pair(pair).met {
-            // Between all faces of two bodies most crossings of a plane are beside the face.
-            self.states.enter_without_event(contact, disarmed);
-        } else {
-            self.states.log(contact, disarmed, EventKind::Missed, 0.0);
-        }
-        self.states.world.contacts[contact].changes.of_touch = 0;
-        false
-    }
-
     /// Closing of a contact in stick or slip (`docs/physics.md#closing`); of bodies that have met, by the face of their least
     /// overlap.
     pub(in crate::dynamics) fn close(&mut self, contact: usize) {
-        let by = self.states.at().contact_to_close(contact);
+        let by = self.states.poses().contact_to_close(contact);
         if by == Some(contact) {
             self.close_at_face(contact);
             return;
@@ -51,7 +29,7 @@ impl ContactClosing<'_, '_> {
         self.states.enter_state(contact, Contact::Open { armed: false });
         if let Some(by) = by
             && !self.states.world.is_closed(by)
-            && !self.states.at().touches_elsewhere(by)
+            && !self.states.poses().touches_elsewhere(by)
             && !(VertexNodes { states: self.states }).is_held(by)
         {
             self.close_inside(by, 0.0);
@@ -62,7 +40,7 @@ impl ContactClosing<'_, '_> {
     fn close_at_face(&mut self, contact: usize) {
         self.states.set_place(contact, 0.0);
         let here = self.states.here(contact);
-        let law = contact_law::of(self.states.world, contact, self.states.now);
+        let law = self.states.law_at_closing(contact);
         let (mut tangential, mut normal) = here.relative_velocity(DVec2::ZERO);
         if normal == 0.0 && tangential == DVec2::ZERO {
             (tangential, normal) = self.states.at().relative_acceleration(contact, &here);
@@ -97,7 +75,7 @@ impl ContactClosing<'_, '_> {
     /// parts of K and C are the smaller. They are kept up to `kept_beyond_edge` beyond the edges of their faces \[m\].
     pub(super) fn close_in_place_of(&mut self, left: &[(usize, ClosedContact)], contact: usize, kept_beyond_edge: f64) {
         let other = contact_points::other_of_crossing(self.states.world, contact).filter(|&other| {
-            let poses = |c: usize| self.states.at().sides(c);
+            let poses = |c: usize| self.states.poses().sides(c);
             !self.states.world.is_closed(other)
                 && left.iter().all(|(left, _)| *left != other)
                 && contact_points::crossing_of_met(self.states.world, other, &poses).is_some()
@@ -110,9 +88,7 @@ impl ContactClosing<'_, '_> {
             before.law.normal.stored_energy(self.states.here(*left).penetration())
         };
         let energy: f64 = left.iter().map(energy).sum();
-        let whole = |&node: &usize| {
-            contact_law::of(self.states.world, node, self.states.now).entry_energy(&self.states.here(node))
-        };
+        let whole = |&node: &usize| self.states.law_at_closing(node).entry_energy(&self.states.here(node));
         let whole: f64 = entering.iter().map(whole).sum();
         for (left, _) in left {
             self.states.world.contacts[*left].has_part = false;
@@ -130,7 +106,7 @@ impl ContactClosing<'_, '_> {
     /// State of a contact whose node is inside already: stick with the anchor at the projection, slip where `μ_s = 0`.
     fn closed_inside(&mut self, contact: usize) -> ClosedContact {
         let here = self.states.here(contact);
-        let law = contact_law::of(self.states.world, contact, self.states.now).begun(&here);
+        let law = self.states.law_at_closing(contact).begun(&here);
         let regularisation = self.states.at().regularisation_length(contact, &law, &here);
         let mode = if law.has_friction() {
             Mode::Stick { anchor: here.way }
@@ -147,8 +123,8 @@ impl ContactClosing<'_, '_> {
     /// States at t = 0 of nodes behind the plane of their face: stick with the anchor at the projection where that is
     /// inside the polygon (slip where `μ_s = 0`), disarmed otherwise (`docs/physics.md#closing`).
     pub(in crate::dynamics) fn close_overlapping(&mut self) {
-        let now = self.states.now;
-        let as_placed: Vec<bool> = now.frames.iter().map(|frame| self.states.at().is_as_placed(frame)).collect();
+        let now = &self.states.now.poses;
+        let as_placed: Vec<bool> = now.frames.iter().map(|frame| self.states.poses().is_as_placed(frame)).collect();
         for contact in 0..self.states.world.contacts.len() {
             let ContactTrack { slots, sections, geometry, .. } = &self.states.world.contacts[contact];
             let mut sides = slots.iter().zip(sections).filter_map(|(slot, &own)| Some(((*slot)?, own)));
@@ -157,23 +133,24 @@ impl ContactClosing<'_, '_> {
             {
                 continue;
             }
-            if self.states.at().edge(contact).is_some() {
-                if !self.states.at().is_over(contact) {
+            if self.states.poses().edge(contact).is_some() {
+                if !self.states.poses().is_over(contact) {
                     continue;
                 }
                 self.states.set_place(contact, 0.0);
             }
-            let here = self.states.at().local(contact);
+            let here = self.states.poses().local(contact);
             let site = self.states.site(contact);
             // What touches as placed is behind by round-off at the most: it closes as the bodies press on each other.
-            if here.gap >= -self.states.at().resolution(contact) {
+            if here.gap >= -self.states.poses().resolution(contact) {
                 continue;
             }
             // An edge node is at its crossing.
             let inside = site.beyond(&self.states.world.contacts[contact].place, &here) < 0.0;
-            let inside =
-                inside && self.states.at().is_opposed_most(contact) && !self.states.at().touches_elsewhere(contact);
-            let state = if inside && self.states.at().begins_inside_by(contact) {
+            let inside = inside
+                && self.states.poses().is_opposed_most(contact)
+                && !self.states.poses().touches_elsewhere(contact);
+            let state = if inside && self.states.poses().begins_inside_by(contact) {
                 Contact::Closed(self.closed_inside(contact))
             } else {
                 Contact::Open { armed: false }

@@ -2,31 +2,54 @@
 //! first closes (`docs/physics.md#sharing-of-a-pairs-stiffness`).
 
 use crate::contact::{Law, parameters};
-use crate::dynamics::contact_model::event_state::{EventBodies, EventContacts};
+use crate::dynamics::contact_model::event_poses::{ContactPoses, EventPoses};
 use crate::dynamics::world::{World, contact_points};
 use crate::scene::{Kind, Sharing};
 
-/// Law of a contact that closes. The parts of the pair's nodes in stiffness and dashpots are determined when its first
-/// contact closes and kept until all of them are open.
-pub(in crate::dynamics) fn of(world: &mut World, contact: usize, now: &EventBodies) -> Law {
-    let number = world.contacts[contact].pair;
-    if world.pairs[number].sharers == 0 {
-        let (sharers, nodes) = sharers(EventContacts { world, now }, number);
-        for (contact, nodes) in world.pairs[number].contacts.clone().zip(nodes) {
-            let here = EventContacts { world, now }.local(contact).at;
-            let face = &world.site(contact).face;
-            let has_part = world.model.kind == Kind::Planar && parameters::is_over(face, here);
-            let track = &mut world.contacts[contact];
-            (track.divisor, track.has_part) = ((sharers * nodes) as f64, has_part);
-        }
-        world.pairs[number].sharers = sharers;
+/// Divides K and C of a pair among its nodes when its first contact closes; the parts are kept until all of them are open.
+pub(super) fn divide(world: &mut World, pair: usize, now: &EventPoses) {
+    if world.pairs[pair].sharers > 0 {
+        return;
     }
-    world.model_pair(number).law.shared(world.contacts[contact].divisor)
+    let (sharers, nodes) = sharers(ContactPoses { world, now }, pair);
+    for (contact, nodes) in world.pairs[pair].contacts.clone().zip(nodes) {
+        let here = ContactPoses { world, now }.local(contact).at;
+        let face = &world.site(contact).face;
+        let has_part = world.model.kind == Kind::Planar && parameters::is_over(face, here);
+        let track = &mut world.contacts[contact];
+        (track.divisor, track.has_part) = ((sharers * nodes) as f64, has_part);
+    }
+    world.pairs[pair].sharers = sharers;
+}
+
+/// Law of a contact with its part of K and C, as these are divided.
+pub(super) fn of(world: &World, contact: usize) -> Law {
+    let track = &world.contacts[contact];
+    world.model_pair(track.pair).law.shared(track.divisor)
+}
+
+/// Divisor of K and C for each of the `nodes` that take over the part of a vertex from those in contact there `before`, of which `left`
+/// leaves its face \[–\].
+pub(super) fn divisor_taken_over(world: &World, nodes: &[usize], before: &[usize], left: usize) -> f64 {
+    let (pair, tracks) = (world.pair_of(left), &world.contacts);
+    let count = nodes.len() as f64;
+    match (world.model.pairs[pair.model_pair].contact.sharing, world.model.kind) {
+        // A vertex has its part of K whichever of its nodes have left.
+        (Sharing::Tributary, Kind::Spatial) => pair.sharers as f64 * count,
+        // In plan nodes share K, and the parts of all nodes at the vertex stay.
+        (Sharing::Tributary, Kind::Planar) => {
+            let open = nodes.iter().filter(|&&node| !world.is_closed(node) && tracks[node].has_part);
+            // A node that closed without a part of its own, since its place came over the face only later, has that of an open one.
+            let open = open.skip(before.iter().filter(|&&node| !tracks[node].has_part).count());
+            count / before.iter().chain(open).map(|&node| 1.0 / tracks[node].divisor).sum::<f64>()
+        }
+        (Sharing::PerNode, _) => tracks[left].divisor,
+    }
 }
 
 /// Number of nodes, in space of vertices, that share the law of a pair, and for each of its contacts the number of
 /// nodes at its vertex, from the poses at the time of the event.
-fn sharers(at: EventContacts<'_>, pair: usize) -> (usize, Vec<usize>) {
+fn sharers(at: ContactPoses<'_>, pair: usize) -> (usize, Vec<usize>) {
     let world = at.world;
     let track = &world.pairs[pair];
     let alone = vec![1; track.contacts.len()];

@@ -1,41 +1,30 @@
-//! States and poses of the bodies that an event concerns, and quantities of their contacts at that time: position and
-//! velocity of a node relative to its face, relative acceleration, regularisation length, the stick condition after a
-//! stop.
+//! States of the bodies that an event concerns, and what of their contacts at that time follows from states and forces: relative
+//! acceleration, regularisation length, the stick condition after a stop.
 
-use glam::{DMat2, DMat3, DVec2, DVec3};
+use glam::{DMat2, DVec2, DVec3};
 
-use crate::contact::parameters::is_over;
 use crate::contact::{ContactGeometry, Frame, Law, Local, Mode, NormalLaw, locate};
 use crate::dynamics::closing::constants::CLOSING_INTERVAL;
-use crate::dynamics::closing::step_samples::resolution_of;
 use crate::dynamics::contact_model::constants::{REGULARISATION_CLOCK, REGULARISATION_FRICTION, REGULARISATION_LEAST};
+use crate::dynamics::contact_model::event_poses::{ContactPoses, EventPoses, layout_of};
 use crate::dynamics::contact_model::islands::assemble;
 use crate::dynamics::integrator::step_control::ControllerState;
 use crate::dynamics::model::body::Point;
-use crate::dynamics::model::coordinates::state_layout::StateLayout;
-use crate::dynamics::model::edge_node::Edge;
 use crate::dynamics::model::reference_pose::{self, ReferencePose};
 use crate::dynamics::penalty3d::constants::{POSITION_ROUNDING, SIMULTANEOUS_PER_RADIAN};
 use crate::dynamics::penalty3d::contact_force;
 use crate::dynamics::penalty3d::contact_state::ClosedContact;
-use crate::dynamics::world::{World, contact_points};
-use crate::scene::Kind;
+use crate::dynamics::world::World;
 
 /// States and poses of bodies at the time of an event.
 #[derive(Debug)]
 pub(in crate::dynamics) struct EventBodies {
-    /// Time \[s\].
-    pub t: f64,
-    /// Slots of the bodies, ascending.
-    pub slots: Vec<usize>,
+    /// Their poses and the time.
+    pub poses: EventPoses,
     /// Reference poses of the states; of a body that was in flight, its pose at `t`.
     pub bases: Vec<ReferencePose>,
     /// States relative to the reference poses.
     pub states: Vec<Vec<f64>>,
-    /// Layout of the states and sections.
-    layout: StateLayout,
-    /// Poses of all sections relative to the placed poses.
-    pub frames: Vec<Frame>,
     /// Poses of all sections relative to the reference poses.
     pub since: Vec<Frame>,
 }
@@ -49,47 +38,20 @@ impl EventBodies {
         states: Vec<Vec<f64>>,
         t: f64,
     ) -> Self {
-        let layout = layout(world, &slots);
+        let layout = layout_of(world, &slots);
         let (mut since, mut frames) = (Vec::with_capacity(layout.section_count()), Vec::new());
         frames.reserve_exact(layout.section_count());
         for (i, &slot) in slots.iter().enumerate() {
             world.model.bodies[world.bodies[slot].body].push_frames(&states[i], &mut since);
             frames.extend(since[layout.sections(i)].iter().map(|since| bases[i].whole(since)));
         }
-        Self { t, slots, bases, states, layout, frames, since }
-    }
-
-    /// Poses on the present trajectories, without states and reference poses.
-    pub(in crate::dynamics) fn poses(world: &World, slots: Vec<usize>, t: f64) -> Self {
-        let layout = layout(world, &slots);
-        let sections = |(i, &slot): (usize, &usize)| layout.sections(i).enumerate().map(move |(own, _)| (slot, own));
-        let sections = slots.iter().enumerate().flat_map(sections);
-        let frames = sections.map(|(slot, section)| world.frame(slot, section, t)).collect();
-        Self { t, slots, layout, bases: Vec::new(), states: Vec::new(), frames, since: Vec::new() }
-    }
-
-    fn index_of(&self, slot: usize) -> Option<usize> {
-        self.slots.binary_search(&slot).ok()
-    }
-
-    /// Pose of a body's section relative to its placed pose; `None` for a body that the event does not concern.
-    pub(in crate::dynamics) fn pose(&self, slot: usize, section: usize) -> Option<Frame> {
-        self.frames.get(self.section(slot, section)?).copied()
-    }
-
-    /// Place of a body's section in the lists of poses.
-    pub(in crate::dynamics) fn section(&self, slot: usize, own: usize) -> Option<usize> {
-        Some(self.layout.sections(self.index_of(slot)?).start + own)
+        Self { poses: EventPoses { t, slots, layout, frames }, bases, states, since }
     }
 
     /// Reference pose of a body; `None` for an abutment.
     pub(in crate::dynamics) fn base(&self, slot: Option<usize>) -> Option<&ReferencePose> {
-        self.bases.get(self.index_of(slot?)?)
+        self.bases.get(self.poses.index_of(slot?)?)
     }
-}
-
-fn layout(world: &World, slots: &[usize]) -> StateLayout {
-    StateLayout::of(slots.iter().map(|&slot| &world.model.bodies[world.bodies[slot].body]))
 }
 
 /// A contact counted from the reference poses of its bodies: the formulation of a closed contact.
@@ -112,33 +74,9 @@ pub(in crate::dynamics) struct EventContacts<'a> {
 }
 
 impl<'a> EventContacts<'a> {
-    /// The edge of an edge node.
-    pub(in crate::dynamics) fn edge(&self, contact: usize) -> Option<&'a Edge> {
-        self.world.edge(contact)
-    }
-}
-
-impl EventContacts<'_> {
-    /// Pose from `frames` of the node's body (`which` 0) or the face's (1); the fixed pose of an abutment.
-    fn side(&self, contact: usize, which: usize, frames: &[Frame]) -> Frame {
-        let track = &self.world.contacts[contact];
-        let stand = self.world.model.sites[track.site].stand;
-        let section = |slot: usize| self.now.section(slot, track.sections[which]);
-        let frame = |slot: usize| section(slot).and_then(|i| frames.get(i)).copied().unwrap_or(stand);
-        track.slots[which].map_or(stand, frame)
-    }
-
-    /// Poses of the node's and the face's body relative to the placed poses.
-    pub(in crate::dynamics) fn sides(&self, contact: usize) -> [Frame; 2] {
-        [0, 1].map(|which| self.side(contact, which, &self.now.frames))
-    }
-
-    /// Position and velocity of a node relative to its face, poses relative to the placed poses.
-    pub(in crate::dynamics) fn local(&self, contact: usize) -> Local {
-        let track = &self.world.contacts[contact];
-        let geometry = self.world.model.sites[track.site].geometry_at(&track.place);
-        let [node, face] = self.sides(contact);
-        locate(&geometry, &node, &face)
+    /// The contacts in the poses of their bodies.
+    pub(in crate::dynamics) fn poses(&self) -> ContactPoses<'a> {
+        ContactPoses { world: self.world, now: &self.now.poses }
     }
 
     /// A contact from the reference poses of its bodies, with all sections at `frames` relative to them.
@@ -146,52 +84,8 @@ impl EventContacts<'_> {
         let track = &self.world.contacts[contact];
         let bases = track.slots.map(|slot| self.now.base(slot));
         let geometry = reference_pose::seen_from(self.world.site(contact), &track.place, bases);
-        let poses = [0, 1].map(|which| self.side(contact, which, frames));
+        let poses = [0, 1].map(|which| self.poses().side(contact, which, frames));
         RelativeContact { geometry, poses, local: locate(&geometry, &poses[0], &poses[1]) }
-    }
-
-    /// Whether the projection of a node is inside its face's polygon, the face by which it is in the pair is the most opposed
-    /// of its corner's, and the node touches no other face; of an edge
-    /// node, whether the crossing is a contact point of its own.
-    pub(in crate::dynamics) fn is_over(&self, contact: usize) -> bool {
-        if self.edge(contact).is_some() {
-            return contact_points::crossing(self.world, contact, &|contact| self.sides(contact)).is_some();
-        }
-        let here = self.local(contact);
-        let face = &self.world.site(contact).face;
-        is_over(face, here.at) && self.is_opposed_most(contact) && !self.touches_elsewhere(contact)
-    }
-
-    /// Whether of the faces that meet in the node that of its pair is the most opposed to the face before it.
-    pub(in crate::dynamics) fn is_opposed_most(&self, contact: usize) -> bool {
-        let Some(corner) = &self.world.site(contact).corner else { return true };
-        let node = self.side(contact, 0, &self.now.frames);
-        corner.is_opposed_most(|own| node.turn(own), self.normal(contact))
-    }
-
-    /// Outward unit normal of a contact's face.
-    pub(in crate::dynamics) fn normal(&self, contact: usize) -> DVec3 {
-        let track = &self.world.contacts[contact];
-        let geometry = self.world.model.sites[track.site].geometry_at(&track.place);
-        let [node, face] = self.sides(contact);
-        geometry.normal(&node, &face)
-    }
-
-    /// Gap that is round-off of the positions \[m\].
-    pub(super) fn resolution(&self, contact: usize) -> f64 {
-        let [node, face] = self.sides(contact);
-        let by_edge = self.edge(contact).map_or(1.0, |edge| edge.amplification(&edge.ends(&node, &face)).max(1.0));
-        resolution_of(self.world, contact, node.shift.length() + face.shift.length()) * by_edge
-    }
-
-    /// Whether the node is in contact with another face of the same body, of which it touches one at a time.
-    pub(in crate::dynamics) fn touches_elsewhere(&self, contact: usize) -> bool {
-        self.world.contacts[contact].other_faces.iter().any(|&other| self.world.is_closed(other))
-    }
-
-    /// Whether a pose of a planar scene is the placed pose, exactly.
-    pub(in crate::dynamics) fn is_as_placed(&self, frame: &Frame) -> bool {
-        self.world.model.kind == Kind::Planar && frame.shift.truncate() == DVec2::ZERO && frame.turned == DMat3::ZERO
     }
 
     /// Whether a contact whose sliding in two directions has stopped can stick: the tangential force that keeps `V_t`
@@ -206,7 +100,7 @@ impl EventContacts<'_> {
             if let Some(slot) = track.slots[which] {
                 let body = &self.world.model.bodies[self.world.bodies[slot].body];
                 let axes = action.tangents(&geometry, &poses[1]);
-                let here = self.side(contact, which, &self.now.frames);
+                let here = self.poses().side(contact, which, &self.now.poses.frames);
                 let along = |axis: DVec3| {
                     let there = body.acceleration(Point { section: track.sections[which], frame: &here, arm }, axis);
                     DVec2::new(there.dot(axes[0]), there.dot(axes[1]))
@@ -231,10 +125,10 @@ impl EventContacts<'_> {
         let dt = CLOSING_INTERVAL * self.world.pair_of(contact).simultaneity;
         let island = assemble(
             self.world,
-            &self.now.slots,
+            &self.now.poses.slots,
             self.now.bases.clone(),
             self.now.states.concat(),
-            self.now.t,
+            self.now.poses.t,
             ControllerState::default(),
         );
         let next = self.relative(contact, &island.frames_after(&self.world.model, dt)).local;
@@ -256,7 +150,8 @@ impl EventContacts<'_> {
         let eased = law.mu_k.max(REGULARISATION_FRICTION) * law.normal.length(depth, law.k_t);
         // At least the round-off of a stretch, below which its direction is undefined, and the way that is travelled
         // within the round-off of the time.
-        let rounding = POSITION_ROUNDING * size + REGULARISATION_CLOCK * self.now.t * (speed.abs() + sliding.length());
+        let rounding =
+            POSITION_ROUNDING * size + REGULARISATION_CLOCK * self.now.poses.t * (speed.abs() + sliding.length());
         (self.world.model.tolerance.max(REGULARISATION_LEAST) * eased).max(rounding)
     }
 }
@@ -269,7 +164,7 @@ mod tests {
 
     use crate::dynamics::penalty3d::contact_state::Contact;
     use crate::dynamics::penalty3d::example::{MASS, SPEED, STIFFNESS, closed, wall};
-    use crate::scene::Direction;
+    use crate::scene::{Direction, Kind};
 
     const DEPTH: f64 = 1e-3;
     const TOLERANCE: f64 = 1e-6;
@@ -349,13 +244,5 @@ mod tests {
         assert_eq!(length([0.0, SPEED], |law| law.friction = FrictionLaw::Paper), 0.0, "law paper");
         let touching = length([0.0; 2], |_| {});
         assert!(touching > 0.0 && touching < 1e-14, "round-off of a place: {touching} m");
-    }
-
-    #[test]
-    fn the_placed_pose_is_told_from_any_other() {
-        let (world, now) = pressed(Kind::Planar, [0.0, SPEED], 0.0);
-        assert!(EventContacts { world: &world, now: &now }.is_as_placed(&now.frames[0]), "whatever its velocity");
-        let (world, now) = pressed(Kind::Planar, [1e-300, 0.0], 0.0);
-        assert!(!EventContacts { world: &world, now: &now }.is_as_placed(&now.frames[0]), "displaced");
     }
 }

@@ -7,8 +7,10 @@ use std::sync::Arc;
 use crate::dynamics::connection::Switch;
 use crate::dynamics::contact_model::constants::ALTERNATING_EVENTS;
 use crate::dynamics::contact_model::contact_closing::ContactClosing;
+use crate::dynamics::contact_model::contact_states;
+use crate::dynamics::contact_model::event_poses::{ContactPoses, EventPoses};
 use crate::dynamics::contact_model::event_source::EventSource;
-use crate::dynamics::contact_model::event_state::{EventBodies, EventContacts};
+use crate::dynamics::contact_model::event_state::EventBodies;
 use crate::dynamics::contact_model::run::ContactRun;
 use crate::dynamics::contact_model::step_planning;
 use crate::dynamics::contact_model::transitions::Transitions;
@@ -30,10 +32,7 @@ impl ContactRun {
         }
         let states = (0..island.slots.len()).map(|index| island.state_at(&self.world.model, index, t)).collect();
         let now = EventBodies::of(&self.world, island.slots.clone(), island.system.bases.clone(), states, t);
-        for (number, &contact) in island.contacts.iter().enumerate() {
-            self.world.contacts[contact].state = Contact::Closed(island.closed_at(number, t));
-        }
-        self.remember_phases(&island, t);
+        self.note_states(&island, t);
         let mut alternates = false;
         for Due { index: number, reason } in std::mem::take(&mut island.step.due) {
             let contact = island.contacts[number];
@@ -44,7 +43,7 @@ impl ContactRun {
             let link = island.system.links[due.index].track;
             self.link_transitions(&now).change(link, Switch::Function(due.switch));
         }
-        self.islands.take_back(number, &mut island);
+        self.island_stock.take_back(number, &mut island);
         // Under alternating stick and slip the next step length follows from the island's frequency.
         self.rebuild(now, if alternates { ControllerState::default() } else { island.controller_state() });
     }
@@ -71,17 +70,14 @@ impl ContactRun {
             self.search().pair(pair, t);
             return;
         }
-        let mut slots: Vec<usize> = self.world.pairs[pair].slots.into_iter().flatten().collect();
-        slots.sort_unstable();
-        let seen = EventBodies::poses(&self.world, slots, t);
+        let seen = EventPoses::of(&self.world, ascending(self.world.pairs[pair].slots), t);
         // A node that closes within the interval after `t` closes at `t`; a miss is recorded at its own time only.
         entered.retain(|&contact| {
-            let due = self.world.contacts[contact].closing.is_some_and(|at| at <= t);
-            if due {
-                ContactClosing { states: &mut self.contact_states(&seen) }.enters_or_records_miss(contact)
-            } else {
-                EventContacts { world: &self.world, now: &seen }.is_over(contact)
+            let over = ContactPoses { world: &self.world, now: &seen }.is_over(contact);
+            if !over && self.world.contacts[contact].closing.is_some_and(|at| at <= t) {
+                contact_states::miss(&mut self.world, &mut self.schedule, &mut self.events, contact, t);
             }
+            over
         });
         if entered.is_empty() {
             self.search().pair(pair, t);
@@ -101,9 +97,7 @@ impl ContactRun {
             self.search().link(number, t);
             return;
         };
-        let mut slots: Vec<usize> = self.world.links[number].slots.into_iter().flatten().collect();
-        slots.sort_unstable();
-        let (now, controller) = self.end_trajectories(&slots, t);
+        let (now, controller) = self.end_trajectories(&ascending(self.world.links[number].slots), t);
         self.link_transitions(&now).change(number, event);
         self.rebuild(now, first_of_touch(controller));
     }
@@ -126,36 +120,43 @@ impl ContactRun {
         }
         let slots: Vec<usize> = all.into_iter().collect();
         let (bases, states) = slots.iter().map(|&slot| self.world.state_from_reference(slot, t)).unzip();
-        self.retire_islands(&slots, t);
+        self.end_islands(&slots, t);
         (EventBodies::of(&self.world, slots, bases, states, t), controller)
     }
 
-    /// Enters in the tracks of an island's devices what their laws remember at `t`.
-    fn remember_phases(&mut self, island: &Island, t: f64) {
+    /// Enters in the tracks of an island's contacts and devices their states and what their laws remember at `t`.
+    fn note_states(&mut self, island: &Island, t: f64) {
+        for (number, &contact) in island.contacts.iter().enumerate() {
+            self.world.contacts[contact].state = Contact::Closed(island.closed_at(number, t));
+        }
         for (index, link) in island.system.links.iter().enumerate().filter(|(_, link)| link.evolving.is_some()) {
             self.world.links[link.track].phase = island.phase_at(index, t);
         }
     }
 
-    fn retire_islands(&mut self, slots: &[usize], t: f64) {
-        let mut numbers = BTreeSet::new();
-        for &slot in slots {
-            if let Trajectory::Island { island, .. } = self.world.bodies[slot].now {
-                numbers.insert(island);
-            }
-        }
+    /// Ends at `t` the islands of these bodies, within their planned steps.
+    fn end_islands(&mut self, slots: &[usize], t: f64) {
+        let island_of = |&slot: &usize| match self.world.bodies[slot].now {
+            Trajectory::Island { island, .. } => Some(island),
+            Trajectory::Placed | Trajectory::Flight(_) => None,
+        };
+        let numbers: BTreeSet<usize> = slots.iter().filter_map(island_of).collect();
         for number in numbers {
             self.schedule.queue.remove(EventSource::Island(number).into());
             if let Some(mut island) = self.world.islands[number].take() {
                 self.store.commit(&mut self.world, &mut island, t);
-                for n in 0..island.contacts.len() {
-                    self.world.contacts[island.contacts[n]].state = Contact::Closed(island.closed_at(n, t));
-                }
-                self.remember_phases(&island, t);
-                self.islands.take_back(number, &mut island);
+                self.note_states(&island, t);
+                self.island_stock.take_back(number, &mut island);
             }
         }
     }
+}
+
+/// Slots of the bodies of a pair or a link, ascending; ground and abutments have none.
+fn ascending(slots: [Option<usize>; 2]) -> Vec<usize> {
+    let mut slots: Vec<usize> = slots.into_iter().flatten().collect();
+    slots.sort_unstable();
+    slots
 }
 
 /// Method and length of the first step after a closing from those before it. An impact lasts about a radian of the

@@ -7,13 +7,13 @@
 use glam::DVec3;
 
 use crate::dynamics::ContactSite;
-use crate::dynamics::contact_model::event_state::EventContacts;
+use crate::dynamics::contact_model::event_poses::ContactPoses;
 use crate::dynamics::model::edge_node::Edge;
 use crate::dynamics::model::edge_node::node_place::NodePlace;
 use crate::dynamics::model::meeting::{Meeting, Poses};
 use crate::dynamics::penalty3d::constants::UNCARRIED;
 use crate::dynamics::world::contact_points;
-use crate::scene::facing::{Side, SolidId};
+use crate::scene::facing::Side;
 
 /// Largest ratio of a contact's penetration to the least overlap of its bodies, or of that to it, at which the contact counts as
 /// carrying the overlap \[–\]. Chosen: the penetrations at the nodes of two flush ends differ by the angle between the faces alone.
@@ -43,7 +43,7 @@ pub(in crate::dynamics) struct ShortestWay {
     pub contact: Option<usize>,
 }
 
-impl EventContacts<'_> {
+impl ContactPoses<'_> {
     /// The overlaps of a contact's two bodies, which have met, by the faces of both, the least first.
     fn overlaps(&self, contact: usize) -> Vec<LeastOverlap> {
         let mut faces: Vec<(Side, LeastOverlap)> = Vec::new();
@@ -126,10 +126,9 @@ impl EventContacts<'_> {
 
     /// The shortest way by which a contact's two bodies part; `None` where they have not met.
     pub(in crate::dynamics) fn shortest_way(&self, contact: usize) -> Option<ShortestWay> {
-        let pair = self.world.pair_of(contact);
+        let model = &self.world.model;
         // The contact may be of ends that face each other as placed.
-        let ids = self.world.model.pairs[pair.model_pair].solids();
-        let meeting = self.world.model.meetings.iter().find(|meeting| meeting.ids == ids)?;
+        let meeting = &model.meetings[model.meeting_of(self.world.model_pair(self.world.contacts[contact].pair))?];
         let overlap = meeting.least_overlap(&self.poses(contact, meeting));
         let tolerated = UNCARRIED * meeting.least_side;
         let by_face = self.overlaps(contact).first().copied();
@@ -217,15 +216,11 @@ impl EventContacts<'_> {
 
     /// All contacts between the two bodies of a contact.
     fn contacts_of_both_bodies(&self, contact: usize) -> impl Iterator<Item = usize> + '_ {
-        let solids = |pair: usize| -> [SolidId; 2] {
-            let pair = self.world.model_pair(pair);
-            [pair.first.solid(), pair.second.solid()]
-        };
-        let own = solids(self.world.contacts[contact].pair);
+        let own = self.world.model_pair(self.world.contacts[contact].pair).solids();
         // At least one of the two is a girder, and is in the group.
         let slot = self.world.contacts[contact].slots.into_iter().flatten().next();
         let pairs = slot.map_or(&[][..], |slot| &self.world.bodies[slot].pairs);
-        let between = pairs.iter().filter(move |&&pair| solids(pair) == own);
+        let between = pairs.iter().filter(move |&&pair| self.world.model_pair(pair).solids() == own);
         between.flat_map(|&pair| self.world.pairs[pair].contacts.clone())
     }
 

@@ -39,23 +39,22 @@ impl LinkTransitions<'_> {
         let (motion, LinkTrack { link, phase, .. }) = (self.motion(number), &self.world.links[number]);
         let (next, released) = model.links[*link].device.next(event, phase, &motion);
         self.enter(number, next, released);
-        if self.world.links[number].log.changes_at(self.now.t) > DEVICE_EVENTS_PER_INSTANT {
-            let slots: Vec<usize> = self.world.links[number].slots.into_iter().flatten().collect();
-            let link = model.links[self.world.links[number].link].name.as_str();
-            let reason = message!("stop-device", "name" => link);
-            self.schedule.give_up(self.now.t, self.world.names(&slots), reason);
+        if self.world.links[number].log.changes_at(self.now.poses.t) > DEVICE_EVENTS_PER_INSTANT {
+            let track = &self.world.links[number];
+            let reason = message!("stop-device", "name" => model.links[track.link].name.as_str());
+            self.schedule.give_up(self.now.poses.t, self.world.names(track.slots.into_iter().flatten()), reason);
         }
     }
 
     fn enter(&mut self, number: usize, phase: Phase, released: f64) {
         let track = &mut self.world.links[number];
         track.phase = phase;
-        track.log.push(self.now.t, phase, released);
+        track.log.push(self.now.poses.t, phase, released);
         if let Some(number) = self.ends_the_run(number) {
             let track = &self.world.links[number];
             let reason = self.end_of_support(number, &self.world.model.links[track.link].name);
-            let slots: Vec<usize> = track.slots.into_iter().flatten().collect();
-            self.schedule.end(self.now.t, Cause::SupportLost, self.world.names(&slots), reason);
+            let names = self.world.names(track.slots.into_iter().flatten());
+            self.schedule.end(self.now.poses.t, Cause::SupportLost, names, reason);
         }
     }
 
@@ -80,7 +79,7 @@ impl LinkTransitions<'_> {
         let LinkTrack { link, slots, phase, .. } = &self.world.links[number];
         let link = &self.world.model.links[*link];
         let frame = slots[0]
-            .and_then(|slot| self.now.pose(slot, link.sections[0]))
+            .and_then(|slot| self.now.poses.pose(slot, link.sections[0]))
             .unwrap_or_else(|| Frame::fixed(link.homes[0]));
         let [x, y, z] = (frame.origin() + frame.turn(link.arms[0])).to_array().map(|place| format!("{place:.4}"));
         if link.device.is_lost(phase) {
@@ -94,7 +93,7 @@ impl LinkTransitions<'_> {
     fn motion(&self, number: usize) -> Separation {
         let LinkTrack { link, slots, .. } = &self.world.links[number];
         let link = &self.world.model.links[*link];
-        let frames = link.frames(|end, section| self.now.pose(slots[end]?, section));
+        let frames = link.frames(|end, section| self.now.poses.pose(slots[end]?, section));
         link.motion([&frames[0], &frames[1]]).0
     }
 }
@@ -213,6 +212,6 @@ mod tests {
         (0..=DEVICE_EVENTS_PER_INSTANT).for_each(|_| links.change(0, Switch::Closing));
         let stop = schedule.stop().expect("a reason");
         assert!(stop.reason.to_string().contains("the device ratchet"), "{stop:?}");
-        assert_eq!(stop.place, world.names(&[0]), "its body");
+        assert_eq!(stop.place, world.names([0]), "its body");
     }
 }

@@ -7,6 +7,7 @@ pub(in crate::dynamics) mod contact_closing;
 pub(in crate::dynamics) mod contact_law;
 pub(in crate::dynamics) mod contact_states;
 pub(in crate::dynamics) mod event_forecast;
+pub(in crate::dynamics) mod event_poses;
 pub(in crate::dynamics) mod event_source;
 pub(in crate::dynamics) mod event_state;
 pub(in crate::dynamics) mod handlers;

@@ -11,14 +11,15 @@ use crate::dynamics::Model;
 use crate::dynamics::contact_model::closing_search::ClosingSearch;
 use crate::dynamics::contact_model::contact_closing::ContactClosing;
 use crate::dynamics::contact_model::contact_states::ContactStates;
+use crate::dynamics::contact_model::event_poses::EventPoses;
 use crate::dynamics::contact_model::event_source::EventSource;
 use crate::dynamics::contact_model::event_state::EventBodies;
 use crate::dynamics::contact_model::islands::{IslandStock, Start, end_flight};
 use crate::dynamics::contact_model::link_transitions::LinkTransitions;
 use crate::dynamics::contact_model::step_planning;
 use crate::dynamics::contact_model::step_store::StepStore;
+use crate::dynamics::event_loop::event_driven::EventDriven;
 use crate::dynamics::event_loop::event_queue::Source;
-use crate::dynamics::event_loop::mechanics::Mechanics;
 use crate::dynamics::event_loop::schedule::Schedule;
 use crate::dynamics::event_loop::work_bounds::{Spent, WorkBounds};
 use crate::dynamics::integrator::step_control::ControllerState;
@@ -37,7 +38,7 @@ pub struct ContactRun {
     /// Events of contacts so far.
     pub(in crate::dynamics) events: Vec<Event>,
     /// Numbers and integrators of ended islands.
-    pub(in crate::dynamics) islands: IslandStock,
+    pub(in crate::dynamics) island_stock: IslandStock,
     /// How steps are stored.
     pub(in crate::dynamics) store: StepStore,
     /// Bounds that end the run.
@@ -51,7 +52,7 @@ impl ContactRun {
             world: World::of(model, group),
             schedule: Schedule::default(),
             events: Vec::new(),
-            islands: IslandStock::default(),
+            island_stock: IslandStock::default(),
             store: StepStore::default(),
             bounds: WorkBounds::default(),
         };
@@ -62,8 +63,7 @@ impl ContactRun {
     /// A run that stops at t = 0 for `reason`.
     pub(in crate::dynamics) fn refused(model: &Arc<Model>, group: usize, reason: Text) -> Self {
         let mut run = Self::new(model, group);
-        let slots: Vec<usize> = (0..run.world.bodies.len()).collect();
-        let names = run.world.names(&slots);
+        let names = run.world.names(0..run.world.bodies.len());
         run.schedule.give_up(0.0, names, reason.into());
         run
     }
@@ -115,7 +115,7 @@ impl ContactRun {
     /// ones fly and spatial ones are integrated alone.
     /// `controller` is the method and the length of the islands' first steps.
     pub(in crate::dynamics) fn rebuild(&mut self, now: EventBodies, controller: ControllerState) {
-        let EventBodies { t, slots, bases, mut states, .. } = now;
+        let EventBodies { poses: EventPoses { t, slots, .. }, bases, mut states, .. } = now;
         let mut new_islands = Vec::new();
         for members in self.world.joined(&slots) {
             let together: Vec<usize> = members.iter().map(|&i| slots[i]).collect();
@@ -153,7 +153,7 @@ impl ContactRun {
                 Start { members: &together, bases, y, t }
             };
             let controller = if alone { ControllerState::default() } else { controller };
-            new_islands.push(self.islands.create(&mut self.world, &self.store, start, controller));
+            new_islands.push(self.island_stock.create(&mut self.world, &self.store, start, controller));
         }
         for island in new_islands {
             step_planning::plan(&mut self.world, &mut self.schedule, island);
@@ -175,11 +175,12 @@ impl ContactRun {
     /// What the run has spent at `t`; a step takes a time and a code in a path beside what the store counts.
     fn spent(&self, t: f64) -> Spent {
         let paths: usize = self.world.bodies.iter().map(|track| track.path.len()).sum();
-        let steps = self.store.polynomials + self.store.replay.bytes() + paths * (size_of::<f64>() + size_of::<u32>());
+        let steps =
+            self.store.polynomial_bytes + self.store.replay.bytes() + paths * (size_of::<f64>() + size_of::<u32>());
         Spent {
             work: self.schedule.work,
             bytes: steps + self.events.len() * size_of::<Event>(),
-            memory: self.world.model.memory,
+            memory: self.world.model.memory_bytes,
             events: self.events.len(),
             touches: self.world.contacts.iter().any(|track| track.state.closed().is_some()),
             t,
@@ -189,7 +190,7 @@ impl ContactRun {
     }
 }
 
-impl Mechanics for ContactRun {
+impl EventDriven for ContactRun {
     fn schedule(&self) -> &Schedule {
         &self.schedule
     }
@@ -211,14 +212,14 @@ impl Mechanics for ContactRun {
     }
 
     fn place(&self, source: Source) -> String {
-        let slots: Vec<usize> = match source.into() {
+        let world = &self.world;
+        match source.into() {
             EventSource::Island(number) => {
-                self.world.islands[number].as_ref().map(|island| island.slots.clone()).unwrap_or_default()
+                world.islands[number].as_ref().map_or(String::new(), |island| world.names(island.slots.iter().copied()))
             }
-            EventSource::Pair(number) => self.world.pairs[number].slots.into_iter().flatten().collect(),
-            EventSource::Link(number) => self.world.links[number].slots.into_iter().flatten().collect(),
-        };
-        self.world.names(&slots)
+            EventSource::Pair(number) => world.names(world.pairs[number].slots.into_iter().flatten()),
+            EventSource::Link(number) => world.names(world.links[number].slots.into_iter().flatten()),
+        }
     }
 
     fn handle(&mut self, source: Source, t: f64) {

@@ -36,7 +36,7 @@ pub(in crate::dynamics) fn plan(world: &mut World, schedule: &mut Schedule, numb
     let due = match island.plan(&model, cap, forecast) {
         Err(error) => {
             let reason = message!("stop-step", "step" => format!("{:.1e}", error.step));
-            schedule.give_up(from, world.names(&island.slots), reason);
+            schedule.give_up(from, world.names(island.slots.iter().copied()), reason);
             island.step.until
         }
         Ok(()) => find_due(&model, &mut schedule.effort, &mut island).map_or(island.step.until, |t| t.max(from)),

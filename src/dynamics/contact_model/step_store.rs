@@ -20,13 +20,13 @@ pub(in crate::dynamics) struct StepStore {
     /// Steps stored by their initial states.
     pub replay: Replay,
     /// Memory of polynomials \[bytes\].
-    pub polynomials: usize,
+    pub polynomial_bytes: usize,
 }
 
 impl StepStore {
     /// Whether the polynomials have reached the group's share of the memory limit.
     pub(in crate::dynamics) fn keeps_starts(&self, world: &World) -> bool {
-        self.polynomials >= world.model.polynomials / world.model.groups.len().max(1)
+        self.polynomial_bytes >= world.model.polynomial_bytes / world.model.groups.len().max(1)
     }
 
     /// Stores an island's planned step by its initial state; its number. `None` where polynomials are still stored,
@@ -87,7 +87,7 @@ impl StepStore {
         }
         for (index, &slot) in island.slots.iter().enumerate() {
             if let Some(piece) = island.path(index) {
-                self.polynomials += piece.bytes();
+                self.polynomial_bytes += piece.bytes();
                 let body = &world.model.bodies[world.bodies[slot].body];
                 if body.has_heading() {
                     world.bodies[slot].path.follow(body, &piece, [from, until]);
@@ -102,7 +102,7 @@ impl StepStore {
         }
         for (index, link) in island.system.links.iter().enumerate() {
             if let Some(memory) = island.memory_path(index) {
-                self.polynomials += size_of::<(f64, DenseOutput)>() + size_of_val(memory.coefficients());
+                self.polynomial_bytes += size_of::<(f64, DenseOutput)>() + size_of_val(memory.coefficients());
                 world.links[link.track].log.memories.push((from, memory));
             }
         }
@@ -188,13 +188,13 @@ mod tests {
         let spans: Vec<_> = path.spans().map(|span| (span.from, span.until)).collect();
         assert_eq!(spans, [(island.step.from, until)]);
         assert!(matches!(path.motion_of(0).1, StoredMotion::Step(_)), "as a polynomial");
-        assert!(store.polynomials > 0, "its memory is counted");
+        assert!(store.polynomial_bytes > 0, "its memory is counted");
     }
 
     #[test]
     fn beyond_the_memory_limit_a_step_is_written_by_its_start() {
         let mut world = planned(&wall(), &[[0.0, 0.0, 0.0, SPEED, 0.0, 0.0]]);
-        Arc::get_mut(&mut world.model).expect("one owner").polynomials = 0;
+        Arc::get_mut(&mut world.model).expect("one owner").polynomial_bytes = 0;
         for track in &mut world.contacts {
             track.log.push(0.0, track.state, DVec2::ZERO);
         }
@@ -203,7 +203,7 @@ mod tests {
         store.commit(&mut world, &mut island, until);
         let path = &world.bodies[0].path;
         assert!(matches!(path.motion_of(0).1, StoredMotion::Recomputed(_)), "as {:?}", path.motion_of(0).1);
-        assert_eq!(store.polynomials, 0, "no polynomial");
+        assert_eq!(store.polynomial_bytes, 0, "no polynomial");
         let (swept, way) = (path.swept(), SPEED * until);
         assert!(swept.reach > 0.1 * way && swept.reach < 10.0 * way, "{swept:?} over {way} m");
         assert_eq!(swept.chord, 0.0, "it does not turn");

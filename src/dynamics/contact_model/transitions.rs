@@ -1,8 +1,6 @@
 //! Transitions of a closed contact at an event: breakaway, stop, opening, leaving its face (`docs/physics.md#contact-events`).
 
-use glam::DVec3;
-
-use crate::contact::{Mode, locate};
+use crate::contact::Mode;
 use crate::dynamics::contact_model::contact_closing::ContactClosing;
 use crate::dynamics::contact_model::contact_states::ContactStates;
 use crate::dynamics::contact_model::least_overlap::ShortestWay;
@@ -30,7 +28,7 @@ impl<'a> Transitions<'_, 'a> {
 
     /// Breakaway, stop, opening and edge of a closed contact (`docs/physics.md#contact-events`).
     pub(in crate::dynamics) fn change(&mut self, contact: usize, reason: Reason) {
-        let Some(closed) = self.states.world.contacts[contact].state.closed().copied() else { return };
+        let Some(closed) = self.states.closed(contact) else { return };
         match reason {
             Reason::Opening => {
                 self.open(contact, &closed, EventKind::Opened);
@@ -47,8 +45,8 @@ impl<'a> Transitions<'_, 'a> {
         }
     }
 
-    /// The projection of a corner of bodies that have met leaves the polygon of its face. What shares its vertex takes over; without such,
-    /// the contact lasts until the corner comes out of the body.
+    /// Handles a corner whose projection leaves the polygon of its face, of bodies that have met: the other nodes at its vertex take the
+    /// contact over; if there are none, it stays closed until the corner comes out of the body.
     fn pass_edge(&mut self, contact: usize, mut closed: ClosedContact) {
         if self.vertices().has_successors(contact, &closed) {
             self.open(contact, &closed, EventKind::LeftFace);
@@ -56,7 +54,7 @@ impl<'a> Transitions<'_, 'a> {
         }
         closed.solver.handover_distance = None;
         let site = self.states.site(contact);
-        if site.beyond(&closed.place, &self.states.at().local(contact)) < closed.solver.kept_beyond_edge {
+        if site.beyond(&closed.place, &self.states.poses().local(contact)) < closed.solver.kept_beyond_edge {
             self.states.enter_without_event(contact, Contact::Closed(closed));
         } else {
             self.leave(contact, closed);
@@ -66,21 +64,21 @@ impl<'a> Transitions<'_, 'a> {
     /// A node leaves its face over an edge. Where the two bodies have met, still overlap, and no other contact carries that, the
     /// contact of their least overlap takes over: another one, or this one beyond the edge, for as much again.
     fn leave(&mut self, contact: usize, mut closed: ClosedContact) {
-        let Some(least) = self.states.at().contact_taking_over(contact) else {
+        let Some(least) = self.states.poses().contact_taking_over(contact) else {
             self.open(contact, &closed, EventKind::LeftFace);
             return;
         };
         if least.contact == contact {
             let site = self.states.site(contact);
             closed.solver.kept_beyond_edge =
-                2.0 * site.beyond(&closed.place, &self.states.at().local(contact)).max(least.depth);
+                2.0 * site.beyond(&closed.place, &self.states.poses().local(contact)).max(least.depth);
             self.states.enter_without_event(contact, Contact::Closed(closed));
             return;
         }
         let passed_on = self.open(contact, &closed, EventKind::LeftFace);
         let open = !self.states.world.is_closed(least.contact);
-        let carried = passed_on || self.states.at().is_carried_beside(contact, least.depth);
-        if open && !carried && !self.states.at().touches_elsewhere(least.contact) {
+        let carried = passed_on || self.states.poses().is_carried_beside(contact, least.depth);
+        if open && !carried && !self.states.poses().touches_elsewhere(least.contact) {
             self.closing().close_in_place_of(&[(contact, closed)], least.contact, 2.0 * least.depth);
         }
     }
@@ -88,8 +86,8 @@ impl<'a> Transitions<'_, 'a> {
     /// The bodies of a contact, the deepest between them, come to overlap by more than its penetration: the contact of the least overlap
     /// takes over, at the same depth. Where there is none, or it is closed already, the overlap that is tolerated is doubled.
     fn hand_over(&mut self, contact: usize, closed: &ClosedContact) {
-        let here = self.states.at().local(contact).penetration();
-        let Some(ShortestWay { overlap, tolerated, contact: to }) = self.states.at().shortest_way(contact) else {
+        let here = self.states.poses().local(contact).penetration();
+        let Some(ShortestWay { overlap, tolerated, contact: to }) = self.states.poses().shortest_way(contact) else {
             self.states.world.contacts[contact].tolerated = f64::INFINITY;
             return;
         };
@@ -97,16 +95,16 @@ impl<'a> Transitions<'_, 'a> {
             self.states.world.contacts[contact].tolerated = 2.0 * (overlap - here).max(tolerated);
             return;
         };
-        // Not to the nodes at its vertex, which are no deeper: the other one of the same crossing goes with it.
+        // The nodes at its vertex have the same penetration and are passed over. Of a crossing of two edges both nodes open together.
         let mut left = vec![(contact, *closed)];
         let other = contact_points::other_of_crossing(self.states.world, contact).filter(|&other| other != to);
-        left.extend(other.and_then(|other| Some((other, *self.states.world.contacts[other].state.closed()?))));
+        left.extend(other.and_then(|other| Some((other, self.states.closed(other)?))));
         for (leaving, closed) in &left {
-            self.open_alone(*leaving, closed, EventKind::LeftFace);
+            self.states.open(*leaving, closed, EventKind::LeftFace);
         }
         self.states.forget_sharers_of_open(contact);
         for other in self.states.world.contacts[to].other_faces.clone() {
-            if let Some(state) = self.states.world.contacts[other].state.closed().copied() {
+            if let Some(state) = self.states.closed(other) {
                 self.open(other, &state, EventKind::LeftFace);
             }
         }
@@ -115,27 +113,10 @@ impl<'a> Transitions<'_, 'a> {
         }
     }
 
-    /// Opening of a contact by itself.
-    fn open_alone(&mut self, contact: usize, closed: &ClosedContact, kind: EventKind) {
-        self.states.world.contacts[contact].place = closed.place;
-        let released = self.states.strain(contact, closed);
-        self.states.world.contacts[contact].tolerated = 0.0;
-        let armed = kind == EventKind::Opened && !self.is_displaced_behind(contact);
-        self.states.log(contact, Contact::Open { armed }, kind, released);
-    }
-
-    /// Whether a corner that took over displaced along the normal, so that the energy of its spring was that of the node before it, is
-    /// behind the plane of its face by itself. Closed again there it would have energy that no contact has left.
-    fn is_displaced_behind(&self, contact: usize) -> bool {
-        let (site, at) = (self.states.site(contact), self.states.at());
-        let [node, face] = at.sides(contact);
-        let is_displaced = site.edge.is_none() && self.states.world.contacts[contact].place.shift != DVec3::ZERO;
-        is_displaced && locate(&site.geometry, &node, &face).gap < 0.0
-    }
-
-    /// Opening of a contact, over an edge with what its vertex hands on; whether there was a node that took it.
+    /// Opens a contact. Where it left its face over an edge, its part of K and C goes to the other nodes at its vertex; returns whether
+    /// there was such a node.
     fn open(&mut self, contact: usize, closed: &ClosedContact, kind: EventKind) -> bool {
-        self.open_alone(contact, closed, kind);
+        self.states.open(contact, closed, kind);
         let passed_on = kind == EventKind::LeftFace && self.vertices().pass_on(contact, closed);
         self.states.forget_sharers_of_open(contact);
         passed_on
@@ -150,7 +131,7 @@ impl<'a> Transitions<'_, 'a> {
                 closed.mode = breakaway.mode;
                 let ChangeCount { t, at_instant, .. } = self.states.world.contacts[contact].changes;
                 closed.solver.retries =
-                    if t == self.states.now.t { u32::try_from(at_instant).unwrap_or(u32::MAX) } else { 0 };
+                    if t == self.states.now.poses.t { u32::try_from(at_instant).unwrap_or(u32::MAX) } else { 0 };
                 self.states.log(contact, Contact::Closed(closed), EventKind::StickToSlip, breakaway.released);
             }
             Mode::Slip { direction } => {

@@ -14,7 +14,7 @@ use crate::dynamics::penalty3d::contact_force::to_world;
 use crate::dynamics::penalty3d::contact_state::{ClosedContact, Contact};
 use crate::dynamics::record::event::EventKind;
 use crate::dynamics::world::contact_points;
-use crate::scene::{Kind, Sharing};
+use crate::scene::Kind;
 
 /// Largest sine of the angle between two faces of bodies that have met that count as flush \[–\]: 10°. Chosen: the force at a vertex turns
 /// by at most this angle where one node replaces another.
@@ -53,14 +53,14 @@ impl VertexNodes<'_, '_> {
         let here = self.states.here(contact);
         let depth = self.states.site(contact).face.depth;
         let slid =
-            self.states.at().edge(contact).is_some_and(|edge| edge.has_slid(here.at)) && here.penetration() < depth;
+            self.states.poses().edge(contact).is_some_and(|edge| edge.has_slid(here.at)) && here.penetration() < depth;
         if !slid {
             return false;
         }
         let kept = closed.place.overhang;
         let Some(place) = self.states.crossing(contact, kept) else { return false };
         let (place, depth) = (NodePlace { overhang: place.overhang.max(kept), ..place }, here.penetration());
-        if !self.states.at().parts_along(contact, &place, depth) {
+        if !self.states.poses().parts_along(contact, &place, depth) {
             return false;
         }
         let before = self.states.strain(contact, &closed);
@@ -88,8 +88,8 @@ impl VertexNodes<'_, '_> {
         if have_met && tilt > FLUSH {
             return None;
         }
-        // Faces that are not parallel see a vertex at places that differ, across an edge, by the depth times the sine of their angle; a corner
-        // that took over beside its face has gone on as far. Along the other edge that is more by the sine of the angle between the two.
+        // With an angle θ between the faces, the projections of one vertex on them are δ sin θ apart, plus the distance by which the corner
+        // was beside its face when it took over. Measured along an edge that is as much over the sine of the angle between the two edges.
         let beside = self.states.here(contact).penetration().max(0.0) * tilt;
         let apart = (beside + closed.solver.beside) / LEAST_SINE;
         let reaches = [[0.0, 0.0], [apart, 0.0], [apart, apart]].into_iter();
@@ -100,30 +100,14 @@ impl VertexNodes<'_, '_> {
     /// are there now; other nodes of the vertex that are there no more leave with it. Whether there is such a node.
     pub(super) fn pass_on(&mut self, contact: usize, closed: &ClosedContact) -> bool {
         let Some(([nodes, gone], beside)) = self.successors(contact, closed) else { return false };
-        let sharers = self.states.world.contacts[contact].divisor;
-        let kept = nodes.iter().filter_map(|&node| Some((node, *self.states.world.contacts[node].state.closed()?)));
-        let left = gone.iter().filter_map(|&node| Some((node, *self.states.world.contacts[node].state.closed()?)));
+        let kept = nodes.iter().filter_map(|&node| Some((node, self.states.closed(node)?)));
+        let left = gone.iter().filter_map(|&node| Some((node, self.states.closed(node)?)));
         let before: Vec<_> = kept.chain(left).chain([(contact, *closed)]).collect();
-        let pair = self.states.world.pair_of(contact);
-        let count = nodes.len() as f64;
-        let divisor =
-            match (self.states.world.model.pairs[pair.model_pair].contact.sharing, self.states.world.model.kind) {
-                // A vertex has its part of K whichever of its nodes have left.
-                (Sharing::Tributary, Kind::Spatial) => pair.sharers as f64 * count,
-                // In plan nodes share K, and the parts of all nodes at the vertex stay.
-                (Sharing::Tributary, Kind::Planar) => {
-                    let tracks = &self.states.world.contacts;
-                    let open =
-                        nodes.iter().filter(|&&node| tracks[node].state.closed().is_none() && tracks[node].has_part);
-                    // A node that closed without a part of its own, since its place came over the face only later, has that of an open one.
-                    let open = open.skip(before.iter().filter(|(node, _)| !tracks[*node].has_part).count());
-                    let at_vertex = before.iter().map(|(node, _)| node).chain(open);
-                    count / at_vertex.map(|&node| 1.0 / tracks[node].divisor).sum::<f64>()
-                }
-                (Sharing::PerNode, _) => sharers,
-            };
+        let at_vertex: Vec<usize> = before.iter().map(|(node, _)| *node).collect();
+        let divisor = contact_law::divisor_taken_over(self.states.world, &nodes, &at_vertex, contact);
+        let parts = nodes.len() as f64 / divisor;
         // Where a node is beside its face, it may go on as far again.
-        let carried = Carried { kept_beyond_edge: 2.0 * beside, ..self.carried(&before, count / divisor) };
+        let carried = Carried { kept_beyond_edge: 2.0 * beside, ..self.carried(&before, parts) };
         // No contact at a penetration of at least the depth of the face's body.
         if nodes.iter().any(|&node| self.states.site(node).face.depth <= carried.depth) {
             return false;
@@ -131,17 +115,17 @@ impl VertexNodes<'_, '_> {
         self.states.world.contacts[contact].has_part = false;
         for gone in gone {
             self.states.world.contacts[gone].has_part = false;
-            let Some(state) = self.states.world.contacts[gone].state.closed().copied() else { continue };
-            let released = self.states.strain(gone, &state);
-            self.states.log(gone, Contact::Open { armed: false }, EventKind::LeftFace, released);
+            if let Some(state) = self.states.closed(gone) {
+                self.states.open(gone, &state, EventKind::LeftFace);
+            }
         }
         for node in nodes {
             // A corner is in contact with one face of a body at a time.
             for other in self.states.world.contacts[node].other_faces.clone() {
-                let Some(state) = self.states.world.contacts[other].state.closed().copied() else { continue };
-                let released = self.states.strain(other, &state);
-                self.states.log(other, Contact::Open { armed: false }, EventKind::LeftFace, released);
-                self.states.forget_sharers_of_open(other);
+                if let Some(state) = self.states.closed(other) {
+                    self.states.open(other, &state, EventKind::LeftFace);
+                    self.states.forget_sharers_of_open(other);
+                }
             }
             (self.states.world.contacts[node].divisor, self.states.world.contacts[node].has_part) = (divisor, true);
             self.carry(node, contact, closed, &carried);
@@ -154,23 +138,23 @@ impl VertexNodes<'_, '_> {
     pub(super) fn is_held(&self, contact: usize) -> bool {
         let (pair, tilt) = (self.states.world.contacts[contact].pair, self.tilt(contact));
         let passes_on = self.states.world.model_pair(pair).passes_on;
-        let apart = self.states.at().local(contact).penetration().max(0.0) * tilt;
-        let poses = |c: usize| self.states.at().sides(c);
+        let apart = self.states.poses().local(contact).penetration().max(0.0) * tilt;
+        let poses = |c: usize| self.states.poses().sides(c);
         passes_on && tilt <= FLUSH && contact_points::is_held(self.states.world, contact, apart, &poses)
     }
 
     /// The nodes that are at the vertex that a node has left, closed or about to be, and closed ones that are there no more;
     /// see [`contact_points::at_vertex_of`].
     fn at_vertex_of(&mut self, contact: usize, [extra, beyond]: [f64; 2]) -> [Vec<usize>; 2] {
-        let poses = |c: usize| self.states.at().sides(c);
+        let poses = |c: usize| self.states.poses().sides(c);
         let [mut nodes, gone] = contact_points::at_vertex_of(self.states.world, contact, [extra, beyond], &poses);
         nodes.retain(|&node| self.states.world.is_closed(node) || self.place_if_behind_face(node, beyond));
         nodes.retain(|&node| !self.leaves_with(node));
         [nodes, gone]
     }
 
-    /// Whether a corner at a vertex that another one has left comes out over the edge of its own face: in plan the faces part there, corner
-    /// past corner, and the vertex is gone. Where they go on to lie before each other it goes in.
+    /// Whether the projection of a corner, at a vertex that another one has left, moves out over the edge of its own face. In plan the two
+    /// faces then no longer overlap at this vertex; where it moves in, they still do.
     fn leaves_with(&self, node: usize) -> bool {
         let (here, face) = (self.states.here(node), &self.states.site(node).face);
         let middle = face.coordinates(face.corners[0]).midpoint(face.coordinates(face.corners[1]));
@@ -180,7 +164,7 @@ impl VertexNodes<'_, '_> {
     /// Sine of the angle between the two faces of a contact's pair \[–\]; 0 where one of the two has no nodes.
     fn tilt(&self, contact: usize) -> f64 {
         let mut contacts = self.states.world.pair_of(contact).contacts.clone();
-        let (at, body) = (self.states.at(), self.states.site(contact).face_body);
+        let (at, body) = (self.states.poses(), self.states.site(contact).face_body);
         let tilt = |c: usize| {
             let [node, face] = at.sides(c);
             Some(at.edge(c)?.tilt([&node, &face]))
@@ -210,9 +194,9 @@ impl VertexNodes<'_, '_> {
     /// Gives a node its part of a vertex after the node `left`, which was in state `before`: a closed one its law, an
     /// open one its state too.
     fn carry(&mut self, node: usize, left: usize, before: &ClosedContact, carried: &Carried) {
-        let law = contact_law::of(self.states.world, node, self.states.now).resumed(&before.law, carried.depth);
+        let law = self.states.law_at_closing(node).resumed(&before.law, carried.depth);
         let at = |stretch: DVec2| stretch.normalize_or_zero() * carried.stretch;
-        if let Some(own) = self.states.world.contacts[node].state.closed().copied() {
+        if let Some(own) = self.states.closed(node) {
             let (place, own_stretch) = (self.states.world.contacts[node].place, stretch(&own, &self.states.here(node)));
             let energy = self.states.strain(node, &own);
             let closed = ClosedContact { law: law.resumed(&own.law, carried.depth), ..own };
@@ -233,8 +217,8 @@ impl VertexNodes<'_, '_> {
         let regularisation = self.states.at().regularisation_length(node, &law, &self.states.here(node));
         let mut closed = ClosedContact::new(law, mode, regularisation);
         closed.solver.kept_beyond_edge =
-            if self.states.at().edge(node).is_some() { 0.0 } else { carried.kept_beyond_edge };
-        // It may be beside its face by as much as the faces' angle has it seen there.
+            if self.states.poses().edge(node).is_some() { 0.0 } else { carried.kept_beyond_edge };
+        // A node that takes over may be beside its face by as much as its predecessor's projection (`successors`).
         (closed.solver.handover_distance, closed.solver.beside) =
             (Some(carried.kept_beyond_edge), carried.kept_beyond_edge);
         self.states.world.contacts[node].closing = None;
@@ -246,8 +230,8 @@ impl VertexNodes<'_, '_> {
     fn enter(&mut self, contact: usize, kind: EventKind, closed: ClosedContact, node: NodeAtVertex, before: f64) {
         let NodeAtVertex { place, depth, stretch } = node;
         self.states.world.contacts[contact].place = place;
-        let [node, _] = self.states.at().sides(contact);
-        let outwards = self.states.at().normal(contact) * (self.states.here(contact).penetration() - depth);
+        let [node, _] = self.states.poses().sides(contact);
+        let outwards = self.states.poses().normal(contact) * (self.states.here(contact).penetration() - depth);
         let shift = place.shift + outwards + node.turned.transpose() * outwards;
         let place = NodePlace { shift, ..place };
         self.states.world.contacts[contact].place = place;

@@ -6,7 +6,7 @@ use crate::contact::Frame;
 use crate::dynamics::free_flight::flight::{Flight, FreeMotion};
 use crate::dynamics::free_flight::ground_springs::GroundSprings;
 use crate::dynamics::free_flight::uncoupled_axis::UncoupledAxis;
-use crate::dynamics::linear::Parts;
+use crate::dynamics::linear::{self, Parts};
 use crate::dynamics::model::body::{Body, BodyCoordinates};
 use crate::dynamics::model::closed_form::ClosedForm;
 use crate::dynamics::model::coordinates::BodyState;
@@ -41,6 +41,13 @@ pub struct CustomFlight {
     state: BodyState,
     /// What the closed form computes from.
     numbers: Vec<f64>,
+}
+
+impl CustomFlight {
+    /// What the closed form computes from, with when it begins.
+    fn flight(&self) -> linear::Flight<'_> {
+        linear::Flight { start: self.start, numbers: &self.numbers }
+    }
 }
 
 impl BodyMotion {
@@ -110,7 +117,7 @@ impl BodyMotion {
         let mut out: [f64; 2] = own.state.as_slice().try_into().ok()?;
         // As it was, to the last bit.
         if t != own.start {
-            form.state(own.start, &own.numbers, t, &mut out);
+            form.state(own.flight(), t, &mut out);
         }
         Some(out)
     }
@@ -118,20 +125,20 @@ impl BodyMotion {
     /// [`ClosedForm::window_end`]; infinite for a girder.
     pub(in crate::dynamics) fn window_end(&self, flight: &BodyFlight, t: f64) -> f64 {
         let (Self::Custom(form), BodyFlight::Custom(own)) = (self, flight) else { return f64::INFINITY };
-        form.window_end(&own.numbers, t)
+        form.window_end(own.flight(), t)
     }
 
     /// [`ClosedForm::range`]; nothing of a girder.
     pub(in crate::dynamics) fn range(&self, flight: &BodyFlight, span: [f64; 2]) -> Option<[f64; 2]> {
         let (Self::Custom(form), BodyFlight::Custom(own)) = (self, flight) else { return None };
-        form.range(own.start, &own.numbers, span)
+        form.range(own.flight(), span)
     }
 
     /// The rest of a flight from `t` on.
     pub(in crate::dynamics) fn resume(&self, flight: &BodyFlight, t: f64) -> BodyFlight {
         let (Self::Custom(form), BodyFlight::Custom(own)) = (self, flight) else { return flight.clone() };
         let state = custom_state(&**form, own, t);
-        let numbers = form.resume(&own.numbers, &state);
+        let numbers = form.resume(own.flight(), &state);
         BodyFlight::Custom(Box::new(CustomFlight { start: t, state, numbers }))
     }
 
@@ -167,7 +174,7 @@ impl BodyMotion {
             return motion.state_and_bounds(flight, t, horizon).1;
         }
         match (self, flight) {
-            (Self::Custom(form), BodyFlight::Custom(own)) => form.bounds(own.start, &own.numbers, t, horizon),
+            (Self::Custom(form), BodyFlight::Custom(own)) => form.bounds(own.flight(), t, horizon),
             // A flight is begun by its own motion.
             _ => MotionBounds::still(horizon),
         }
@@ -176,7 +183,7 @@ impl BodyMotion {
     /// [`ClosedForm::parts`] of a flight; nothing of a girder.
     pub(in crate::dynamics) fn parts(&self, flight: &BodyFlight, t: f64) -> Parts {
         match (self, flight) {
-            (Self::Custom(form), BodyFlight::Custom(own)) => form.parts(own.start, &own.numbers, t),
+            (Self::Custom(form), BodyFlight::Custom(own)) => form.parts(own.flight(), t),
             _ => Parts::default(),
         }
     }
@@ -192,7 +199,7 @@ impl BodyMotion {
         match (self, flight) {
             (Self::Custom(form), BodyFlight::Custom(own)) => {
                 let mut state = BodyState::from_elem(0.0, own.state.len());
-                let bounds = form.look((own.start, &own.numbers), parts, [t, horizon], &mut state);
+                let bounds = form.look(own.flight(), parts, [t, horizon], &mut state);
                 // As it was, to the last bit.
                 let state = if t == own.start { &own.state } else { &state };
                 (body.frame(section, state), bounds)
@@ -204,7 +211,7 @@ impl BodyMotion {
     /// [`ClosedForm::works`] of a flight.
     pub fn works(&self, flight: &BodyFlight, span: [f64; 2]) -> Option<[f64; 4]> {
         let (Self::Custom(form), BodyFlight::Custom(own)) = (self, flight) else { return None };
-        form.works(own.start, &own.numbers, span)
+        form.works(own.flight(), span)
     }
 
     /// [`ClosedForm::has_works`]; a girder has none.
@@ -221,7 +228,7 @@ impl BodyMotion {
     /// [`ClosedForm::second_derivatives`] of a flight.
     pub fn second_derivatives(&self, flight: &BodyFlight, span: [f64; 2]) -> Vec<f64> {
         let (Self::Custom(form), BodyFlight::Custom(own)) = (self, flight) else { return Vec::new() };
-        form.second_derivatives(own.start, &own.numbers, span)
+        form.second_derivatives(own.flight(), span)
     }
 
     /// [`ClosedForm::fastest`]; 0 for a rigid girder in plan, whose fastest frequency is that of its body alone \[rad/s\].
@@ -264,7 +271,7 @@ fn custom_state(form: &dyn ClosedForm, flight: &CustomFlight, t: f64) -> BodySta
         return flight.state.clone();
     }
     let mut out = BodyState::from_elem(0.0, flight.state.len());
-    form.state(flight.start, &flight.numbers, t, &mut out);
+    form.state(flight.flight(), t, &mut out);
     out
 }
 

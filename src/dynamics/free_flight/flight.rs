@@ -201,7 +201,7 @@ impl FreeMotion {
 
     /// The free parts after τ. Directions with the same oscillator share its factors.
     fn free(&self, dof: &[UncoupledAxis; 3], parts: &[[f64; 2]; 3], tau: f64) -> PlanarState {
-        let mut out = [[0.0; 2]; planar::RATES];
+        let mut out = [[0.0; 2]; planar::POSITIONS];
         let mut known: Option<(Oscillator, FreeResponse)> = None;
         for (i, d) in dof.iter().enumerate() {
             let (part, force) = (parts[i], [self.push[i], 0.0]);

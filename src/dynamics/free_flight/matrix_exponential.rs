@@ -9,7 +9,7 @@ use glam::{DMat3, DVec3};
 use twofloat::TwoFloat;
 
 use crate::dynamics::free_flight::constants::TAYLOR_TERMS;
-use crate::dynamics::model::coordinates::planar::{RATES, WIDTH};
+use crate::dynamics::model::coordinates::planar::{POSITIONS, WIDTH};
 
 /// Length of the augmented state.
 pub const SIZE: usize = WIDTH + 5;
@@ -91,15 +91,15 @@ fn norm(m: DMat3) -> f64 {
 
 fn generator(k: DMat3, c: DMat3, push: DVec3, forced: DVec3, drive: f64) -> Matrix {
     let mut g = [[0.0; SIZE]; SIZE];
-    for i in 0..RATES {
-        g[i][RATES + i] = 1.0;
-        for j in 0..RATES {
-            g[RATES + i][j] = -k.col(j)[i];
-            g[RATES + i][RATES + j] = -c.col(j)[i];
+    for i in 0..POSITIONS {
+        g[i][POSITIONS + i] = 1.0;
+        for j in 0..POSITIONS {
+            g[POSITIONS + i][j] = -k.col(j)[i];
+            g[POSITIONS + i][POSITIONS + j] = -c.col(j)[i];
         }
-        g[RATES + i][SIN] = forced[i];
-        g[RATES + i][VALUE] = forced[i];
-        g[RATES + i][ONE] = push[i];
+        g[POSITIONS + i][SIN] = forced[i];
+        g[POSITIONS + i][VALUE] = forced[i];
+        g[POSITIONS + i][ONE] = push[i];
     }
     g[SIN][SIN + 1] = drive;
     g[SIN + 1][SIN] = -drive;
@@ -172,10 +172,14 @@ mod tests {
         for i in 0..3 {
             let o = Oscillator { gamma: c[i] / 2.0, omega2: k[i] };
             let force = if i == 0 { [0.7, 0.3] } else { [push[i], 0.0] };
-            let [q, v] = o.advance([z[i], z[RATES + i]], force, 7.3);
+            let [q, v] = o.advance([z[i], z[POSITIONS + i]], force, 7.3);
             // Roundings at the size of the values.
             assert!((q - after[i]).abs() < 1e-12 * (1.0 + q.abs()), "q{i}: {q} against {}", after[i]);
-            assert!((v - after[RATES + i]).abs() < 1e-12 * (1.0 + v.abs()), "v{i}: {v} against {}", after[RATES + i]);
+            assert!(
+                (v - after[POSITIONS + i]).abs() < 1e-12 * (1.0 + v.abs()),
+                "v{i}: {v} against {}",
+                after[POSITIONS + i]
+            );
         }
     }
 
@@ -186,7 +190,7 @@ mod tests {
         let mut z = [0.0; SIZE];
         z[0] = 1.0;
         let after = system.advance(&z, phase);
-        let error = (after[0] - phase.cos()).hypot(after[RATES] + phase.sin());
+        let error = (after[0] - phase.cos()).hypot(after[POSITIONS] + phase.sin());
         // 18 powers at most are applied; squared without twice the digits they would be off by 6e-12.
         assert!(error < 1e-13, "{error:e} after {phase} rad");
     }

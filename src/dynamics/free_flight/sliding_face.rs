@@ -12,7 +12,7 @@ use crate::dynamics::free_flight::matrix_exponential;
 use crate::dynamics::free_flight::matrix_exponential::CoupledPropagator;
 use crate::dynamics::free_flight::oscillator::Oscillator;
 use crate::dynamics::model::body::Body;
-use crate::dynamics::model::coordinates::planar::{self, PlanarState, RATES};
+use crate::dynamics::model::coordinates::planar::{self, POSITIONS, PlanarState};
 use crate::motion::{Ground, Line, LinearPiece, Samples};
 
 /// One stretch of sliding, within one piece of a record.
@@ -149,7 +149,7 @@ impl SlidingForm {
                 let c = glam::DMat3::from_diagonal(c);
                 let system = CoupledPropagator::new(k, c, along(felt.force), along(felt.ground), drive, longest);
                 let mut start = Box::new([0.0; matrix_exponential::SIZE]);
-                (start[RATES], start[matrix_exponential::ONE]) = (speed, 1.0);
+                (start[POSITIONS], start[matrix_exponential::ONE]) = (speed, 1.0);
                 (start[matrix_exponential::VALUE], start[matrix_exponential::VALUE + 1]) = (value, rate);
                 if matches!(ground, Ground::Sine { .. }) {
                     (start[matrix_exponential::SIN], start[matrix_exponential::SIN + 1]) =
@@ -170,7 +170,7 @@ impl SlidingForm {
             }
             Self::Matrix { system, start, .. } => {
                 let z = system.advance(start, tau.max(0.0));
-                [z[0], z[RATES]]
+                [z[0], z[POSITIONS]]
             }
         }
     }

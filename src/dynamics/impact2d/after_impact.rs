@@ -12,9 +12,9 @@ use crate::dynamics::impact2d::lasting::lasting_contact::LastingContact;
 use crate::dynamics::impact2d::lasting::mode_selection::select_modes;
 use crate::dynamics::impact2d::lasting::painleve::consistent_modes;
 use crate::dynamics::impact2d::lasting::switch::Ending;
-use crate::dynamics::impact2d::progress::ImpactProgress;
 use crate::dynamics::impact2d::projection::project;
 use crate::dynamics::impact2d::record::Transition;
+use crate::dynamics::impact2d::run::ImpactRun;
 use crate::dynamics::impact2d::tables::Row;
 use crate::dynamics::impact2d::tracks::Motion;
 use crate::dynamics::impact2d::world::World;
@@ -23,7 +23,7 @@ use crate::dynamics::model::coordinates::planar::{self, PlanarState};
 /// Selects contact modes and starts the trajectories from here on. `to` holds the states among a–f that the hits lead to, by
 /// place, `energy` the kinetic energy that they left \[J\]; `ending` is what has ended a lasting contact at this instant.
 pub(in crate::dynamics::impact2d) fn resume(
-    run: &mut ImpactProgress,
+    run: &mut ImpactRun,
     instant: &mut ImpactInstant,
     to: &[State],
     energy: f64,
@@ -80,13 +80,7 @@ fn strain_energy(world: &World, instant: &ImpactInstant) -> f64 {
 }
 
 /// Starts flights and lasting contacts, logs changes of state, and searches the next impacts.
-fn start_trajectories(
-    run: &mut ImpactProgress,
-    instant: &ImpactInstant,
-    to: &[State],
-    modes: Vec<ContactMode>,
-    lost: f64,
-) {
+fn start_trajectories(run: &mut ImpactRun, instant: &ImpactInstant, to: &[State], modes: Vec<ContactMode>, lost: f64) {
     let first_step = end_trajectories(run, instant);
     for (place, &slot) in instant.slots.iter().enumerate() {
         let state = state_of(&run.world, instant, place, &modes);
@@ -107,7 +101,7 @@ fn start_trajectories(
 
 /// The shortest step that an ended lasting contact would have taken next, from which those that follow begin \[s\]; `None` where none ended
 /// or none took steps.
-fn end_trajectories(run: &mut ImpactProgress, instant: &ImpactInstant) -> Option<f64> {
+fn end_trajectories(run: &mut ImpactRun, instant: &ImpactInstant) -> Option<f64> {
     for &slot in &instant.slots {
         run.close_segment(slot, instant.t);
     }
@@ -119,7 +113,7 @@ fn end_trajectories(run: &mut ImpactProgress, instant: &ImpactInstant) -> Option
 }
 
 fn start_lasting(
-    run: &mut ImpactProgress,
+    run: &mut ImpactRun,
     instant: &ImpactInstant,
     (places, modes): (Vec<usize>, Vec<ContactMode>),
     first_step: Option<f64>,
@@ -185,7 +179,7 @@ fn state_of(world: &World, instant: &ImpactInstant, place: usize, modes: &[Conta
 
 /// Logs the change of a body from the state after the hits to the one in force.
 fn log_change(
-    run: &mut ImpactProgress,
+    run: &mut ImpactRun,
     instant: &ImpactInstant,
     place: usize,
     [after_hits, now]: [State; 2],
@@ -230,9 +224,9 @@ mod tests {
 
     /// A straight girder flush at its wall at +x under this push \[N\], after impulses that leave this velocity \[m/s\] in
     /// state b.
-    fn resumed(push: [f64; 2], velocity: [f64; 2]) -> ImpactProgress {
+    fn resumed(push: [f64; 2], velocity: [f64; 2]) -> ImpactRun {
         let model = example::at_wall(|scene| scene.girders[0].push.force = [push[0], push[1], 0.0]);
-        let mut run = ImpactProgress::new(example::world(model));
+        let mut run = ImpactRun::before_start(example::world(model));
         let mut instant = example::instant(&run.world, velocity);
         let energy = instant.kinematics.cluster.kinetic_energy();
         resume(&mut run, &mut instant, &[State::Free], energy, None);
@@ -268,7 +262,7 @@ mod tests {
 
     #[test]
     fn a_point_behind_a_face_that_it_is_not_on_is_beside_it() {
-        let mut run = ImpactProgress::new(example::world(example::at_wall(|_| ())));
+        let mut run = ImpactRun::before_start(example::world(example::at_wall(|_| ())));
         run.world.sites[0].beside = Some(0.0);
         let mut instant = example::instant(&run.world, [-0.1, 0.0]);
         resume(&mut run, &mut instant, &[State::Free], 0.0, None);

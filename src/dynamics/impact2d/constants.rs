@@ -115,8 +115,6 @@ pub(super) const LEAST_SCALE: f64 = 1e-6;
 /// Periods of a sine that one search covers. Girders in step with the ground hit once a period, so a search of two
 /// mostly finds a hit. Tuned.
 pub(super) const SEARCHED_PERIODS: f64 = 2.0;
-/// Samples of a record that one search covers: bounds of a flight hold between two kinks only. Tuned, as in the contact model.
-pub(super) const SEARCHED_SAMPLES: f64 = 64.0;
 /// Evaluations that share one set of motion bounds. The energies that bound a motion never grow, so older bounds stay valid;
 /// they only shorten an advancement. Tuned.
 pub(super) const SHARED_BOUNDS: u32 = 4;

@@ -9,7 +9,7 @@ use crate::dynamics::impact2d::kinematics::{Kinematics, ground_acceleration};
 use crate::dynamics::impact2d::tracks::Motion;
 use crate::dynamics::impact2d::world::World;
 use crate::dynamics::impact2d::{InlineVec, State};
-use crate::dynamics::model::coordinates::planar::{PlanarState, RATES};
+use crate::dynamics::model::coordinates::planar::{POSITIONS, PlanarState};
 
 /// Bodies joined by touching pairs and lasting contacts at one instant. A *place* is the position of a body in these lists.
 pub(in crate::dynamics::impact2d) struct ImpactInstant {
@@ -46,7 +46,7 @@ impl ImpactInstant {
     /// Writes the velocities after impulses into the states.
     pub(in crate::dynamics::impact2d) fn take_velocities(&mut self) {
         for (state, v) in self.states.iter_mut().zip(&self.kinematics.cluster.velocity) {
-            state[RATES..].copy_from_slice(&v.to_array());
+            state[POSITIONS..].copy_from_slice(&v.to_array());
         }
     }
 }

@@ -10,7 +10,8 @@
 //! - `closing`: the next impact of a pair.
 //! - `instant`: bodies and contacts of one instant; `after_impact`: modes and trajectories from there on.
 //! - [`state`], [`tables`]: the six states and the rows of Tables 4–10; [`record`]: the log of a run.
-//! - [`run`]: handlers of events, over `progress` (queue and log), `event_source` (what is in the queue), `world` (state) and `tracks` (data of bodies and pairs).
+//! - [`run`]: the run of a group with its queue and log; `handlers`: what an event does; `event_source`: what is in the queue; `world`: present state;
+//!   `tracks`: data of bodies and pairs.
 //! - `constants`: every tolerance and count.
 //!
 //! Left out: the spread of a contact force along an elastic face, waves, and the duration of a hit.
@@ -22,11 +23,11 @@ pub mod delassus;
 mod event_source;
 #[cfg(test)]
 mod example;
+mod handlers;
 pub mod impulse;
 mod instant;
 pub mod kinematics;
 pub mod lasting;
-mod progress;
 mod projection;
 pub mod record;
 pub mod run;

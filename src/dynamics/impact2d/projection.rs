@@ -11,7 +11,7 @@ use crate::dynamics::impact2d::instant::ImpactInstant;
 use crate::dynamics::impact2d::lasting::constrained_motion::ContactMode;
 use crate::dynamics::impact2d::world::World;
 use crate::dynamics::integrator::dense_lu::solve_regularised;
-use crate::dynamics::model::coordinates::planar::RATES;
+use crate::dynamics::model::coordinates::planar::POSITIONS;
 
 /// A constraint: point, direction, and the distance to remove \[m\].
 type Row = (ContactPoint, DVec2, f64);
@@ -86,7 +86,7 @@ fn stop_resting_bodies(world: &World, instant: &mut ImpactInstant, modes: &[Cont
         let own = &world.bodies[instant.slots[place]];
         let before_wall = |pair: &usize| world.model.pairs[world.pairs[*pair].number].bodies == [Some(own.body), None];
         if rests && own.pairs.iter().any(before_wall) {
-            for rate in &mut state[RATES..] {
+            for rate in &mut state[POSITIONS..] {
                 *rate = if rate.abs() <= REST_SNAP_ROUNDINGS * instant.speed_noise { 0.0 } else { *rate };
             }
         }

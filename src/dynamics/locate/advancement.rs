@@ -31,6 +31,17 @@ pub enum FirstZero {
     NoneUntil(f64),
 }
 
+impl FirstZero {
+    /// When the search is acted upon, in a run of this duration: at the crossing, or where the search ended and goes on; infinite at the
+    /// end of the run \[s\].
+    pub(in crate::dynamics) fn due(self, duration: f64) -> f64 {
+        match self {
+            Self::NoneUntil(end) if end >= duration => f64::INFINITY,
+            Self::Crossing(t) | Self::NoneUntil(t) => t,
+        }
+    }
+}
+
 /// State of a gap after an advance.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub(in crate::dynamics) enum AdvanceOutcome {

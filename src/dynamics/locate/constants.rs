@@ -47,3 +47,5 @@ pub(super) const RISE_LOOKS: [f64; 2] = [1.0 / 1024.0, 1.0 / 32.0];
 pub(super) const EXCURSION_MARGIN: f64 = 0.25;
 /// Reductions of an interval by a third in search of a value above 0: (2/3)⁴⁸ ≈ 4e-9 of the interval. Tuned.
 pub(super) const EXCURSION_REDUCTIONS: u32 = 48;
+/// Samples of a record that one search in flight covers: bounds on a flight hold between two kinks alone \[–\]. Tuned.
+pub(in crate::dynamics) const SAMPLES_PER_SEARCH: f64 = 64.0;

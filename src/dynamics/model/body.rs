@@ -210,9 +210,9 @@ pub trait Coordinates: Debug + Send + Sync {
     /// Acceleration of a point by a force that acts there \[m/s²\].
     fn acceleration(&self, body: &Body, point: Point<'_>, force: DVec3) -> DVec3;
 
-    /// What a force at a point adds to the rate of a state, and its generalised force: both state-wide, written over the
-    /// velocities.
-    fn port(&self, body: &Body, point: Point<'_>, force: DVec3, columns: [&mut [f64]; 2]);
+    /// Response, which a force at a point adds to the rate of a state, and load, its generalised force: both as wide as a state, written over
+    /// the velocities.
+    fn port(&self, body: &Body, point: Point<'_>, force: DVec3, response_and_load: [&mut [f64]; 2]);
 
     /// The motion along a world axis, 0 or 1, of a body that bearings, pushes and ground never drive off that axis, nor turn.
     fn along(&self, _body: &Body, _axis: usize) -> Option<AxialMotion> {

@@ -55,9 +55,9 @@ pub struct Model {
     /// Numbers of the impact model.
     pub impact: ImpactSettings,
     /// What a run may keep as polynomials before its steps are kept by their starts \[bytes\].
-    pub polynomials: usize,
+    pub polynomial_bytes: usize,
     /// Memory of stored steps and events, of the contact model, at which a run ends \[bytes\].
-    pub memory: usize,
+    pub memory_bytes: usize,
     /// Gravity; 0 in a planar scene \[m/s²\].
     pub gravity: f64,
     /// Ground motion.
@@ -137,6 +137,11 @@ impl Model {
     /// Bodies that met without facing each other as placed, each two once, in order: between them every face can touch.
     pub fn bodies_met(&self) -> Vec<[SolidId; 2]> {
         facing::bodies_met(self.pairs.iter().filter(|pair| pair.met).map(|pair| (pair.first, pair.second)))
+    }
+
+    /// Number of the meeting of a pair's two bodies; `None` where they have not met.
+    pub fn meeting_of(&self, pair: &Pair) -> Option<usize> {
+        self.meetings.iter().position(|meeting| pair.is_between(meeting.ids))
     }
 
     /// The sections of their bodies that carry a contact's node and face.

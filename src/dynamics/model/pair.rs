@@ -63,6 +63,12 @@ impl Pair {
         solids
     }
 
+    /// Whether it is between these two bodies, in either order.
+    pub fn is_between(&self, mut solids: [SolidId; 2]) -> bool {
+        solids.sort_unstable();
+        self.solids() == solids
+    }
+
     /// Its two sides.
     pub fn sides(&self) -> [Side; 2] {
         [self.first, self.second]

@@ -80,8 +80,7 @@ impl MetContacts {
         for (number, contact) in active.iter().enumerate() {
             let site = &model.sites[contact.site];
             let pair = &model.pairs[site.pair];
-            let ids = [pair.first.solid(), pair.second.solid()];
-            let Some(meeting) = model.meetings.iter().position(|meeting| meeting.ids == ids) else { continue };
+            let Some(meeting) = model.meeting_of(pair) else { continue };
             let own = contact.tolerated.max(UNCARRIED * model.meetings[meeting].least_side);
             if let Some(known) = all.iter_mut().find(|known| known.meeting == meeting) {
                 known.contacts.push(number);

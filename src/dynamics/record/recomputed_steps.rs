@@ -20,8 +20,9 @@ use crate::dynamics::penalty3d::island_kind::IslandKind;
 use crate::dynamics::penalty3d::workspace::Workspace;
 use crate::dynamics::record::contact_log::ContactLog;
 use crate::dynamics::trajectory::packed_states::PackedStates;
+use crate::dynamics::trajectory::segment_code::NUMBERS;
 use crate::dynamics::trajectory::step_polynomial::StepPolynomial;
-use crate::dynamics::trajectory::stored_path::{NUMBERS, StoredMotion, StoredPath};
+use crate::dynamics::trajectory::stored_path::{StoredMotion, StoredPath};
 
 /// In place of the number of an initial state: the state is the end of the members' flights.
 const FLOWN: u32 = u32::MAX;

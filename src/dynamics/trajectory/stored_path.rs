@@ -11,19 +11,14 @@ use crate::dynamics::model::coordinates::planar::PlanarState;
 use crate::dynamics::trajectory::heading::{HalfTurns, StepHeading};
 use crate::dynamics::trajectory::packed_states::PackedStates;
 use crate::dynamics::trajectory::segment::{Segment, SegmentMotion};
+use crate::dynamics::trajectory::segment_code::{NUMBERS, SegmentCode, SegmentKind};
 use crate::dynamics::trajectory::step_polynomial::StepPolynomial;
-
-/// Bits of a code that number the segment among those of its kind; the three bits above them are the kind.
-const CODE_BITS: u32 = 29;
-const CODE_MASK: u32 = NUMBERS - 1;
-/// Numbers that a code can hold \[–\].
-pub(in crate::dynamics) const NUMBERS: u32 = 1 << CODE_BITS;
 
 /// Stretches of a body's trajectory in order of time.
 #[derive(Clone, Debug, Default)]
 pub struct StoredPath {
     from: Vec<f64>,
-    codes: Vec<u32>,
+    codes: Vec<SegmentCode>,
     /// End of the last segment \[s\].
     until: f64,
     /// Number and end \[s\] of segments that are not followed at once by another.
@@ -77,31 +72,20 @@ impl StoredPath {
     /// Adds a segment.
     pub fn push(&mut self, segment: Segment) {
         let Segment { from, until, path } = segment;
-        let (kind, which) = match path {
-            SegmentMotion::Flight(flight) => {
-                if let Some(number) = self.start(&flight, from) {
-                    (0, number as usize)
-                } else {
-                    self.flights.push(*flight);
-                    (1, self.flights.len() - 1)
-                }
-            }
-            SegmentMotion::Step(piece) => {
-                self.pieces.push(piece);
-                (2, self.pieces.len() - 1)
-            }
-            SegmentMotion::Recomputed(number) => (3, number as usize),
-            SegmentMotion::Slide(slide) => {
-                self.slides.push(*slide);
-                (4, self.slides.len() - 1)
-            }
+        let code = match path {
+            SegmentMotion::Flight(flight) => match self.start(&flight, from) {
+                Some(number) => SegmentCode::new(SegmentKind::Start, number),
+                None => keep(&mut self.flights, *flight, SegmentKind::Flight),
+            },
+            SegmentMotion::Step(piece) => keep(&mut self.pieces, piece, SegmentKind::Step),
+            SegmentMotion::Recomputed(number) => SegmentCode::new(SegmentKind::Recomputed, number),
+            SegmentMotion::Slide(slide) => keep(&mut self.slides, *slide, SegmentKind::Slide),
         };
         if !self.from.is_empty() && self.until != from {
             self.breaks.push((self.from.len() - 1, self.until));
         }
         self.from.push(from);
-        // Memory ends before 29 bits overflow.
-        self.codes.push(kind << CODE_BITS | u32::try_from(which).unwrap_or(CODE_MASK) & CODE_MASK);
+        self.codes.push(code);
         self.until = until;
     }
 
@@ -149,20 +133,20 @@ impl StoredPath {
     /// Number, beginning \[s\] and initial state of the flight with which the path ends at `t`; `None` without one.
     pub fn flown_until(&self, t: f64) -> Option<(u32, f64, PlanarState)> {
         let (code, from) = (*self.codes.last()?, *self.from.last()?);
-        let flown = code >> CODE_BITS == 0 && self.until == t;
-        flown
-            .then(|| (u32::try_from(self.codes.len() - 1).unwrap_or(u32::MAX), from, self.starts.get(code & CODE_MASK)))
+        let flown = code.kind() == SegmentKind::Start && self.until == t;
+        flown.then(|| (u32::try_from(self.codes.len() - 1).unwrap_or(u32::MAX), from, self.starts.get(code.number())))
     }
 
     /// Beginning \[s\] and representation of segment `number`.
     pub fn motion_of(&self, number: usize) -> (f64, StoredMotion<'_>) {
-        let which = (self.codes[number] & CODE_MASK) as usize;
-        let motion = match self.codes[number] >> CODE_BITS {
-            0 => StoredMotion::Start(self.starts.get(self.codes[number] & CODE_MASK)),
-            1 => StoredMotion::Flight(&self.flights[which]),
-            2 => StoredMotion::Step(&self.pieces[which]),
-            3 => StoredMotion::Recomputed(self.codes[number] & CODE_MASK),
-            _ => StoredMotion::Slide(&self.slides[which]),
+        let code = self.codes[number];
+        let which = code.number() as usize;
+        let motion = match code.kind() {
+            SegmentKind::Start => StoredMotion::Start(self.starts.get(code.number())),
+            SegmentKind::Flight => StoredMotion::Flight(&self.flights[which]),
+            SegmentKind::Step => StoredMotion::Step(&self.pieces[which]),
+            SegmentKind::Recomputed => StoredMotion::Recomputed(code.number()),
+            SegmentKind::Slide => StoredMotion::Slide(&self.slides[which]),
         };
         (self.from[number], motion)
     }
@@ -217,7 +201,7 @@ impl StoredPath {
         let span = |number: usize| TimeSpan {
             from: self.from[number],
             until: self.until(number),
-            flies: !matches!(self.codes[number] >> CODE_BITS, 2 | 3),
+            flies: !matches!(self.codes[number].kind(), SegmentKind::Step | SegmentKind::Recomputed),
         };
         (first..self.len()).map(span)
     }
@@ -227,7 +211,7 @@ impl StoredPath {
         let pieces: usize = self.pieces.iter().map(StepPolynomial::bytes).sum();
         let flights: usize = self.flights.iter().map(BodyFlight::bytes).sum();
         let slides = self.slides.len() * size_of::<SlidingFace>();
-        let segments = self.len() * (size_of::<f64>() + size_of::<u32>());
+        let segments = self.len() * (size_of::<f64>() + size_of::<SegmentCode>());
         let breaks = self.breaks.len() * size_of::<(usize, f64)>();
         segments + breaks + self.starts.bytes() + flights + slides + pieces + self.half_turns.bytes()
     }
@@ -242,6 +226,13 @@ impl StoredPath {
         self.pieces.shrink_to_fit();
         self.half_turns.shrink();
     }
+}
+
+/// Adds a representation to those of its kind; its code.
+fn keep<T>(kept: &mut Vec<T>, motion: T, kind: SegmentKind) -> SegmentCode {
+    kept.push(motion);
+    // Memory ends before 29 bits overflow.
+    SegmentCode::new(kind, u32::try_from(kept.len() - 1).unwrap_or(NUMBERS - 1))
 }
 
 impl FromIterator<Segment> for StoredPath {

@@ -8,10 +8,10 @@ use crate::dynamics::world::tracks::LinkTrack;
 
 impl World {
     /// Names of bodies by their slots.
-    pub(in crate::dynamics) fn names(&self, slots: &[usize]) -> String {
+    pub(in crate::dynamics) fn names(&self, slots: impl IntoIterator<Item = usize>) -> String {
         // Ground that moves as it is given is not what a run fails by.
-        let of_motion =
-            slots.iter().map(|&slot| self.bodies[slot].body).filter(|&body| !self.model.moves_as_given(body));
+        let bodies = slots.into_iter().map(|slot| self.bodies[slot].body);
+        let of_motion = bodies.filter(|&body| !self.model.moves_as_given(body));
         of_motion.map(|body| self.model.bodies[body].name.as_str()).collect::<Vec<_>>().join(", ")
     }
 
@@ -100,6 +100,6 @@ mod tests {
         }
         assert_eq!(world.joined(&[0, 1]), [vec![0], vec![1]], "apart");
         assert!(!world.is_joined(0), "no force acts");
-        assert_eq!(world.names(&[1, 0]), format!("{}, {}", world.names(&[1]), world.names(&[0])));
+        assert_eq!(world.names([1, 0]), format!("{}, {}", world.names([1]), world.names([0])));
     }
 }

@@ -9,7 +9,7 @@ use crate::dynamics::free_flight::body_motion::BodyFlight;
 use crate::dynamics::free_flight::ground_springs::{GroundSprings, PlanarSprings};
 use crate::dynamics::model::body::{Body, BodyCoordinates, Point};
 use crate::dynamics::model::closed_form::GroundSpring;
-use crate::dynamics::model::coordinates::planar::{PlanarState, RATES, WIDTH};
+use crate::dynamics::model::coordinates::planar::{POSITIONS, PlanarState, WIDTH};
 use crate::dynamics::world::World;
 use crate::dynamics::world::constants::FORCE_ROUNDING;
 use crate::dynamics::world::tracks::{LinkTrack, Trajectory};
@@ -134,7 +134,7 @@ fn in_plan(body: &Body, acting: &[(&LinkTrack, &Link)]) -> Option<PlanarSprings>
         };
         springs.load += placed;
         springs.stiffness += DMat3::from_cols(by(0), by(1), by(2));
-        springs.damping += DMat3::from_cols(by(RATES), by(RATES + 1), by(RATES + 2));
+        springs.damping += DMat3::from_cols(by(POSITIONS), by(POSITIONS + 1), by(POSITIONS + 2));
     }
     Some(springs)
 }

@@ -21,7 +21,7 @@ use crate::dynamics::world::tracks::{
     BodyTrack, ChangeCount, ContactTrack, LinkTrack, PairTrack, SearchState, Trajectory,
 };
 use crate::dynamics::{ContactSite, Model};
-use crate::scene::facing::{Side, SolidId};
+use crate::scene::facing::SolidId;
 
 /// Body and name of a node, and the two bodies of its contact.
 type NodeOnBody<'a> = (Option<usize>, &'a str, [SolidId; 2]);
@@ -106,8 +106,7 @@ impl World {
                 }
             }
         }
-        let ids = pair.sides().map(Side::solid);
-        let meeting = model.meetings.iter().position(|meeting| pair.met && meeting.ids == ids);
+        let meeting = if pair.met { model.meeting_of(pair) } else { None };
         self.pairs.push(PairTrack {
             model_pair: number,
             slots,

@@ -1,6 +1,7 @@
 //! Bodies, facing pairs, links and contacts of one group during a run: present states, trajectories, and times found
 //! by searches.
 
+use glam::DVec2;
 use smallvec::SmallVec;
 
 use crate::dynamics::connection::{Phase, Switch};
@@ -171,6 +172,15 @@ pub(in crate::dynamics) struct ContactTrack {
     pub tolerated: f64,
     /// Changes of state, counted.
     pub changes: ChangeCount,
+}
+
+impl ContactTrack {
+    /// Enters a state from `t` \[s\] on, with the origin of its anchor: the displacement of the node along the face from the placed
+    /// to the reference poses \[m\].
+    pub(in crate::dynamics) fn enter(&mut self, t: f64, state: Contact, origin: DVec2) {
+        (self.state, self.rearmed_at) = (state, None);
+        self.log.push(t, state, origin);
+    }
 }
 
 /// Changes of a contact's state, counted: too many end the run, and several at one instant widen dead bands.

@@ -37,8 +37,8 @@ fn bearings_far_too_fast_for_a_long_run_end_it_at_once() {
 #[test]
 fn a_run_that_takes_more_memory_than_it_may_ends_and_says_so() {
     let scene = presets::load("deck-30m").expect("a preset");
-    let memory = 1 << 20;
-    let model = Model { memory, ..Model::compile(&scene).expect("a scene") };
+    let memory_bytes = 1 << 20;
+    let model = Model { memory_bytes, ..Model::compile(&scene).expect("a scene") };
     let mut session = Session::of_model(&scene, model);
     session.advance(scene.duration, &mut |_| true);
     let history = session.finish();
@@ -46,5 +46,5 @@ fn a_run_that_takes_more_memory_than_it_may_ends_and_says_so() {
     assert!(t > 0.1 && t < scene.duration, "on the way: {t} s");
     assert!(reason.contains("MiB, more than the 1 MiB that a run may take"), "{reason}");
     // Looked at every 4096 steps, of less than 1 KiB each.
-    assert!(history.bytes() < memory + (4 << 20), "{} bytes", history.bytes());
+    assert!(history.bytes() < memory_bytes + (4 << 20), "{} bytes", history.bytes());
 }

@@ -6,6 +6,7 @@ use std::sync::Arc;
 use crate::support::{scene, within};
 use girderbench::contact::Frame;
 use girderbench::dynamics::Model;
+use girderbench::dynamics::linear::Flight;
 use girderbench::dynamics::model::body::{Body, BodyCoordinates, Coordinates, Counted, Point};
 use girderbench::dynamics::model::closed_form::ClosedForm;
 use girderbench::dynamics::model::ground_now::GroundNow;
@@ -145,7 +146,8 @@ impl Coordinates for TwoCoordinates {
 }
 
 impl ClosedForm for TwoCoordinates {
-    fn state(&self, start: f64, from: &[f64], t: f64, out: &mut [f64]) {
+    fn state(&self, flight: Flight<'_>, t: f64, out: &mut [f64]) {
+        let Flight { start, numbers: from } = flight;
         let [place, velocity] = [POSITIONS, RATES].map(|part| DVec2::from_slice(&from[part]));
         let (w, tau) = (self.omega, t - start);
         let (s, c) = (w * tau).sin_cos();
@@ -154,9 +156,9 @@ impl ClosedForm for TwoCoordinates {
         out[RATES].copy_from_slice(&(velocity * c - place * (w * s)).to_array());
     }
 
-    fn bounds(&self, start: f64, from: &[f64], t: f64, horizon: f64) -> MotionBounds {
+    fn bounds(&self, flight: Flight<'_>, t: f64, horizon: f64) -> MotionBounds {
         let mut state = [0.0; 4];
-        self.state(start, from, t, &mut state);
+        self.state(flight, t, &mut state);
         let [place, rate] = [POSITIONS, RATES].map(|part| DVec2::from_slice(&state[part]).length());
         let speed = rate.hypot(self.omega * place);
         let reach = if self.omega > 0.0 { speed / self.omega } else { place + speed * horizon };
@@ -288,8 +290,8 @@ fn under_a_moving_ground_the_books_balance() {
 #[test]
 fn its_steps_can_be_taken_again_to_the_last_bit() {
     let scene = shaken();
-    let digest = |polynomials: usize| {
-        let model = Model { polynomials, ..model(&scene, SHAKEN) };
+    let digest = |polynomial_bytes: usize| {
+        let model = Model { polynomial_bytes, ..model(&scene, SHAKEN) };
         let history = run(&scene, model);
         (history.digest(), history.bytes())
     };

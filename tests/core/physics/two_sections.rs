@@ -6,6 +6,7 @@ use std::sync::Arc;
 use crate::support::{scene, within};
 use girderbench::contact::Frame;
 use girderbench::dynamics::Model;
+use girderbench::dynamics::linear::Flight;
 use girderbench::dynamics::model::body::{Body, BodyCoordinates, Coordinates, Counted, Point};
 use girderbench::dynamics::model::closed_form::ClosedForm;
 use girderbench::dynamics::model::ground_now::GroundNow;
@@ -176,7 +177,8 @@ impl Coordinates for TwoEnds {
 }
 
 impl ClosedForm for TwoEnds {
-    fn state(&self, start: f64, from: &[f64], t: f64, out: &mut [f64]) {
+    fn state(&self, flight: Flight<'_>, t: f64, out: &mut [f64]) {
+        let Flight { start, numbers: from } = flight;
         let (w, tau) = (self.omega, t - start);
         let [place, rate] = [POSITIONS, RATES].map(|part| of_section(0, DVec2::from_slice(&from[part])));
         let [r, v] = [0.5 * (from[1] - from[0]), 0.5 * (from[3] - from[2])];
@@ -187,9 +189,9 @@ impl ClosedForm for TwoEnds {
         }
     }
 
-    fn bounds(&self, start: f64, from: &[f64], t: f64, horizon: f64) -> MotionBounds {
+    fn bounds(&self, flight: Flight<'_>, t: f64, horizon: f64) -> MotionBounds {
         let mut state = [0.0; 4];
-        self.state(start, from, t, &mut state);
+        self.state(flight, t, &mut state);
         let rate = of_section(0, DVec2::from_slice(&state[RATES])).abs();
         let swing = (0.5 * (state[3] - state[2])).hypot(self.omega * 0.5 * (state[1] - state[0]));
         let (speed, far) = (rate + swing, state[0].abs().max(state[1].abs()));

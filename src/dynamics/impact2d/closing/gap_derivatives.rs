@@ -209,7 +209,7 @@ mod tests {
                 scene.girders[0].push.force = [60.0, 0.0, 0.0];
             });
             let run = ImpactRun::new(&Arc::new(model), 0);
-            let world = run.world();
+            let world = &run.world;
             let slots = world.pairs[0].slots;
             let end = world.planned_end(0).expect("a planned step");
             let motion = PairMotion::of(world, slots, 0.0, end);

@@ -8,7 +8,7 @@ use crate::dynamics::free_flight::flight::{FreeMotion, FreeMotionForm};
 use crate::dynamics::free_flight::uncoupled_axis::UncoupledAxis;
 use crate::dynamics::impact2d::tracks::Motion;
 use crate::dynamics::impact2d::world::World;
-use crate::dynamics::model::coordinates::planar::{PlanarState, RATES, part};
+use crate::dynamics::model::coordinates::planar::{POSITIONS, PlanarState, part};
 use crate::dynamics::model::motion_bounds::MotionBounds;
 use crate::motion::Ground;
 
@@ -74,7 +74,7 @@ impl<'a> FlyingBody<'a> {
             let steady = -drive * drive * (self.state[i] - free[i]);
             let o = &dof[i].oscillator;
             if dof[i].free {
-                steady + self.free_motion.push[i] - 2.0 * o.gamma * free[RATES + i] - o.omega2 * free[i]
+                steady + self.free_motion.push[i] - 2.0 * o.gamma * free[POSITIONS + i] - o.omega2 * free[i]
             } else {
                 0.0
             }
@@ -131,7 +131,7 @@ pub(in crate::dynamics::impact2d) fn relative_limits(a: &FlyingBody<'_>, b: &Fly
         let steady = norm(one.steady.0 - other.steady.0, one.steady.1 - other.steady.1);
         let [push, pull] = [a.free_motion.push[i], b.free_motion.push[i]];
         if one.oscillator == other.oscillator && one.free && other.free {
-            let difference = [p[i] - q[i], p[RATES + i] - q[RATES + i]];
+            let difference = [p[i] - q[i], p[POSITIONS + i] - q[POSITIONS + i]];
             *limit = limits(one, steady, difference, drive, push - pull, a.horizon);
         } else {
             let x = limits(one, 0.0, part(p, i), drive, push, a.horizon);
@@ -187,7 +187,7 @@ mod tests {
         let at = |t: f64| FlyingBody::of(&world, 0, t, 1.0).expect("in flight");
         let (t, h) = (0.123, 1e-5);
         for (i, a) in at(t).acceleration().expect("uncoupled").into_iter().enumerate() {
-            let difference = (at(t + h).state[RATES + i] - at(t - h).state[RATES + i]) / (2.0 * h);
+            let difference = (at(t + h).state[POSITIONS + i] - at(t - h).state[POSITIONS + i]) / (2.0 * h);
             assert!((a - difference).abs() < 1e-6 * (1.0 + a.abs()), "component {i}: {a} against {difference}");
         }
     }

@@ -7,13 +7,13 @@ use smallvec::SmallVec;
 
 use crate::dynamics::impact2d::closing::gap_derivatives::{PairMotion, poses};
 use crate::dynamics::impact2d::closing::planar_gap::gap;
-use crate::dynamics::impact2d::constants::{SEARCHED_PERIODS, SEARCHED_SAMPLES};
+use crate::dynamics::impact2d::constants::SEARCHED_PERIODS;
 use crate::dynamics::impact2d::tracks::Motion;
 use crate::dynamics::impact2d::world::World;
-use crate::dynamics::locate::advancement::{AdvanceOutcome, Advancement, BoundedGap, polish};
-use crate::dynamics::locate::constants::MAX_ADVANCES;
-use crate::dynamics::locate::constants::RESOLUTION;
+use crate::dynamics::locate::advancement::{AdvanceOutcome, Advancement, BoundedGap, FirstZero, polish};
+use crate::dynamics::locate::constants::{MAX_ADVANCES, RESOLUTION, SAMPLES_PER_SEARCH};
 use crate::dynamics::locate::cubic_bound::CubicBound;
+use crate::dynamics::locate::horizon::Horizon;
 use crate::dynamics::locate::positive_again::is_positive_again;
 use crate::dynamics::locate::root::root;
 use crate::dynamics::locate::subdivision::{GapSample, Subdivision};
@@ -59,7 +59,8 @@ fn gap_at(world: &World, pair: usize, site: usize, depth: f64, t: f64) -> [f64; 
 pub(in crate::dynamics::impact2d) fn next_impact(world: &mut World, pair: usize, t: f64) -> NextImpact {
     let slots = world.pairs[pair].slots;
     let planned = slots.into_iter().flatten().filter_map(|slot| world.planned_end(slot)).fold(f64::INFINITY, f64::min);
-    let mut until = horizon(&world.model.ground, t, world.model.duration).min(planned);
+    let horizon = Horizon { periods: SEARCHED_PERIODS, samples: SAMPLES_PER_SEARCH };
+    let mut until = horizon.end(&world.model.ground, t, world.model.duration).min(planned);
     if planned.is_finite() {
         // The step of a body at rest may span many periods of one that flies, and bounds over all of them are wide.
         until = until.min(t + half_period(world, slots));
@@ -81,16 +82,6 @@ fn half_period(world: &World, slots: [Option<usize>; 2]) -> f64 {
         Motion::Lasting(..) => f64::INFINITY,
     };
     slots.into_iter().flatten().map(shortest).fold(f64::INFINITY, f64::min)
-}
-
-/// End of one search \[s\].
-fn horizon(ground: &Ground, t: f64, duration: f64) -> f64 {
-    let stretch = match ground {
-        Ground::Still => duration,
-        Ground::Sine { omega, .. } => SEARCHED_PERIODS * std::f64::consts::TAU / omega,
-        Ground::Record { dt, .. } => SEARCHED_SAMPLES * dt,
-    };
-    (t + stretch).min(duration)
 }
 
 /// The open points of a pair; those in front of their face are armed.
@@ -149,10 +140,8 @@ fn in_flight(world: &mut World, pair: usize, t: f64, until: f64) -> NextImpact {
     for point in &points {
         world.sites[point.site].in_front_at = point.in_front_at.or(point.advancement.rearmed_at());
     }
-    match found {
-        Some(due) => NextImpact { due, impact: true, looks },
-        None => NextImpact { due: if at >= duration { f64::INFINITY } else { at }, impact: false, looks },
-    }
+    let due = found.map_or(FirstZero::NoneUntil(at), FirstZero::Crossing).due(duration);
+    NextImpact { due, impact: found.is_some(), looks }
 }
 
 /// Drops points that are never nearer than another of the same face: without rotation their distances stay. Points that
@@ -283,7 +272,7 @@ mod tests {
     use super::*;
     use crate::dynamics::impact2d::example;
     use crate::dynamics::impact2d::lasting::lasting_contact::LastingContact;
-    use crate::dynamics::impact2d::progress::ImpactProgress;
+    use crate::dynamics::impact2d::run::ImpactRun;
 
     /// A girder of 2 kg before a wall, free to slide along x, at this gap \[m\] with this initial velocity \[m/s\].
     fn world(bearings: &str, gap: f64, speed: f64) -> World {
@@ -325,7 +314,7 @@ mod tests {
         let (speed, amplitude) = (0.1, 0.1 / omega);
         let gap = amplitude - 1e-8;
         let state = [0.0, 0.0, 0.0, speed, 0.0, 0.0];
-        let mut run = ImpactProgress::new(world(bearings, gap, speed));
+        let mut run = ImpactRun::before_start(world(bearings, gap, speed));
         run.world.update_peaks(0, &state);
         // Without a contact mode the integrator follows the bearings alone.
         run.world.lasting.push(Some(LastingContact::new(vec![0], Vec::new(), &[state], 0.0)));
@@ -342,18 +331,5 @@ mod tests {
         let expected = (gap / amplitude).asin() / omega;
         assert!((due - expected).abs() < 1e-6, "{due} against {expected}");
         assert!(after > 0.0, "the gap is open again at the end of the step: {after} m");
-    }
-
-    #[test]
-    fn the_horizon_is_two_periods_or_sixty_four_samples() {
-        let sine = Ground::Sine {
-            amplitude: glam::DVec3::X,
-            quadrature: glam::DVec3::ZERO,
-            omega: std::f64::consts::TAU,
-            phase: 0.0,
-        };
-        assert_eq!(horizon(&sine, 1.0, 10.0), 3.0, "two periods of 1 s");
-        assert_eq!(horizon(&sine, 9.0, 10.0), 10.0, "the end of the run");
-        assert_eq!(horizon(&Ground::Still, 1.0, 10.0), 10.0, "nothing shakes");
     }
 }

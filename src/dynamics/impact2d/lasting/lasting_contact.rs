@@ -24,7 +24,7 @@ use crate::dynamics::integrator::dense_output::{DENSE_TERMS, DenseOutput};
 use crate::dynamics::integrator::dop853::{Dop853, next_factor};
 use crate::dynamics::integrator::system::System;
 use crate::dynamics::locate::first_rise::{EarliestEvent, Resolution, first_rise};
-use crate::dynamics::model::coordinates::planar::{self, PlanarState, RATES, WIDTH};
+use crate::dynamics::model::coordinates::planar::{self, POSITIONS, PlanarState, WIDTH};
 use crate::dynamics::model::motion_bounds::MotionBounds;
 use crate::dynamics::trajectory::segment::SegmentMotion;
 use crate::dynamics::trajectory::step_polynomial::StepPolynomial;
@@ -98,8 +98,8 @@ impl System for ConstrainedOde<'_> {
             let a = accelerations.as_ref().map_or(DVec3::NAN, |all| all[i]);
             let (state, rate) = (&y[component(i)], &mut out[component(i)]);
             for (j, free) in planar::free(&self.model.bodies[body]).into_iter().enumerate() {
-                rate[j] = if free { state[RATES + j] } else { 0.0 };
-                rate[RATES + j] = a[j];
+                rate[j] = if free { state[POSITIONS + j] } else { 0.0 };
+                rate[POSITIONS + j] = a[j];
             }
         }
     }
@@ -109,8 +109,8 @@ impl System for ConstrainedOde<'_> {
         for (d, &body) in planar::in_a_row(d).iter().zip(self.bodies) {
             let i2 = self.model.bodies[body].gyration2;
             let square = |d: &[f64]| d[0] * d[0] + d[1] * d[1] + i2 * d[2] * d[2];
-            sum += square(&d[..RATES]) / (self.allowed[0] * self.allowed[0])
-                + square(&d[RATES..]) / (self.allowed[1] * self.allowed[1]);
+            sum += square(&d[..POSITIONS]) / (self.allowed[0] * self.allowed[0])
+                + square(&d[POSITIONS..]) / (self.allowed[1] * self.allowed[1]);
         }
         sum
     }
@@ -152,7 +152,7 @@ impl LastingContact {
     fn is_at_rest(&self, model: &Model) -> bool {
         self.modes.iter().all(|mode| mode.is_flush() && mode.friction.sticks())
             && self.modes.iter().any(|mode| model.pairs[mode.pair].bodies.contains(&None))
-            && planar::in_a_row(&self.y).iter().all(|state| state[RATES..] == [0.0; RATES])
+            && planar::in_a_row(&self.y).iter().all(|state| state[POSITIONS..] == [0.0; POSITIONS])
     }
 
     /// Whether any contact has its mode for want of another: it ends as soon as others agree with Coulomb's law.
@@ -247,7 +247,7 @@ impl LastingContact {
             None => return MotionBounds::still(f64::INFINITY),
         };
         let start = component(place).start;
-        let (translation, rotation) = (start..start + 2, start + 2..start + RATES);
+        let (translation, rotation) = (start..start + 2, start + 2..start + POSITIONS);
         let at = |i: usize| dense.component(i, dense.from);
         let [speed, acceleration] = dense.derivative_bounds(translation.clone());
         let [spin, spin_rate] = dense.derivative_bounds(rotation.clone());

@@ -6,6 +6,7 @@
 
 use glam::DVec3;
 
+use crate::dynamics::linear::Flight;
 use crate::dynamics::model::closed_form::{ClosedForm, GroundSpring};
 use crate::dynamics::model::motion_bounds::MotionBounds;
 use crate::motion::responses::responses;
@@ -44,8 +45,10 @@ impl GuidedFlight {
     }
 
     /// `u, u̇` at `t`.
-    fn at(&self, start: f64, numbers: &[f64], t: f64) -> [f64; 2] {
-        let Some(Parts { spring, own, states_at_samples }) = Parts::of(numbers) else { return [f64::NAN; 2] };
+    fn at(&self, Flight { start, numbers }: Flight<'_>, t: f64) -> [f64; 2] {
+        let Some(FlightNumbers { spring, own, states_at_samples }) = FlightNumbers::of(numbers) else {
+            return [f64::NAN; 2];
+        };
         let (first, target) = (self.ground.piece_number(start), self.ground.piece_number(t));
         let known = target.saturating_sub(first).min(states_at_samples.len());
         let (mut number, mut at, mut state) = match known.checked_sub(1) {
@@ -62,7 +65,7 @@ impl GuidedFlight {
 }
 
 /// What the numbers of a flight are.
-struct Parts<'a> {
+struct FlightNumbers<'a> {
     spring: GroundSpring,
     /// `u, u̇` at the start.
     own: [f64; 2],
@@ -70,7 +73,7 @@ struct Parts<'a> {
     states_at_samples: &'a [[f64; 2]],
 }
 
-impl<'a> Parts<'a> {
+impl<'a> FlightNumbers<'a> {
     fn of(numbers: &'a [f64]) -> Option<Self> {
         let (&[stiffness, load, u, v], states_at_samples) = numbers.split_first_chunk::<HEAD>()?;
         Some(Self {
@@ -122,7 +125,7 @@ impl ClosedForm for GuidedFlight {
     }
 
     fn remember(&self, start: f64, numbers: &mut Vec<f64>, t: f64) {
-        let Some(Parts { spring, own, states_at_samples }) = Parts::of(numbers) else { return };
+        let Some(FlightNumbers { spring, own, states_at_samples }) = FlightNumbers::of(numbers) else { return };
         let mut number = self.ground.piece_number(start) + states_at_samples.len();
         let (mut state, mut piece) = (states_at_samples.last().copied().unwrap_or(own), self.ground.piece(number));
         let mut at = piece.from.max(start);
@@ -134,7 +137,7 @@ impl ClosedForm for GuidedFlight {
         }
     }
 
-    fn window_end(&self, numbers: &[f64], t: f64) -> f64 {
+    fn window_end(&self, Flight { numbers, .. }: Flight<'_>, t: f64) -> f64 {
         let omega = numbers.first().map_or(0.0, |stiffness| stiffness.sqrt());
         let kink = self.ground.next_kink(t);
         let phase = omega * (kink - t);
@@ -149,25 +152,27 @@ impl ClosedForm for GuidedFlight {
         }
     }
 
-    fn range(&self, start: f64, numbers: &[f64], [from, until]: [f64; 2]) -> Option<[f64; 2]> {
-        let Parts { spring, .. } = Parts::of(numbers)?;
+    fn range(&self, flight: Flight<'_>, [from, until]: [f64; 2]) -> Option<[f64; 2]> {
+        let FlightNumbers { spring, .. } = FlightNumbers::of(flight.numbers)?;
         let piece = self.ground.piece(self.ground.piece_number(from));
-        let state = self.at(start, numbers, from);
+        let state = self.at(flight, from);
         Some(Extremes::of(spring.stiffness, state, self.force(spring, &piece, from), until - from).range)
     }
 
-    fn resume(&self, numbers: &[f64], state: &[f64]) -> Vec<f64> {
-        numbers.iter().take(HEAD - 2).chain(state).copied().collect()
+    fn resume(&self, flight: Flight<'_>, state: &[f64]) -> Vec<f64> {
+        flight.numbers.iter().take(HEAD - 2).chain(state).copied().collect()
     }
 
-    fn state(&self, start: f64, numbers: &[f64], t: f64, out: &mut [f64]) {
-        out.copy_from_slice(&self.at(start, numbers, t));
+    fn state(&self, flight: Flight<'_>, t: f64, out: &mut [f64]) {
+        out.copy_from_slice(&self.at(flight, t));
     }
 
-    fn bounds(&self, start: f64, numbers: &[f64], t: f64, horizon: f64) -> MotionBounds {
+    fn bounds(&self, flight: Flight<'_>, t: f64, horizon: f64) -> MotionBounds {
         let (mut bounds, end) = (MotionBounds::still(horizon), t + horizon);
-        let Some(Parts { spring, .. }) = Parts::of(numbers) else { return MotionBounds { window: 0.0, ..bounds } };
-        let (mut number, mut at, mut state) = (self.ground.piece_number(t), t, self.at(start, numbers, t));
+        let Some(FlightNumbers { spring, .. }) = FlightNumbers::of(flight.numbers) else {
+            return MotionBounds { window: 0.0, ..bounds };
+        };
+        let (mut number, mut at, mut state) = (self.ground.piece_number(t), t, self.at(flight, t));
         for _ in 0..AHEAD {
             let piece = self.ground.piece(number);
             let tau = piece.until.min(end) - at;
@@ -202,12 +207,13 @@ mod tests {
     fn the_closed_form_solves_the_equation_of_motion() {
         for omega2 in [0.0, 9.0, 900.0, 6e4] {
             let (form, start, numbers) = flight(omega2);
+            let flight = Flight { start, numbers: &numbers };
             for t in [0.0045, 0.0137, 0.0255, 0.0612, 0.093] {
                 let step = 1e-4 / omega2.sqrt().max(10.0);
-                let rate = |k: f64| form.at(start, &numbers, t + k * step)[1];
+                let rate = |k: f64| form.at(flight, t + k * step)[1];
                 let gained = (rate(-2.0) - 8.0 * rate(-1.0) + 8.0 * rate(1.0) - rate(2.0)) / (12.0 * step);
                 let ground = form.ground.acceleration(t).dot(form.along);
-                let force = 0.7 - omega2 * form.at(start, &numbers, t)[0] - ground;
+                let force = 0.7 - omega2 * form.at(flight, t)[0] - ground;
                 assert!(
                     (gained - force).abs() < 1e-8 * omega2.sqrt().max(10.0),
                     "{omega2}, {t} s: {gained} for {force}"
@@ -222,9 +228,11 @@ mod tests {
         let mut kept = numbers.clone();
         form.remember(start, &mut kept, 0.055);
         assert_eq!(kept.len(), numbers.len() + 2 * 5, "samples at 10 to 50 ms");
-        let rest = form.resume(&kept, &form.at(start, &kept, 0.0231));
+        let own = Flight { start, numbers: &kept };
+        let rest = form.resume(own, &form.at(own, 0.0231));
         for t in [0.0231, 0.041, 0.0599, 0.2] {
-            let [a, b, c] = [(start, &numbers), (start, &kept), (0.0231, &rest)].map(|(from, n)| form.at(from, n, t));
+            let [a, b, c] = [(start, &numbers), (start, &kept), (0.0231, &rest)]
+                .map(|(start, numbers)| form.at(Flight { start, numbers }, t));
             assert_eq!(a, b, "{t} s");
             assert!((a[0] - c[0]).abs() < 1e-16 && (a[1] - c[1]).abs() < 1e-14, "{t} s: {a:?} against {c:?}");
         }
@@ -234,20 +242,21 @@ mod tests {
     fn bounds_hold_and_stretches_end_at_samples() {
         for omega2 in [0.0, 1e-16, 900.0, 6e4] {
             let (form, start, numbers) = flight(omega2);
-            let bounds = form.bounds(start, &numbers, 0.004, 0.04);
+            let flight = Flight { start, numbers: &numbers };
+            let bounds = form.bounds(flight, 0.004, 0.04);
             assert!(bounds.window >= 0.04, "{bounds:?}");
-            let fastest = (0..=400).map(|i| form.at(start, &numbers, 0.004 + 1e-4 * f64::from(i))[1].abs());
+            let fastest = (0..=400).map(|i| form.at(flight, 0.004 + 1e-4 * f64::from(i))[1].abs());
             let fastest = fastest.fold(0.0, f64::max);
             assert!(bounds.speed < 5.0 * fastest, "{omega2} 1/s²: {bounds:?} for {fastest} m/s");
             for i in 0..=400 {
-                let [u, v] = form.at(start, &numbers, 0.004 + 1e-4 * f64::from(i));
+                let [u, v] = form.at(flight, 0.004 + 1e-4 * f64::from(i));
                 assert!(u.abs() <= bounds.reach && v.abs() <= bounds.speed, "{u} m, {v} m/s: {bounds:?}");
             }
             let (mut t, mut kinks) = (start, 0);
             while t < 0.0399 {
-                let end = form.window_end(&numbers, t);
-                let [least, greatest] = form.range(start, &numbers, [t, end]).expect("one coordinate");
-                let ways = (0..=50).map(|i| form.at(start, &numbers, t + (end - t) * f64::from(i) / 50.0)[0]);
+                let end = form.window_end(flight, t);
+                let [least, greatest] = form.range(flight, [t, end]).expect("one coordinate");
+                let ways = (0..=50).map(|i| form.at(flight, t + (end - t) * f64::from(i) / 50.0)[0]);
                 assert!(ways.into_iter().all(|u| (least..=greatest).contains(&u)), "{least} to {greatest} m");
                 assert!(end > t && omega2.sqrt() * (end - t) <= STRETCH_PHASE * (1.0 + 1e-12), "{t} to {end}");
                 kinks += u32::from(end == form.ground.next_kink(t));

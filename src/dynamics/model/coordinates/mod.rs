@@ -233,8 +233,8 @@ impl Body {
     }
 
     /// [`Coordinates::port`].
-    pub fn port(&self, point: Point<'_>, force: DVec3, columns: [&mut [f64]; 2]) {
-        of_each!(self, c => c.port(self, point, force, columns));
+    pub fn port(&self, point: Point<'_>, force: DVec3, response_and_load: [&mut [f64]; 2]) {
+        of_each!(self, c => c.port(self, point, force, response_and_load));
     }
 
     /// [`Coordinates::along`].

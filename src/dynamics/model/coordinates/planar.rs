@@ -17,10 +17,10 @@ use crate::dynamics::model::wrench::Wrench;
 
 /// Components of a state.
 pub const WIDTH: usize = 6;
-/// Components that are positions; the rate of component `i` is component `RATES + i`.
-pub const RATES: usize = 3;
+/// Number of positions among the components; the rate of component `i` is component `POSITIONS + i`.
+pub const POSITIONS: usize = 3;
 /// World directions of [`Body::free`] that the positions are.
-const DIRECTIONS: [usize; RATES] = [0, 1, 5];
+const DIRECTIONS: [usize; POSITIONS] = [0, 1, 5];
 
 /// `x, y, θ, ẋ, ẏ, θ̇`, relative to where the girder was placed.
 pub type PlanarState = [f64; WIDTH];
@@ -32,12 +32,12 @@ pub(in crate::dynamics) struct Planar;
 /// One coordinate of a state and its rate.
 #[inline]
 pub(in crate::dynamics) fn part(state: &PlanarState, i: usize) -> [f64; 2] {
-    [state[i], state[RATES + i]]
+    [state[i], state[POSITIONS + i]]
 }
 
 /// A state from its coordinates, each with its rate.
 #[inline]
-pub(in crate::dynamics) fn of_parts([x, y, turn]: [[f64; 2]; RATES]) -> PlanarState {
+pub(in crate::dynamics) fn of_parts([x, y, turn]: [[f64; 2]; POSITIONS]) -> PlanarState {
     [x[0], y[0], turn[0], x[1], y[1], turn[1]]
 }
 
@@ -63,7 +63,7 @@ pub(in crate::dynamics) fn in_a_row(y: &[f64]) -> &[PlanarState] {
 #[inline]
 pub(in crate::dynamics) fn is_along(state: &PlanarState, axis: usize) -> bool {
     let across = 1 - axis;
-    state[across] == 0.0 && state[2] == 0.0 && state[RATES + across] == 0.0 && state[5] == 0.0
+    state[across] == 0.0 && state[2] == 0.0 && state[POSITIONS + across] == 0.0 && state[5] == 0.0
 }
 
 /// Whether a reference pose is in line with a world axis.
@@ -73,7 +73,7 @@ pub(in crate::dynamics) fn is_base_along(base: &ReferencePose, axis: usize) -> b
 }
 
 /// Which directions a girder may move in.
-pub(in crate::dynamics) fn free(body: &Body) -> [bool; RATES] {
+pub(in crate::dynamics) fn free(body: &Body) -> [bool; POSITIONS] {
     DIRECTIONS.map(|direction| body.free[direction])
 }
 
@@ -135,8 +135,8 @@ fn slope_from(body: &Body, base: DVec3, state: &[f64], contact: &Wrench, ground:
     let gains =
         [total.x / body.mass - ground.x, total.y / body.mass - ground.y, total.z / (body.mass * body.gyration2)];
     for (i, free) in free(body).into_iter().enumerate() {
-        out[i] = if free { state[RATES + i] } else { 0.0 };
-        out[RATES + i] = if free { gains[i] } else { 0.0 };
+        out[i] = if free { state[POSITIONS + i] } else { 0.0 };
+        out[POSITIONS + i] = if free { gains[i] } else { 0.0 };
     }
 }
 
@@ -148,7 +148,7 @@ impl Coordinates for Planar {
 
     #[inline]
     fn positions(&self) -> usize {
-        RATES
+        POSITIONS
     }
 
     #[inline]
@@ -188,7 +188,7 @@ impl Coordinates for Planar {
 
     fn rebase(&self, body: &Body, state: &mut [f64]) -> ReferencePose {
         let DVec3 { x, y, z: angle } = positions(state);
-        state[..RATES].fill(0.0);
+        state[..POSITIONS].fill(0.0);
         ReferencePose::level(DVec3::new(x, y, body.start[2]), angle, turned(angle))
     }
 
@@ -202,7 +202,7 @@ impl Coordinates for Planar {
     }
 
     fn add_accelerations(&self, state: &mut [f64], slope: &[f64], dt: f64) {
-        (0..RATES).for_each(|i| state[i] += 0.5 * dt * dt * slope[RATES + i]);
+        (0..POSITIONS).for_each(|i| state[i] += 0.5 * dt * dt * slope[POSITIONS + i]);
     }
 
     #[inline]
@@ -215,14 +215,14 @@ impl Coordinates for Planar {
     fn hold(&self, body: &Body, difference: &mut [f64]) {
         for (i, free) in free(body).into_iter().enumerate() {
             if !free {
-                (difference[i], difference[RATES + i]) = (0.0, 0.0);
+                (difference[i], difference[POSITIONS + i]) = (0.0, 0.0);
             }
         }
     }
 
     fn increment_scale(&self, i: usize, place: f64, omega: f64) -> f64 {
-        let length = if i % RATES < 2 { place } else { 1.0 };
-        (if i < RATES { 1.0 } else { omega }) * length
+        let length = if i % POSITIONS < 2 { place } else { 1.0 };
+        (if i < POSITIONS { 1.0 } else { omega }) * length
     }
 
     #[inline]
@@ -240,25 +240,25 @@ impl Coordinates for Planar {
         rigid_body::acceleration(body, &point, force)
     }
 
-    fn port(&self, body: &Body, point: Point<'_>, force: DVec3, [input, output]: [&mut [f64]; 2]) {
+    fn port(&self, body: &Body, point: Point<'_>, force: DVec3, [response, load]: [&mut [f64]; 2]) {
         let (linear, turning) = rigid_body::response(body, &point.frame.rotation(&body.axes), force, point.arm);
-        input[RATES..].copy_from_slice(&[linear.x, linear.y, turning.z]);
-        output[RATES..].copy_from_slice(&[force.x, force.y, point.arm.cross(force).z]);
+        response[POSITIONS..].copy_from_slice(&[linear.x, linear.y, turning.z]);
+        load[POSITIONS..].copy_from_slice(&[force.x, force.y, point.arm.cross(force).z]);
     }
 
     fn along(&self, body: &Body, axis: usize) -> Option<AxialMotion> {
-        body.keeps_to_axis[axis].then_some(AxialMotion { components: [axis, RATES + axis], modes: None })
+        body.keeps_to_axis[axis].then_some(AxialMotion { components: [axis, POSITIONS + axis], modes: None })
     }
 
     fn linear_part(&self, body: &Body) -> Option<LinearPart> {
-        let matrix = |m: &DMat3| DMatrix::from_fn(RATES, RATES, |i, j| m.col(j)[i]);
+        let matrix = |m: &DMat3| DMatrix::from_fn(POSITIONS, POSITIONS, |i, j| m.col(j)[i]);
         let ([x, y, .., turn], Body { mass, push, moment, .. }) = (body.start, body);
         Some(LinearPart {
             masses: vec![*mass, *mass, mass * body.gyration2],
             free: free(body).to_vec(),
             stiffness: matrix(&body.planar.stiffness),
             damping: matrix(&body.planar.damping),
-            own_damping: vec![0.0; RATES],
+            own_damping: vec![0.0; POSITIONS],
             push: vec![push.x, push.y, moment.z],
             start: vec![x, y, turn],
             lever: 0.0,
@@ -316,7 +316,7 @@ mod tests {
     #[test]
     fn a_state_is_in_line_where_all_else_is_zero() {
         assert!(is_along(&[0.1, 0.0, 0.0, 2.0, 0.0, 0.0], 0), "on the axis");
-        assert!((0..WIDTH).filter(|i| i % RATES > 0).all(|i| {
+        assert!((0..WIDTH).filter(|i| i % POSITIONS > 0).all(|i| {
             let mut state = [0.0; WIDTH];
             state[i] = 1e-300;
             !is_along(&state, 0)

@@ -236,12 +236,12 @@ impl Coordinates for Spatial {
         rigid_body::acceleration(body, &point, force)
     }
 
-    fn port(&self, body: &Body, point: Point<'_>, force: DVec3, [input, output]: [&mut [f64]; 2]) {
+    fn port(&self, body: &Body, point: Point<'_>, force: DVec3, [response, load]: [&mut [f64]; 2]) {
         let (linear, turning) = rigid_body::response(body, &point.frame.rotation(&body.axes), force, point.arm);
-        input[VELOCITY].copy_from_slice(&linear.to_array());
-        input[SPIN].copy_from_slice(&turning.to_array());
-        output[VELOCITY].copy_from_slice(&force.to_array());
-        output[SPIN].copy_from_slice(&point.arm.cross(force).to_array());
+        response[VELOCITY].copy_from_slice(&linear.to_array());
+        response[SPIN].copy_from_slice(&turning.to_array());
+        load[VELOCITY].copy_from_slice(&force.to_array());
+        load[SPIN].copy_from_slice(&point.arm.cross(force).to_array());
     }
 
     fn fastest(&self, body: &Body) -> f64 {

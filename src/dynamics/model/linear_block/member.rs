@@ -21,19 +21,19 @@ impl ClosedForm for BlockMember {
         self.block.begin_all(start, states)
     }
 
-    fn state(&self, start: f64, numbers: &[f64], t: f64, out: &mut [f64]) {
-        self.block.write(self.member, &self.block.motion.at(Flight { start, numbers }, t), out);
+    fn state(&self, flight: Flight<'_>, t: f64, out: &mut [f64]) {
+        self.block.write(self.member, &self.block.motion.at(flight, t), out);
     }
 
-    fn bounds(&self, start: f64, numbers: &[f64], t: f64, horizon: f64) -> MotionBounds {
-        self.block.member_bounds(self.member, &self.block.motion.at(Flight { start, numbers }, t), horizon)
+    fn bounds(&self, flight: Flight<'_>, t: f64, horizon: f64) -> MotionBounds {
+        self.block.member_bounds(self.member, &self.block.motion.at(flight, t), horizon)
     }
 
-    fn parts(&self, start: f64, numbers: &[f64], t: f64) -> Parts {
-        self.block.motion.at(Flight { start, numbers }, t)
+    fn parts(&self, flight: Flight<'_>, t: f64) -> Parts {
+        self.block.motion.at(flight, t)
     }
 
-    fn look(&self, _: (f64, &[f64]), parts: &Parts, [_, horizon]: [f64; 2], out: &mut [f64]) -> MotionBounds {
+    fn look(&self, _: Flight<'_>, parts: &Parts, [_, horizon]: [f64; 2], out: &mut [f64]) -> MotionBounds {
         self.block.write(self.member, parts, out);
         self.block.member_bounds(self.member, parts, horizon)
     }
@@ -42,8 +42,8 @@ impl ClosedForm for BlockMember {
         self.block.shapes(self.member)
     }
 
-    fn second_derivatives(&self, start: f64, numbers: &[f64], span: [f64; 2]) -> Vec<f64> {
-        self.block.motion.second_derivatives(Flight { start, numbers }, span)
+    fn second_derivatives(&self, flight: Flight<'_>, span: [f64; 2]) -> Vec<f64> {
+        self.block.motion.second_derivatives(flight, span)
     }
 
     fn fastest(&self) -> f64 {
@@ -55,7 +55,7 @@ impl ClosedForm for BlockMember {
     }
 
     /// Those of the block are the first body's.
-    fn works(&self, start: f64, numbers: &[f64], span: [f64; 2]) -> Option<[f64; 4]> {
-        Some(if self.member > 0 { [0.0; 4] } else { self.block.works_of_all(Flight { start, numbers }, span) })
+    fn works(&self, flight: Flight<'_>, span: [f64; 2]) -> Option<[f64; 4]> {
+        Some(if self.member > 0 { [0.0; 4] } else { self.block.works_of_all(flight, span) })
     }
 }

@@ -14,7 +14,7 @@ use crate::dynamics::model::wrench::Wrench;
 use crate::scene::facing::Flank;
 
 /// Places of the mean axes that come before those of the modes: displacement and quaternion.
-pub(super) const PLACES: usize = 7;
+pub(super) const POSITIONS: usize = 7;
 /// Their velocities.
 pub(super) const RATES: usize = 6;
 
@@ -72,7 +72,7 @@ impl SpatialElasticGirder {
 
     /// How many positions a state has.
     pub(super) fn places(&self) -> usize {
-        PLACES + self.count()
+        POSITIONS + self.count()
     }
 
     /// Places and rates of a state.
@@ -83,7 +83,7 @@ impl SpatialElasticGirder {
     /// Modal coordinates and their rates in a state.
     pub(super) fn modal<'a>(&self, state: &'a [f64]) -> [&'a [f64]; 2] {
         let (places, rates) = self.halves(state);
-        [&places[PLACES..], &rates[RATES..]]
+        [&places[POSITIONS..], &rates[RATES..]]
     }
 
     /// A section by its number; nothing for that of G, which moves with the mean axes.

@@ -28,7 +28,7 @@ use crate::dynamics::model::wrench::Wrench;
 use crate::geometry::End;
 use crate::scene::facing::Flank;
 pub use girder::SpatialElasticGirder;
-use girder::{PLACES, RATES};
+use girder::{POSITIONS, RATES};
 use section::{Section, Turns};
 
 impl SpatialElasticGirder {
@@ -113,7 +113,7 @@ impl SpatialElasticGirder {
 
 impl Coordinates for SpatialElasticGirder {
     fn width(&self) -> usize {
-        PLACES + RATES + 2 * self.count()
+        POSITIONS + RATES + 2 * self.count()
     }
 
     fn positions(&self) -> usize {
@@ -142,8 +142,8 @@ impl Coordinates for SpatialElasticGirder {
     fn initial(&self, body: &Body) -> Vec<f64> {
         let rigid = Spatial.initial(body);
         let mut state = vec![0.0; self.width()];
-        state[..PLACES].copy_from_slice(&rigid[..PLACES]);
-        state[self.places()..][..RATES].copy_from_slice(&rigid[PLACES..]);
+        state[..POSITIONS].copy_from_slice(&rigid[..POSITIONS]);
+        state[self.places()..][..RATES].copy_from_slice(&rigid[POSITIONS..]);
         state
     }
 
@@ -196,7 +196,7 @@ impl Coordinates for SpatialElasticGirder {
             rigid[3 + i] = spin_rate[i];
         }
         spatial::set_quaternion(places, spatial::turn_rate(now.state, here.spin));
-        places[PLACES..].copy_from_slice(self.modal(now.state)[1]);
+        places[POSITIONS..].copy_from_slice(self.modal(now.state)[1]);
     }
 
     fn has_unit_parts(&self) -> bool {
@@ -211,7 +211,7 @@ impl Coordinates for SpatialElasticGirder {
         let (_, gains) = self.halves(slope);
         (0..3).for_each(|i| state[i] += 0.5 * dt * dt * gains[i]);
         spatial::bend_turn(state, DVec3::from_slice(&gains[3..RATES]), dt);
-        let modal = state[PLACES..self.places()].iter_mut().zip(&gains[RATES..]);
+        let modal = state[POSITIONS..self.places()].iter_mut().zip(&gains[RATES..]);
         modal.for_each(|(place, gain)| *place += 0.5 * dt * dt * gain);
     }
 
@@ -221,9 +221,9 @@ impl Coordinates for SpatialElasticGirder {
         let square = |v: &[f64]| v.iter().map(|x| x * x).sum::<f64>();
         let arm2 = body.gyration2;
         // A quaternion turns half the angle.
-        let place = square(&places[..3]) + 4.0 * arm2 * square(&places[3..PLACES]);
+        let place = square(&places[..3]) + 4.0 * arm2 * square(&places[3..POSITIONS]);
         let speed = square(&rates[..3]) + arm2 * square(&rates[3..RATES]);
-        [place + square(&places[PLACES..]) / body.mass, speed + square(&rates[RATES..]) / body.mass]
+        [place + square(&places[POSITIONS..]) / body.mass, speed + square(&rates[RATES..]) / body.mass]
     }
 
     fn hold(&self, body: &Body, difference: &mut [f64]) {
@@ -240,7 +240,7 @@ impl Coordinates for SpatialElasticGirder {
 
     fn increment_scale(&self, i: usize, place: f64, omega: f64) -> f64 {
         let (own, per, rigid) = match i.checked_sub(self.places()) {
-            None => (i, 1.0, PLACES),
+            None => (i, 1.0, POSITIONS),
             Some(rate) => (rate, omega, RATES),
         };
         let length = match own {
@@ -254,7 +254,7 @@ impl Coordinates for SpatialElasticGirder {
     fn excursion(&self, arm: f64, way: &dyn Fn(Range<usize>) -> f64) -> f64 {
         let lever = self.lever();
         let modal = |(j, [moved, turned]): (usize, &[f64; 2])| {
-            (moved + (lever + arm) * turned) * way(PLACES + j..PLACES + j + 1)
+            (moved + (lever + arm) * turned) * way(POSITIONS + j..POSITIONS + j + 1)
         };
         Spatial.excursion(arm + DEFORMED * lever, way) + self.most.iter().enumerate().map(modal).sum::<f64>()
     }
@@ -263,7 +263,7 @@ impl Coordinates for SpatialElasticGirder {
         let MotionBounds { speed, acceleration, spin, spin_rate, .. } = Spatial.bounds(rates);
         let mut section = SectionBounds { speed, acceleration, spin, spin_rate, ..SectionBounds::default() };
         for (j, [moved, turned]) in self.most.iter().enumerate() {
-            let [rate, gain] = rates(PLACES + j..PLACES + j + 1);
+            let [rate, gain] = rates(POSITIONS + j..POSITIONS + j + 1);
             section.moved[0] += moved * rate;
             section.moved[1] += moved * gain;
             section.turned[0] += turned * rate;

@@ -27,8 +27,8 @@ fn state(body: &Body, turned: f64) -> Vec<f64> {
     let (width, places) = (body.width(), body.positions());
     let mut state: Vec<f64> = (0..width).map(some).collect();
     let q = DQuat::from_scaled_axis(turned * DVec3::new(0.3, -0.5, 0.9));
-    state[3..PLACES].copy_from_slice(&q.to_array());
-    state[PLACES..places].iter_mut().for_each(|x| *x *= 40.0);
+    state[3..POSITIONS].copy_from_slice(&q.to_array());
+    state[POSITIONS..places].iter_mut().for_each(|x| *x *= 40.0);
     state[places + RATES..].iter_mut().for_each(|x| *x *= 300.0);
     state
 }
@@ -150,7 +150,7 @@ fn a_port_is_what_the_slope_gains_by_the_force() {
     let model = model();
     let body = &model.bodies[0];
     let mut state = state(body, 0.4);
-    state[PLACES..body.positions()].fill(0.0);
+    state[POSITIONS..body.positions()].fill(0.0);
     let still = vec![Wrench::default(); body.sections()];
     for section in 0..body.sections() {
         let here = body.frame(section, &state);
@@ -216,7 +216,7 @@ fn section_forces_of_a_mode_are_those_by_strain() {
     let still = vec![Wrench::default(); girder.sections()];
     for mode in 0..12 {
         let mut state = girder.initial(body);
-        state[PLACES + mode] = 1.0;
+        state[POSITIONS + mode] = 1.0;
         let equilibrium = girder.equilibrium(&state, &still);
         let stations = [-14.0, -9.0, -3.0, 0.0, 5.0, 11.0];
         let all = |of: &dyn Fn(f64) -> SectionForces| {
@@ -256,7 +256,7 @@ fn bounds_and_excursion_are_not_below_the_motion() {
                 let spin = norm(&state[places + 3..places + RATES]);
                 0.5 * norm(&rate[places + 3..places + RATES]) + 0.25 * spin * spin
             }
-            j => rate[places + RATES + j - PLACES].abs(),
+            j => rate[places + RATES + j - POSITIONS].abs(),
         }
     };
     let bounds = body.bounds(&|range: Range<usize>| [norm(&rate[range.clone()]), second(range)]);

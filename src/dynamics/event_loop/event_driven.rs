@@ -7,8 +7,8 @@ use crate::dynamics::event_loop::event_queue::Source;
 use crate::dynamics::event_loop::schedule::Schedule;
 use crate::language::{Message, Text};
 
-/// A model of contact: one group of bodies, advanced from event to event.
-pub trait Mechanics {
+/// The motion of one group of bodies under a model of contact, advanced from event to event.
+pub trait EventDriven {
     /// Progress of the run.
     fn schedule(&self) -> &Schedule;
 
@@ -33,35 +33,37 @@ pub trait Mechanics {
 
     /// Name of a body of the model.
     fn name(&self, body: usize) -> String;
-}
 
-/// Handles all events up to `until` \[s\]. The run stops where the time of an event or, at its end, the state of a body is no number.
-pub fn advance(run: &mut impl Mechanics, until: f64) {
-    let until = until.min(run.duration());
-    while run.schedule().next_time() <= until {
-        let Some((t, source)) = run.schedule_mut().queue.pop() else { return };
-        let schedule = run.schedule_mut();
-        schedule.now = t;
-        schedule.work += 1;
-        if let Some(reason) = run.exceeded(t) {
-            let place = run.place(source);
-            run.schedule_mut().give_up(t, place, reason);
-            return;
+    /// Handles all events up to `until` \[s\]. The run stops where the time of an event or, at its end, the state of a body is no number.
+    fn advance(&mut self, until: f64) {
+        let until = until.min(self.duration());
+        while self.schedule().next_time() <= until {
+            let Some((t, source)) = self.schedule_mut().queue.pop() else { return };
+            let schedule = self.schedule_mut();
+            schedule.now = t;
+            schedule.work += 1;
+            if let Some(reason) = self.exceeded(t) {
+                let place = self.place(source);
+                self.schedule_mut().give_up(t, place, reason);
+                return;
+            }
+            self.handle(source, t);
+            if self.schedule().queue.undefined().is_some() {
+                break;
+            }
         }
-        run.handle(source, t);
-        if run.schedule().queue.undefined().is_some() {
-            break;
-        }
-    }
-    // Also a time that was entered before the first event.
-    if let Some(source) = run.schedule().queue.undefined() {
-        let (t, place) = (run.schedule().now, run.place(source));
-        run.schedule_mut().give_up(t, place, Text::new("stop-undefined").into());
-    } else if run.schedule().stop().is_none() {
-        let undefined = run.states(until).into_iter().find(|(_, state)| state.iter().any(|number| !number.is_finite()));
-        if let Some((body, _)) = undefined {
-            let (t, place) = (run.schedule().now, run.name(body));
-            run.schedule_mut().give_up(t, place, Text::new("stop-undefined").into());
+        // Also a time that was entered before the first event.
+        let undefined = if let Some(source) = self.schedule().queue.undefined() {
+            Some(self.place(source))
+        } else if self.schedule().stop().is_none() {
+            let undefined = |(_, state): &(usize, Vec<f64>)| state.iter().any(|number| !number.is_finite());
+            self.states(until).into_iter().find(undefined).map(|(body, _)| self.name(body))
+        } else {
+            None
+        };
+        if let Some(place) = undefined {
+            let t = self.schedule().now;
+            self.schedule_mut().give_up(t, place, Text::new("stop-undefined").into());
         }
     }
 }
@@ -80,7 +82,7 @@ mod tests {
 
     const INTERVALS: [f64; 2] = [0.3, 0.5];
 
-    impl Mechanics for Clocks {
+    impl EventDriven for Clocks {
         fn schedule(&self) -> &Schedule {
             &self.schedule
         }
@@ -126,9 +128,9 @@ mod tests {
     #[test]
     fn the_earliest_is_handled_first_up_to_the_time_asked_for() {
         let mut model = clocks(100);
-        advance(&mut model, 0.55);
+        model.advance(0.55);
         assert_eq!(model.struck, [(0.3, 0), (0.5, 1)], "what is due until then");
-        advance(&mut model, 5.0);
+        model.advance(5.0);
         let order: Vec<usize> = model.struck.iter().map(|(_, number)| *number).collect();
         assert_eq!(order, [0, 1, 0, 0, 1], "no further than the run is long");
         assert_eq!(model.schedule.reached(1.0), 1.0, "to its end");
@@ -137,12 +139,12 @@ mod tests {
     #[test]
     fn what_is_no_number_stops_a_run() {
         let mut model = Clocks { hand: f64::NAN, ..clocks(100) };
-        advance(&mut model, 0.55);
+        model.advance(0.55);
         let stop = model.schedule.stop().expect("a reason");
         assert_eq!((stop.place.as_str(), stop.t), ("hand 0", 0.5), "where the last event was: {stop:?}");
         let mut model = clocks(100);
         model.schedule.queue.set(Source { rank: 0, number: 1 }, f64::NAN);
-        advance(&mut model, 1.0);
+        model.advance(1.0);
         let stop = model.schedule.stop().expect("a reason");
         assert_eq!((stop.place.as_str(), stop.t), ("clock 1", 0.3), "no event is passed over: {stop:?}");
     }
@@ -150,7 +152,7 @@ mod tests {
     #[test]
     fn a_run_that_exceeds_its_bound_stops_and_names_who_kept_it_busy() {
         let mut model = clocks(2);
-        advance(&mut model, 1.0);
+        model.advance(1.0);
         assert_eq!(model.struck.len(), 2, "what the bound allows");
         let stop = model.schedule.stop().expect("a reason");
         assert_eq!((stop.place.as_str(), stop.t), ("clock 0", 0.6), "{stop:?}");
