@@ -50,11 +50,13 @@ pub trait Run: EventDriven + std::fmt::Debug + Send + Sync {
 
 /// Sets up a group of bodies, by its number in the model, at t = 0; where both models are asked for, under the contact model.
 pub fn start(model: &Arc<Model>, group: usize, kind: ModelKind) -> Box<dyn Run> {
-    let planar =
-        model.groups[group].iter().all(|&body| matches!(model.bodies[body].coordinates, BodyCoordinates::Planar));
+    let planar = model.groups[group]
+        .bodies
+        .iter()
+        .all(|&body| matches!(model.bodies[body].coordinates, BodyCoordinates::Planar));
     match kind {
         ModelKind::Contact | ModelKind::Both => Box::new(ContactRun::new(model, group)),
-        ModelKind::Impact if !model.group_links[group].is_empty() => {
+        ModelKind::Impact if !model.groups[group].links.is_empty() => {
             Box::new(ContactRun::refused(model, group, Text::new("stop-devices-in-impact")))
         }
         ModelKind::Impact if planar => Box::new(impact2d::run::ImpactRun::new(model, group)),

@@ -38,14 +38,14 @@ impl World {
     pub(in crate::dynamics::impact2d) fn new(model: &Arc<Model>, group: usize) -> Self {
         let mut world = Self {
             model: Arc::clone(model),
-            bodies: model.groups[group].iter().map(|&body| body_track(model, body)).collect(),
+            bodies: model.groups[group].bodies.iter().map(|&body| body_track(model, body)).collect(),
             pairs: Vec::new(),
             sites: Vec::new(),
             lasting: Vec::new(),
             peak_speed: 0.0,
             peak_displacement: 0.0,
         };
-        for &pair in &model.group_pairs[group] {
+        for &pair in &model.groups[group].pairs {
             world.add_pair(pair);
         }
         world

@@ -90,8 +90,6 @@ impl Model {
             supports: Vec::new(),
             devices: Vec::new(),
             groups: Vec::new(),
-            group_pairs: Vec::new(),
-            group_links: Vec::new(),
         };
         model.stand_walls_on_their_ground();
         model.add_piers(scene);

@@ -86,12 +86,19 @@ pub struct Model {
     pub supports: Vec<Vec<Vec<usize>>>,
     /// Devices of the scene, in the order of [`Scene::devices`](crate::scene::Scene::devices).
     pub devices: Vec<ModelDevice>,
-    /// Groups of bodies that a chain of pairs and links joins, each in rising order; no force acts between two groups.
-    pub groups: Vec<Vec<usize>>,
-    /// Pairs of each group, in rising order.
-    pub group_pairs: Vec<Vec<usize>>,
-    /// Links of each group, in rising order.
-    pub group_links: Vec<Vec<usize>>,
+    /// Groups of bodies that a chain of pairs and links joins.
+    pub groups: Vec<Group>,
+}
+
+/// Bodies that a chain of pairs and links joins, with these; no force acts between two groups.
+#[derive(Clone, Debug, Default, PartialEq, Eq)]
+pub struct Group {
+    /// Numbers of its bodies, in rising order.
+    pub bodies: Vec<usize>,
+    /// Numbers of its facing pairs, in rising order.
+    pub pairs: Vec<usize>,
+    /// Numbers of its links, in rising order.
+    pub links: Vec<usize>,
 }
 
 /// A device of the scene.

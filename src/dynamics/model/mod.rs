@@ -19,6 +19,7 @@ mod ground;
 pub mod ground_now;
 pub mod groups;
 pub mod linear_block;
+pub mod links;
 pub mod meeting;
 mod met_solids;
 pub mod motion_bounds;

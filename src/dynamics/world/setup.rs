@@ -3,6 +3,7 @@
 use std::collections::BTreeMap;
 use std::sync::Arc;
 
+use crate::dynamics::model::compiled_model::Group;
 use crate::dynamics::model::edge_node::node_place::NodePlace;
 use crate::dynamics::model::pair::Carrier;
 
@@ -44,20 +45,19 @@ impl World {
 
     fn gather(&mut self, number: usize) {
         let model = Arc::clone(&self.model);
-        let group = model.groups[number].as_slice();
-        let pairs = model.group_pairs[number].as_slice();
-        self.bodies.reserve_exact(group.len());
+        let Group { bodies, pairs, links } = &model.groups[number];
+        self.bodies.reserve_exact(bodies.len());
         self.pairs.reserve_exact(pairs.len());
         self.contacts.reserve_exact(pairs.iter().map(|&pair| model.pairs[pair].nodes().count()).sum());
-        let slot = |side: Option<usize>| side.and_then(|b| group.binary_search(&b).ok());
-        for &body in group {
+        let slot = |side: Option<usize>| side.and_then(|b| bodies.binary_search(&b).ok());
+        for &body in bodies {
             self.add_body(&model, body);
         }
         for &pair in pairs {
             self.add_pair(&model, pair, slot);
         }
         self.find_other_faces(pairs);
-        for &number in &model.group_links[number] {
+        for &number in links {
             self.add_link(&model, number, model.links[number].bodies.map(slot));
         }
         self.find_blocks();

@@ -8,7 +8,7 @@ use girderbench::dynamics::Model;
 use girderbench::dynamics::connection::{
     Anchor, Connection, Device, DeviceReadings, Phase, Separation, SeparationBounds, Switch, acts_or_open,
 };
-use girderbench::dynamics::model::groups::LinkError;
+use girderbench::dynamics::model::links::LinkError;
 use girderbench::language::Text;
 use girderbench::scene::{ModelKind, Scene, ViewPreset};
 use girderbench::sim::quantity::Quantity;
