@@ -13,7 +13,7 @@ use crate::dynamics::free_flight::uncoupled_axis::UncoupledAxis;
 use crate::dynamics::integrator::dense_output::DenseOutput;
 use crate::dynamics::locate::advancement::{BoundedGap, FirstZero, first_crossing_from};
 use crate::dynamics::locate::constants::RESOLUTION;
-use crate::dynamics::locate::subdivision::{GapSample, Subdivision};
+use crate::dynamics::locate::subdivision::{GapClosing, GapSample, Subdivision};
 use crate::dynamics::penalty3d::contact_state::Contact;
 use crate::dynamics::world::World;
 use crate::dynamics::world::axial_gap::AxialGap;
@@ -59,7 +59,7 @@ pub(in crate::dynamics) fn search(world: &mut World, pair: usize, t: f64) -> Opt
         (NextClosing::of(found, until, world.model.duration, evaluations), closing)
     };
     for contact in contacts {
-        (world.contacts[contact].closing, world.contacts[contact].rearmed_at) = (closing, None);
+        world.contacts[contact].found = GapClosing { closing, rearmed_at: None };
     }
     Some(next)
 }
@@ -127,7 +127,9 @@ impl<'a> CollinearPair<'a> {
         let samples = [before, sample(until)];
         // Motion along one axis has neither stick nor slip, so that the time within a touch at which it is decided is
         // arbitrary.
-        Subdivision::new((sample, |_: &GapSample, _| curvature, |_| 0.0), true, resolution, 0.0).first_closing(&samples)
+        Subdivision::new((sample, |_: &GapSample, _| curvature, |_| 0.0), true, resolution, 0.0)
+            .search(&samples)
+            .closing
     }
 
     /// Bound on `|g̈|` from `t` to `until`.

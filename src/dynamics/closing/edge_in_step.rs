@@ -8,7 +8,7 @@ use crate::dynamics::closing::constants::CLOSING_INTERVAL;
 use crate::dynamics::closing::gap_curvature::GapCurvature;
 use crate::dynamics::closing::step_samples::{StepSamples, excursion, rate_error};
 use crate::dynamics::locate::positive_again::is_positive_again;
-use crate::dynamics::locate::subdivision::{GapSample, Subdivision};
+use crate::dynamics::locate::subdivision::{GapClosing, GapSample, Subdivision};
 use crate::dynamics::model::edge_node::{Edge, EdgeEnds};
 use crate::dynamics::world::World;
 use crate::dynamics::world::contact_points::{self, poses_at};
@@ -21,14 +21,14 @@ pub(super) fn search(
     samples: &mut StepSamples,
     armed: bool,
     [from, last]: [f64; 2],
-) -> (Option<f64>, Option<f64>) {
+) -> GapClosing {
     let times = samples.times;
     let [t, until] = [times[0], times[times.len() - 1]];
     let site = world.site(contact);
-    let Some(edge) = site.edge.as_deref().filter(|_| until > t) else { return (None, None) };
+    let Some(edge) = site.edge.as_deref().filter(|_| until > t) else { return GapClosing::NONE };
     let ends_at = |samples: &mut StepSamples, i: usize| samples.edge_ends(world, (contact, edge), i);
     if edge.is_of_met() && !edge.may_belong(samples.sides(world, contact, 0), samples.turned(world)) {
-        return (None, None);
+        return GapClosing::NONE;
     }
     let before = ends_at(samples, 0);
     let arms = levers(world, contact, samples);
@@ -36,7 +36,7 @@ pub(super) fn search(
     let reach: f64 =
         slots.iter().zip(arms).map(|(slot, arm)| slot.map_or(0.0, |s| excursion(world, s, arm, t, until))).sum();
     if edge.is_clear(&before, reach) {
-        return (None, None);
+        return GapClosing::NONE;
     }
     let first = with_sense(world, contact, samples, (before.sense(), armed), [from, last], arms);
     // The sign of the gap of two lines changes where they pass through parallel.
@@ -48,8 +48,8 @@ pub(super) fn search(
     if (1..times.len()).all(|i| ends_at(samples, i).sense() != turned) {
         return first;
     }
-    let (closing, _) = with_sense(world, contact, samples, (turned, true), [from, last], arms);
-    (first.0.into_iter().chain(closing).reduce(f64::min), first.1)
+    let other = with_sense(world, contact, samples, (turned, true), [from, last], arms);
+    GapClosing { closing: first.closing.into_iter().chain(other.closing).reduce(f64::min), ..first }
 }
 
 /// The same with one sign of the gap, from `arms`, bounds on the distances of the ends of the edge from G of both bodies \[m\].
@@ -60,10 +60,10 @@ fn with_sense(
     (sense, armed): (f64, bool),
     [from, last]: [f64; 2],
     arms: [f64; 2],
-) -> (Option<f64>, Option<f64>) {
+) -> GapClosing {
     let times = samples.times;
     let [t, until] = [times[0], times[times.len() - 1]];
-    let Some(edge) = world.edge(contact) else { return (None, None) };
+    let Some(edge) = world.edge(contact) else { return GapClosing::NONE };
     let lines = EdgeGap { world, contact, edge, sense };
     let before = samples.edge_ends(world, (contact, edge), 0);
     let resolution = samples.resolution(world, contact) * edge.amplification(&before).max(1.0);
@@ -77,7 +77,7 @@ fn with_sense(
     let GapSample { gap, rate, .. } = first;
     let closes_now = armed && gap.abs() <= resolution && rate < -error * edge.amplification(&here).max(1.0);
     if closes_now && lines.begins(start) {
-        return (Some(start), None);
+        return GapClosing::at(start);
     }
     // A gap that is negative beyond round-off, or falls through 0 now beside the edges, was passed over.
     let armed = armed && !is_positive_again(-gap, rate, start, resolution) && !closes_now;
@@ -95,7 +95,7 @@ fn with_sense(
     // What stays positive does not close; what stays negative closes nothing and is not positive again.
     let stays = if armed { gap > way(-rate) } else { -gap > way(rate) };
     if stays && bounds.holds(span) {
-        return (None, None);
+        return GapClosing::NONE;
     }
     let curvature = |from: &GapSample, to: f64| {
         if bounds.holds(span) {
@@ -162,22 +162,21 @@ impl EdgeGap<'_> {
         mut armed: bool,
         resolution: f64,
         last: f64,
-    ) -> (Option<f64>, Option<f64>) {
+    ) -> GapClosing {
         let interval = CLOSING_INTERVAL * self.world.pair_of(self.contact).simultaneity;
-        let mut rearmed = None;
+        let mut rearmed_at = None;
         loop {
             let functions = (|t| self.at(t), &curvature, |t| self.rate_error(t));
-            let mut subdivision = Subdivision::new(functions, armed, resolution, interval);
-            let closing = subdivision.first_closing(&gaps);
-            rearmed = rearmed.or(subdivision.rearmed_at());
-            match closing {
-                Some(at) if at > last => return (None, rearmed),
+            let found = Subdivision::new(functions, armed, resolution, interval).search(&gaps);
+            rearmed_at = rearmed_at.or(found.rearmed_at);
+            match found.closing {
+                Some(at) if at > last => return GapClosing { closing: None, rearmed_at },
                 Some(at) if !self.begins(at) => {
                     armed = false;
                     gaps =
                         std::iter::once(self.at(at)).chain(gaps.into_iter().filter(|sample| sample.t > at)).collect();
                 }
-                _ => return (closing, rearmed),
+                closing => return GapClosing { closing, rearmed_at },
             }
         }
     }

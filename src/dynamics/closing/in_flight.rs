@@ -70,16 +70,16 @@ pub(in crate::dynamics) fn search(world: &mut World, pair: usize, t: f64, shared
     let rearmed: Vec<(usize, Option<f64>)> =
         open_contacts.iter().map(|q| (q.contact, q.advancement.rearmed_at())).collect();
     for contact in world.pairs[pair].contacts.clone() {
-        world.contacts[contact].closing = None;
+        world.contacts[contact].found.closing = None;
     }
     for (contact, at) in rearmed {
-        world.contacts[contact].rearmed_at = at;
+        world.contacts[contact].found.rearmed_at = at;
     }
     for contact in armed {
         world.contacts[contact].state = Contact::Open { armed: true };
     }
     for (contact, at) in closing {
-        world.contacts[contact].closing = Some(at);
+        world.contacts[contact].found.closing = Some(at);
     }
     NextClosing::of(found, until, duration, evaluations)
 }

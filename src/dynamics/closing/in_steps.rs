@@ -7,7 +7,7 @@ use crate::dynamics::closing::gap_curvature::GapCurvature;
 use crate::dynamics::closing::shared::Shared;
 use crate::dynamics::closing::step_samples::{StepSamples, excursion, rate_error, resolution};
 use crate::dynamics::locate::positive_again::is_positive_again;
-use crate::dynamics::locate::subdivision::{GapSample, Subdivision};
+use crate::dynamics::locate::subdivision::{GapClosing, GapSample, Subdivision};
 use crate::dynamics::penalty3d::contact_state::Contact;
 use crate::dynamics::world::World;
 use crate::dynamics::world::tracks::PairTrack;
@@ -17,7 +17,7 @@ use crate::dynamics::world::tracks::PairTrack;
 pub(in crate::dynamics) fn search(world: &mut World, pair: usize, [t, until]: [f64; 2], shared: &mut Shared) -> f64 {
     let contacts = world.pairs[pair].contacts.clone();
     for contact in contacts.clone() {
-        (world.contacts[contact].closing, world.contacts[contact].rearmed_at) = (None, None);
+        world.contacts[contact].found = GapClosing::NONE;
     }
     if contacts.clone().all(|c| world.is_closed(c)) {
         return f64::INFINITY;
@@ -49,13 +49,13 @@ pub(in crate::dynamics) fn search(world: &mut World, pair: usize, [t, until]: [f
             continue;
         }
         let Some(armed) = open(world, contact, t) else { continue };
-        let (closing, out) = if is_edge {
+        let found = if is_edge {
             edge_in_step::search(world, contact, samples, armed, [from, last])
         } else {
             in_step(world, contact, samples, armed)
         };
-        (world.contacts[contact].closing, world.contacts[contact].rearmed_at) = (closing, out);
-        first = first.min(closing.unwrap_or(f64::INFINITY));
+        world.contacts[contact].found = found;
+        first = first.min(found.closing.unwrap_or(f64::INFINITY));
     }
     first
 }
@@ -117,7 +117,7 @@ fn crossing_not_before(world: &World, contact: usize, t: f64) -> f64 {
     let Some(ends) = track.corners.filter(|ends| before(contact) && ends.iter().all(|&corner| before(corner))) else {
         return t;
     };
-    ends.into_iter().filter_map(|corner| world.contacts[corner].closing).fold(f64::INFINITY, f64::min)
+    ends.into_iter().filter_map(|corner| world.contacts[corner].found.closing).fold(f64::INFINITY, f64::min)
 }
 
 /// Whether an open contact is armed; `None` for a closed one. A disarmed contact whose gap is positive is armed
@@ -144,10 +144,10 @@ fn open(world: &mut World, contact: usize, t: f64) -> Option<bool> {
 /// Closing of a contact, and time from which it is armed if it was not \[s\], where a body is in a planned step: from
 /// the first sample alone where the bounds on excursion or curvature exclude a closing, otherwise by subdivision with
 /// the curvature bound.
-fn in_step(world: &World, contact: usize, samples: &mut StepSamples, armed: bool) -> (Option<f64>, Option<f64>) {
+fn in_step(world: &World, contact: usize, samples: &mut StepSamples, armed: bool) -> GapClosing {
     let (t, until) = (samples.times[0], samples.times[STEP_SAMPLES - 1]);
     if until <= t {
-        return (None, None);
+        return GapClosing::NONE;
     }
     let before = samples.corner(world, contact, 0);
     let track = &world.contacts[contact];
@@ -155,14 +155,14 @@ fn in_step(world: &World, contact: usize, samples: &mut StepSamples, armed: bool
     let excursions =
         track.slots.into_iter().zip(arms).map(|(slot, arm)| slot.map_or(0.0, |s| excursion(world, s, arm, t, until)));
     if armed && before.gap > excursions.sum::<f64>() {
-        return (None, None);
+        return GapClosing::NONE;
     }
     let resolution = samples.resolution(world, contact);
     if armed
         && before.gap <= resolution
         && before.gap_rate < -rate_error(world, contact, samples.sides(world, contact, 0))
     {
-        return (Some(t), None);
+        return GapClosing::at(t);
     }
     let node = usize::from(track.slots[0] == samples.slots[1]);
     let slots = samples.slots;
@@ -175,7 +175,7 @@ fn in_step(world: &World, contact: usize, samples: &mut StepSamples, armed: bool
         && bounds.holds(span)
         && before.gap > resolution + span * ((-before.gap_rate).max(0.0) + 0.5 * curvature_bound * span)
     {
-        return (None, None);
+        return GapClosing::NONE;
     }
     let curvature = |from: &GapSample, to: f64| {
         if bounds.holds(span) {
@@ -194,7 +194,5 @@ fn in_step(world: &World, contact: usize, samples: &mut StepSamples, armed: bool
     samples.fill(world);
     let gaps: [GapSample; STEP_SAMPLES] = std::array::from_fn(|i| samples.gap(world, contact, i));
     let interval = CLOSING_INTERVAL * world.pairs[track.pair].simultaneity;
-    let mut subdivision = Subdivision::new((gap_at, curvature, rate_error), armed, resolution, interval);
-    let closing = subdivision.first_closing(&gaps);
-    (closing, subdivision.rearmed_at())
+    Subdivision::new((gap_at, curvature, rate_error), armed, resolution, interval).search(&gaps)
 }

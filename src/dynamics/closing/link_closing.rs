@@ -143,7 +143,8 @@ fn in_steps(world: &World, number: usize, t: f64, until: f64) -> Option<f64> {
     }
     let samples: [GapSample; STEP_SAMPLES] = sample_times([t, until]).map(gap);
     Subdivision::new((gap, curvature_bound, rate_error), true, resolution, CLOSING_INTERVAL * simultaneity)
-        .first_closing(&samples)
+        .search(&samples)
+        .closing
 }
 
 /// Depth of an excursion of the gap below zero that is round-off at `t` \[m\].

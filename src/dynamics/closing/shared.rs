@@ -13,6 +13,7 @@ use crate::dynamics::closing::constants::{NEAR, PARTED_ADVANCES};
 use crate::dynamics::closing::flight_view::{FlightSample, horizon, remember};
 use crate::dynamics::closing::step_samples::{StepSamples, excursion};
 use crate::dynamics::locate::advancement::FirstZero;
+use crate::dynamics::locate::subdivision::GapClosing;
 use crate::dynamics::model::meeting::Meeting;
 use crate::dynamics::penalty3d::contact_state::Contact;
 use crate::dynamics::world::World;
@@ -172,7 +173,7 @@ fn part(world: &mut World, pair: usize) -> bool {
         return false;
     }
     for contact in contacts {
-        (world.contacts[contact].closing, world.contacts[contact].rearmed_at) = (None, None);
+        world.contacts[contact].found = GapClosing::NONE;
     }
     world.pairs[pair].search_state = SearchState::Idle;
     true
@@ -187,7 +188,7 @@ fn approach(world: &mut World, pair: usize, t: f64) {
             let is_edge = world.model.sites[track.site].edge.is_some();
             let armed = is_edge || world.local(contact, t).gap > 0.0;
             let track = &mut world.contacts[contact];
-            (track.state, track.closing, track.rearmed_at) = (Contact::Open { armed }, None, None);
+            (track.state, track.found) = (Contact::Open { armed }, GapClosing::NONE);
         }
     }
 }

@@ -25,7 +25,7 @@ impl ContactClosing<'_, '_> {
             self.close_at_face(contact);
             return;
         }
-        self.states.world.contacts[contact].closing = None;
+        self.states.world.contacts[contact].found.closing = None;
         self.states.enter_state(contact, Contact::Open { armed: false });
         if let Some(by) = by
             && !self.states.world.is_closed(by)
@@ -51,7 +51,7 @@ impl ContactClosing<'_, '_> {
         let place = self.states.world.contacts[contact].place;
         let closed = ClosedContact { place, ..ClosedContact::new(law, mode, regularisation) };
         let kind = EventKind::of_closing(&mode);
-        self.states.world.contacts[contact].closing = None;
+        self.states.world.contacts[contact].found.closing = None;
         self.states.world.contacts[contact].changes.of_touch = 0;
         // Round-off leaves an overlap at the crossing; its strain energy enters the ledger as a negative release.
         let appeared = -law.entry_energy(&here);
@@ -66,7 +66,7 @@ impl ContactClosing<'_, '_> {
         let here = self.states.here(contact);
         let kind = EventKind::of_closing(&closed.mode);
         let track = &mut self.states.world.contacts[contact];
-        (track.closing, track.changes.of_touch) = (None, 0);
+        (track.found.closing, track.changes.of_touch) = (None, 0);
         self.states.log(contact, Contact::Closed(closed), kind, -closed.law.entry_energy(&here));
     }
 

@@ -165,7 +165,7 @@ fn count(world: &mut World, schedule: &mut Schedule, contact: usize, t: f64) {
 /// (`docs/physics.md#closing`). What two bodies declared to face each other miss is an event.
 pub(super) fn miss(world: &mut World, schedule: &mut Schedule, events: &mut Vec<Event>, contact: usize, t: f64) {
     let declared = !world.model_pair(world.contacts[contact].pair).met;
-    world.contacts[contact].closing = None;
+    world.contacts[contact].found.closing = None;
     if world.edge(contact).is_some() {
         return;
     }
@@ -223,11 +223,14 @@ mod tests {
     fn a_miss_of_declared_faces_is_an_event_and_one_between_all_faces_is_not() {
         for (change, logged) in [((|_| ()) as fn(&mut Model), 1), (|model| model.pairs[0].met = true, 0)] {
             let (mut world, _) = at_wall(change);
-            (world.contacts[0].state, world.contacts[0].closing) = (Contact::Open { armed: true }, Some(0.5));
+            (world.contacts[0].state, world.contacts[0].found.closing) = (Contact::Open { armed: true }, Some(0.5));
             let (mut events, mut schedule) = (Vec::new(), Schedule::default());
             miss(&mut world, &mut schedule, &mut events, 0, 0.5);
             let track = &world.contacts[0];
-            assert!(matches!(track.state, Contact::Open { armed: false }) && track.closing.is_none(), "{track:?}");
+            assert!(
+                matches!(track.state, Contact::Open { armed: false }) && track.found.closing.is_none(),
+                "{track:?}"
+            );
             assert_eq!((events.len(), track.changes.of_touch, track.changes.at_instant), (logged, 0, 1));
         }
     }

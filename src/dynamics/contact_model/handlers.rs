@@ -64,7 +64,7 @@ impl ContactRun {
     /// the search where none is due.
     pub(in crate::dynamics) fn close_pair(&mut self, pair: usize, t: f64) {
         let limit = t + self.world.pairs[pair].simultaneity;
-        let closes = |&c: &usize| self.world.contacts[c].closing.is_some_and(|at| at <= limit);
+        let closes = |&c: &usize| self.world.contacts[c].found.closing.is_some_and(|at| at <= limit);
         let mut entered: Vec<usize> = self.world.pairs[pair].contacts.clone().filter(closes).collect();
         if entered.is_empty() {
             self.search().pair(pair, t);
@@ -74,7 +74,7 @@ impl ContactRun {
         // A node that closes within the interval after `t` closes at `t`; a miss is recorded at its own time only.
         entered.retain(|&contact| {
             let over = ContactPoses { world: &self.world, now: &seen }.is_over(contact);
-            if !over && self.world.contacts[contact].closing.is_some_and(|at| at <= t) {
+            if !over && self.world.contacts[contact].found.closing.is_some_and(|at| at <= t) {
                 contact_states::miss(&mut self.world, &mut self.schedule, &mut self.events, contact, t);
             }
             over

@@ -221,7 +221,7 @@ impl VertexNodes<'_, '_> {
         // A node that takes over may be beside its face by as much as its predecessor's projection (`successors`).
         (closed.solver.handover_distance, closed.solver.beside) =
             (Some(carried.kept_beyond_edge), carried.kept_beyond_edge);
-        self.states.world.contacts[node].closing = None;
+        self.states.world.contacts[node].found.closing = None;
         let place = self.states.world.contacts[node].place;
         self.enter(node, kind, closed, NodeAtVertex { place, depth: carried.depth, stretch: at(along) }, 0.0);
     }

@@ -18,6 +18,25 @@ pub(in crate::dynamics) struct GapSample {
     pub rate: f64,
 }
 
+/// First closing of a gap within a search.
+#[derive(Clone, Copy, Debug, Default, PartialEq)]
+pub(in crate::dynamics) struct GapClosing {
+    /// First crossing of 0 from above; `None` without one before the end of the search \[s\].
+    pub closing: Option<f64>,
+    /// When a gap that was not armed is first positive again \[s\].
+    pub rearmed_at: Option<f64>,
+}
+
+impl GapClosing {
+    /// Nothing until the end of the search.
+    pub(in crate::dynamics) const NONE: Self = Self { closing: None, rearmed_at: None };
+
+    /// A closing of an armed gap at `t` \[s\].
+    pub(in crate::dynamics) fn at(t: f64) -> Self {
+        Self { closing: Some(t), rearmed_at: None }
+    }
+}
+
 /// Search of one gap within one step.
 pub(in crate::dynamics) struct Subdivision<A, C, N> {
     sample: A,
@@ -54,14 +73,10 @@ impl<A: FnMut(f64) -> GapSample, C: FnMut(&GapSample, f64) -> f64, N: FnMut(f64)
         }
     }
 
-    /// When a gap that was not armed was first sampled as positive again \[s\].
-    pub(in crate::dynamics) fn rearmed_at(&self) -> Option<f64> {
-        self.positive_at
-    }
-
-    /// First crossing of 0 from above between samples in rising order of time \[s\].
-    pub(in crate::dynamics) fn first_closing(&mut self, samples: &[GapSample]) -> Option<f64> {
-        samples.windows(2).find_map(|pair| self.between(pair[0], pair[1]))
+    /// Searches between samples in rising order of time.
+    pub(in crate::dynamics) fn search(mut self, samples: &[GapSample]) -> GapClosing {
+        let closing = samples.windows(2).find_map(|pair| self.between(pair[0], pair[1]));
+        GapClosing { closing, rearmed_at: self.positive_at }
     }
 
     fn between(&mut self, before: GapSample, after: GapSample) -> Option<f64> {
@@ -156,8 +171,9 @@ mod tests {
                 GapSample { gap: side * sample_at.gap, rate: side * sample_at.rate, ..sample_at }
             };
             let ends = [sample(-1.0), sample(1.03)];
-            let mut subdivision = Subdivision::new((sample, |_: &GapSample, _| 1.0, |_| 0.0), armed, 1e-15, 0.0);
-            (subdivision.first_closing(&ends), subdivision.rearmed_at())
+            let subdivision = Subdivision::new((sample, |_: &GapSample, _| 1.0, |_| 0.0), armed, 1e-15, 0.0);
+            let found = subdivision.search(&ends);
+            (found.closing, found.rearmed_at)
         };
         (closing, out, count)
     }
@@ -194,7 +210,8 @@ mod tests {
         let find = |noise: f64| {
             let ends = [sample(0.0), sample(0.5), sample(1.0)];
             Subdivision::new((sample, |_: &GapSample, _| 6e-20, |t: f64| noise * t), true, 1e-15, 1e-6)
-                .first_closing(&ends)
+                .search(&ends)
+                .closing
         };
         let closing = find(9e-21).unwrap_or_else(|| panic!("it closes"));
         assert!((closing - 0.3).abs() < 1e-12, "3e-20 t² is above 9e-21 t from 0.3 on: {closing}");
@@ -211,7 +228,7 @@ mod tests {
         };
         let ends = [sample(0.0), sample(10.0)];
         let closing =
-            Subdivision::new((sample, |_: &GapSample, _| 1.0, |_| 0.0), true, 1e-16, 0.0).first_closing(&ends);
+            Subdivision::new((sample, |_: &GapSample, _| 1.0, |_| 0.0), true, 1e-16, 0.0).search(&ends).closing;
         assert!(closing.is_none() && count < 20_000, "{closing:?} after {count} evaluations");
     }
 }

@@ -106,7 +106,8 @@ impl WallFrame {
         Body {
             mass: soil.mass,
             gyration2: per_mass.z_axis.z,
-            inertia: [inertia, inertia.inverse()],
+            inertia,
+            inverse_inertia: inertia.inverse(),
             rate_bounds: RateBounds { mobility: 1.0 / soil.mass, stiffest: 0.0, modal: ModalRates::default() },
             free: [true, true, false, false, false, false],
             ..Body::immovable(abutment.name.clone(), coordinates, prism, self.corner)

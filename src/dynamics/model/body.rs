@@ -41,8 +41,10 @@ pub struct Body {
     pub mass: f64,
     /// `i²`, squared radius of gyration about the vertical \[m²\].
     pub gyration2: f64,
-    /// Inertia about G in the body frame \[kg·m²\], and its inverse.
-    pub inertia: [DMat3; 2],
+    /// Tensor of inertia about G in the body frame \[kg·m²\].
+    pub inertia: DMat3,
+    /// Its inverse; 0 for a body that does not turn \[1/(kg·m²)\].
+    pub inverse_inertia: DMat3,
     /// Largest distance of a corner from G \[m\].
     pub radius: f64,
     /// Upper bounds of its mobility and of its stiffness per inertia.
@@ -78,7 +80,8 @@ impl Body {
             axes: DMat3::IDENTITY,
             mass: f64::INFINITY,
             gyration2: 1.0,
-            inertia: [DMat3::IDENTITY, DMat3::ZERO],
+            inertia: DMat3::IDENTITY,
+            inverse_inertia: DMat3::ZERO,
             radius: prism.radius(),
             prism,
             rate_bounds: RateBounds { mobility: 0.0, stiffest: 0.0, modal: ModalRates::default() },
@@ -242,12 +245,11 @@ pub trait Coordinates: Debug + Send + Sync {
     /// Fastest circular frequency or decay rate of the free motion \[rad/s\].
     fn fastest(&self, body: &Body) -> f64;
 
-    /// Kinetic energy, strain energy of the bearings, potential of `gravity` \[m/s²\]; of a state since the body was placed
-    /// \[J\].
-    fn energies(&self, body: &Body, state: &[f64], gravity: f64) -> [f64; 3];
+    /// Energies of a state since the body was placed, under this `gravity` \[m/s²\].
+    fn energies(&self, body: &Body, state: &[f64], gravity: f64) -> BodyEnergies;
 
-    /// Powers of the ground's inertia force, of given pushes, and lost in the bearings \[W\].
-    fn powers(&self, body: &Body, state: &[f64], ground: GroundNow) -> [f64; 3];
+    /// Powers on a body in this state and lost in its bearings.
+    fn powers(&self, body: &Body, state: &[f64], ground: GroundNow) -> BodyPowers;
 
     /// Strain energy of the body itself \[J\].
     fn own_strain(&self, _state: &[f64]) -> f64 {
@@ -258,6 +260,28 @@ pub trait Coordinates: Debug + Send + Sync {
     fn own_loss(&self, _state: &[f64]) -> f64 {
         0.0
     }
+}
+
+/// Energies of a body, but that of its own strain.
+#[derive(Clone, Copy, Debug, Default, PartialEq)]
+pub struct BodyEnergies {
+    /// Kinetic energy \[J\].
+    pub kinetic: f64,
+    /// Strain energy of the bearings \[J\].
+    pub bearings: f64,
+    /// Potential of gravity \[J\].
+    pub gravity: f64,
+}
+
+/// Powers on a body, but that lost in the body itself.
+#[derive(Clone, Copy, Debug, Default, PartialEq)]
+pub struct BodyPowers {
+    /// Of the inertia force by the ground's acceleration \[W\].
+    pub ground: f64,
+    /// Of given pushes and moments \[W\].
+    pub push: f64,
+    /// Lost in the bearings \[W\].
+    pub bearings: f64,
 }
 
 /// A point of a body.

@@ -37,7 +37,8 @@ fn body(name: &str, pier: &ResolvedPier, linked: bool) -> Body {
         axes: pier.axes,
         mass: pier.mass,
         gyration2,
-        inertia: [inertia, inertia.inverse()],
+        inertia,
+        inverse_inertia: inertia.inverse(),
         bearings,
         free,
         ..Body::immovable(name.to_owned(), BodyCoordinates::Planar, prism, pier.top)

@@ -98,13 +98,12 @@ pub(in crate::dynamics) fn acceleration(body: &Body, point: &Point<'_>, force: D
 
 /// `I ω̇ = M − ω × I ω`, solved in the directions that the body is free to turn in.
 fn spin_rate(body: &Body, here: &Frame, moment: DVec3) -> DVec3 {
-    let [inertia, inverse] = &body.inertia;
     if body.free[3..] == [true; 3] {
         // In the body frame, where the inertia is constant.
         let rotation = here.rotation(&body.axes);
         let into_body = rotation.transpose();
         let spin = into_body * here.spin;
-        return rotation * (*inverse * (into_body * moment - spin.cross(*inertia * spin)));
+        return rotation * (body.inverse_inertia * (into_body * moment - spin.cross(body.inertia * spin)));
     }
     let rotation = here.rotation(&body.axes);
     let inertia = world_inertia(body, &rotation);
@@ -161,7 +160,7 @@ pub(in crate::dynamics) fn bearing_loss(body: &Body, here: &Frame) -> f64 {
 
 /// Inertia about G in world axes \[kg·m²\].
 pub fn world_inertia(body: &Body, rotation: &DMat3) -> DMat3 {
-    *rotation * body.inertia[0] * rotation.transpose()
+    *rotation * body.inertia * rotation.transpose()
 }
 
 #[cfg(test)]

@@ -14,10 +14,8 @@ use crate::dynamics::penalty3d::contact_state::ClosedContact;
 pub(in crate::dynamics) struct ActiveContact {
     /// Number of its site in the model.
     pub site: usize,
-    /// Index in the island of the node's body; `None` for an abutment.
-    pub node: Option<usize>,
-    /// Index in the island of the face's body; `None` for an abutment.
-    pub face: Option<usize>,
+    /// Indices in the island of the node's and the face's body; `None` for an abutment.
+    pub ends: [Option<usize>; 2],
     /// Sections of node and face among those of the island's bodies; 0 for an abutment.
     pub sections: [usize; 2],
     /// State with law and mode.
@@ -38,11 +36,11 @@ impl ActiveContact {
     /// At this site of the model, between bodies of these indices, node then face, with its contact geometry at their reference poses.
     pub(in crate::dynamics) fn new(
         site: usize,
-        [node, face]: [Option<usize>; 2],
+        ends: [Option<usize>; 2],
         closed: ClosedContact,
         geometry: ContactGeometry,
     ) -> Self {
-        Self { site, node, face, sections: [0; 2], closed, geometry, angle: None, depth: 0.0, tolerated: 0.0 }
+        Self { site, ends, sections: [0; 2], closed, geometry, angle: None, depth: 0.0, tolerated: 0.0 }
     }
 
     /// Position and velocity of the node relative to the face, with poses `frames` of the island's bodies relative to
@@ -61,15 +59,13 @@ impl ActiveContact {
     /// Poses of the sections of node and face, relative to the reference poses.
     fn sides<'a>(&self, model: &'a Model, frames: &'a [Frame]) -> [&'a Frame; 2] {
         let stand = &model.sites[self.site].stand;
-        let frame = |index: Option<usize>, which: usize| index.map_or(stand, |_| &frames[self.sections[which]]);
-        [frame(self.node, 0), frame(self.face, 1)]
+        [0, 1].map(|end| self.ends[end].map_or(stand, |_| &frames[self.sections[end]]))
     }
 
     /// Finds its sections among those of the island's bodies.
     pub(in crate::dynamics) fn find_sections(&mut self, model: &Model, layout: &StateLayout) {
         let own = model.sections(self.site);
-        self.sections = [(self.node, own[0]), (self.face, own[1])]
-            .map(|(body, own)| body.map_or(0, |i| layout.sections(i).start + own));
+        self.sections = [0, 1].map(|end| self.ends[end].map_or(0, |i| layout.sections(i).start + own[end]));
     }
 
     /// Largest penetration to be expected \[m\]: the present one, or that to which the normal speed leads with the

@@ -55,8 +55,8 @@ impl BodiesAt<'_> {
             return None;
         }
         let sections = model.sections(contact.site);
-        let node = self.whole(contact.node, sections[0], site.stand);
-        let face = self.whole(contact.face, sections[1], site.stand);
+        let node = self.whole(contact.ends[0], sections[0], site.stand);
+        let face = self.whole(contact.ends[1], sections[1], site.stand);
         Some(locate(&site.geometry, &node, &face).penetration())
     }
 }
@@ -106,7 +106,7 @@ impl MetContacts {
     pub(in crate::dynamics) fn is_carried(&self, model: &Model, bodies: BodiesAt<'_>) -> bool {
         let (deepest, penetration) = self.deepest(model, bodies);
         let contact = &bodies.active[deepest];
-        let out = usize::from(contact.face != self.sides[0].0);
+        let out = usize::from(contact.ends[1] != self.sides[0].0);
         let normal = contact.normal(model, bodies.frames);
         let along = model.meetings[self.meeting].overlap_along(normal, out, &self.poses(model, bodies));
         along - penetration - self.tolerated < 0.0

@@ -204,7 +204,7 @@ impl AxialContact {
     fn of(model: &Model, bodies: &[usize], active: &ActiveContact, axis: usize) -> Option<Self> {
         let site = &model.sites[active.site];
         let frame = |side: Option<usize>| side.map_or(site.stand, |i| Frame::fixed(model.bodies[bodies[i]].home));
-        let (node, face): (Frame, Frame) = (frame(active.node), frame(active.face));
+        let (node, face): (Frame, Frame) = (frame(active.ends[0]), frame(active.ends[1]));
         let normal = active.geometry.axes.z_axis;
         let square = normal[axis].abs() == 1.0 && normal[1 - axis] == 0.0 && site.face.is_upright();
         let Measured { here, arm, lever, .. } = measure(&active.geometry, &node, &face);
@@ -216,7 +216,7 @@ impl AxialContact {
         let sections = model.sections(active.site);
         let side = |i: usize, body: Option<usize>| body.map(|body| BodySection { body, section: sections[i] });
         (square && still && active.angle.is_none()).then(|| Self {
-            sides: [side(0, active.node), side(1, active.face)],
+            sides: [side(0, active.ends[0]), side(1, active.ends[1])],
             normal: normal[axis],
             placed_gap: here.gap,
             law: (!closed.held_at_zero).then_some(law.normal),

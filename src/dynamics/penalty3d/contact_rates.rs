@@ -52,7 +52,7 @@ pub(in crate::dynamics) fn decay(
     for a in active {
         let geometry = model.sites[a.site].geometry_at(&a.closed.place);
         let [node, face] = model.sections(a.site);
-        for (side, point) in [(a.node, (node, geometry.arm)), (a.face, (face, geometry.lever))] {
+        for (side, point) in [(a.ends[0], (node, geometry.arm)), (a.ends[1], (face, geometry.lever))] {
             if let Some(i) = side {
                 sums[i] += decay_rows(&model.bodies[bodies[i]], a, &geometry.axes, point);
             }
@@ -64,7 +64,7 @@ pub(in crate::dynamics) fn decay(
         link.ends.into_iter().flatten().for_each(|i| sums[i] += rate);
     }
     let apart = |sides: [Option<usize>; 2]| sides.into_iter().flatten().map(|i| sums[i]).sum::<f64>();
-    let sides = active.iter().map(|a| [a.node, a.face]).chain(links.iter().map(|link| link.ends));
+    let sides = active.iter().map(|a| a.ends).chain(links.iter().map(|link| link.ends));
     sides.map(apart).fold(0.0, f64::max)
 }
 
@@ -118,7 +118,7 @@ mod tests {
             let mut next = vec![DVec3::ZERO; q.len()];
             for contact in active {
                 let geometry = &model.sites[contact.site].geometry;
-                let sides = [(contact.node, geometry.arm, 1.0), (contact.face, geometry.lever, -1.0)];
+                let sides = [(contact.ends[0], geometry.arm, 1.0), (contact.ends[1], geometry.lever, -1.0)];
                 for axis in [geometry.axes.x_axis, geometry.axes.y_axis, geometry.axes.z_axis] {
                     let row = |arm: DVec3| DVec3::new(axis.x, axis.y, arm.cross(axis).z);
                     let rates = sides.map(|(side, arm, sign)| side.map_or(0.0, |i| sign * row(arm).dot(q[i])));

@@ -106,7 +106,7 @@ impl CoupledSystem {
     ) -> Self {
         let mut acted_on = vec![false; layout.section_count()];
         let first = (0..bodies.len()).map(|i| layout.sections(i).start);
-        let of_contacts = active.iter().flat_map(|a| ends([a.node, a.face], a.sections));
+        let of_contacts = active.iter().flat_map(|a| ends(a.ends, a.sections));
         let of_links = links.iter().flat_map(|link| ends(link.ends, link.sections));
         first.chain(of_contacts).chain(of_links).for_each(|section| acted_on[section] = true);
         let (met, omega, largest_decay_rate, modal) = (Vec::new(), 0.0, 0.0, ModalRates::default());

@@ -165,14 +165,14 @@ impl ImplicitSystem for EquationsOfMotion<'_> {
         let n = input.len() / 2;
         let site = &self.model.sites[active.site];
         let own = self.model.sections(active.site);
-        let frames = [(active.node, own[0]), (active.face, own[1])].map(|(side, section)| {
+        let frames = [(active.ends[0], own[0]), (active.ends[1], own[1])].map(|(side, section)| {
             side.map_or(site.stand, |i| {
                 self.model.bodies[self.system.bodies[i]].frame_since(section, &y[self.system.layout.range(i)])
             })
         });
         let turned = active.state_in(y);
         let action = contact_force::act_in(&active.geometry, &turned, &turned.mode, &frames[0], &frames[1]);
-        let sides = [(active.node, action.node_arm, 1.0), (active.face, action.face_arm, -1.0)];
+        let sides = [(active.ends[0], action.node_arm, 1.0), (active.ends[1], action.face_arm, -1.0)];
         for (axis, along) in action.tangents(&active.geometry, &frames[1]).into_iter().enumerate() {
             for (which, (side, arm, sign)) in sides.into_iter().enumerate() {
                 let Some(i) = side else { continue };

@@ -249,7 +249,7 @@ impl Island {
     /// placed, at least [`SIZE_ROUNDING_SHARE`] of their size.
     pub(in crate::dynamics) fn reach(&self, model: &Model, number: usize) -> f64 {
         let active = &self.system.active[number];
-        let moved: f64 = [active.node, active.face].into_iter().flatten().map(|body| self.moved[body]).sum();
+        let moved: f64 = active.ends.into_iter().flatten().map(|body| self.moved[body]).sum();
         moved.max(SIZE_ROUNDING_SHARE * model.sites[active.site].reach())
     }
 }
@@ -269,7 +269,7 @@ fn opening(model: &Model, active: &ActiveContact, here: &Local) -> Option<[f64; 
 
 /// Bound of the force at the radii of gyration that given moments amount to \[N\].
 fn turning_push(body: &crate::dynamics::Body) -> f64 {
-    let [inertia, _] = &body.inertia;
+    let inertia = &body.inertia;
     let gyration2 = [inertia.x_axis.x / body.mass, inertia.y_axis.y / body.mass, body.gyration2];
     body.moment.to_array().into_iter().zip(gyration2).map(|(moment, i2)| moment.abs() / i2.sqrt()).sum()
 }

@@ -25,7 +25,7 @@ pub(in crate::dynamics) fn local_at(model: &Model, island: &Island, number: usiz
     let own = model.sections(active.site);
     let frame =
         |side: Option<usize>, section: usize| side.map_or(site.stand, |i| island.frame_since(model, i, section, t));
-    locate(&active.geometry, &frame(active.node, own[0]), &frame(active.face, own[1]))
+    locate(&active.geometry, &frame(active.ends[0], own[0]), &frame(active.ends[1], own[1]))
 }
 
 /// Switching function of a closed contact at `t`, negative while the state lasts (`docs/physics.md#contact-events`).
@@ -188,7 +188,7 @@ fn uncarried_overlap<const N: usize>(
 fn is_inside(model: &Model, island: &Island, number: usize, here: &Local) -> bool {
     let active = &island.system.active[number];
     let arms = model.sites[active.site].levers(here);
-    let excursions = [active.node, active.face].into_iter().zip(arms);
+    let excursions = active.ends.into_iter().zip(arms);
     let excursions =
         excursions.map(|(side, arm)| side.map_or(0.0, |i| island.excursion(model, i, arm, island.step.from)));
     switching_function(model, island, number, Reason::Edge, here, island.step.from) < -excursions.sum::<f64>()

@@ -54,16 +54,16 @@ fn add_contacts(model: &Model, system: &CoupledSystem, y: &[f64], workspace: &mu
     let mut slider = 0;
     for active in &system.active {
         let site = &model.sites[active.site];
-        let node = active.node.map_or(&site.stand, |_| &workspace.frames[active.sections[0]]);
-        let face = active.face.map_or(&site.stand, |_| &workspace.frames[active.sections[1]]);
+        let node = active.ends[0].map_or(&site.stand, |_| &workspace.frames[active.sections[0]]);
+        let face = active.ends[1].map_or(&site.stand, |_| &workspace.frames[active.sections[1]]);
         let held = workspace.sliding.frozen_contact(slider, active);
         let closed = held.as_ref().unwrap_or(&active.closed);
         let mode = active.angle.map_or(closed.mode, |at| Mode::Slip { direction: direction(y[at]) });
         let action = contact_force::act_in(&active.geometry, closed, &mode, node, face);
-        if active.node.is_some() {
+        if active.ends[0].is_some() {
             workspace.wrenches[active.sections[0]].push_with(action.force, action.node_arm, action.couple);
         }
-        if active.face.is_some() {
+        if active.ends[1].is_some() {
             workspace.wrenches[active.sections[1]].push_with(-action.force, action.face_arm, -action.couple);
         }
         if let (Some(at), Mode::Slip { direction }) = (active.angle, mode) {

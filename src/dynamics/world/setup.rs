@@ -3,6 +3,7 @@
 use std::collections::BTreeMap;
 use std::sync::Arc;
 
+use crate::dynamics::locate::subdivision::GapClosing;
 use crate::dynamics::model::compiled_model::Group;
 use crate::dynamics::model::edge_node::node_place::NodePlace;
 use crate::dynamics::model::pair::Carrier;
@@ -135,8 +136,7 @@ impl World {
             divisor: 1.0,
             has_part: false,
             place: NodePlace::default(),
-            closing: None,
-            rearmed_at: None,
+            found: GapClosing::NONE,
             log: ContactLog::default(),
             tolerated: 0.0,
             changes: ChangeCount::default(),

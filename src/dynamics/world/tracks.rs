@@ -6,6 +6,7 @@ use smallvec::SmallVec;
 
 use crate::dynamics::connection::{Phase, Switch};
 use crate::dynamics::free_flight::body_motion::{BodyFlight, BodyMotion};
+use crate::dynamics::locate::subdivision::GapClosing;
 use crate::dynamics::model::edge_node::node_place::NodePlace;
 use crate::dynamics::penalty3d::contact_state::Contact;
 use crate::dynamics::record::contact_log::ContactLog;
@@ -161,10 +162,8 @@ pub(in crate::dynamics) struct ContactTrack {
     pub other_faces: Vec<usize>,
     /// Geometry of its site as placed.
     pub geometry: SiteGeometry,
-    /// Next closing on the present trajectories; `None` without one before the end of the search \[s\].
-    pub closing: Option<f64>,
-    /// Time from which a disarmed contact has a positive gap on the present trajectories \[s\].
-    pub rearmed_at: Option<f64>,
+    /// Next closing on the present trajectories, or when a disarmed contact has a positive gap again.
+    pub found: GapClosing,
     /// States since t = 0.
     pub log: ContactLog,
     /// Overlap of its two bodies beyond the deepest penetration between them that no contact can carry, and that is tolerated while it is
@@ -178,8 +177,15 @@ impl ContactTrack {
     /// Enters a state from `t` \[s\] on, with the origin of its anchor: the displacement of the node along the face from the placed
     /// to the reference poses \[m\].
     pub(in crate::dynamics) fn enter(&mut self, t: f64, state: Contact, origin: DVec2) {
-        (self.state, self.rearmed_at) = (state, None);
+        (self.state, self.found.rearmed_at) = (state, None);
         self.log.push(t, state, origin);
+    }
+
+    /// Arms a disarmed contact whose gap has become positive before `t` on the trajectories of the last search.
+    pub(in crate::dynamics) fn rearm_if_positive(&mut self, t: f64) {
+        if self.found.rearmed_at.take().is_some_and(|at| at <= t) && self.state.closed().is_none() {
+            self.state = Contact::Open { armed: true };
+        }
     }
 }
 
@@ -206,14 +212,5 @@ impl ChangeCount {
         self.of_touch += 1;
         self.at_instant = if self.t == t { self.at_instant + 1 } else { 1 };
         self.t = t;
-    }
-}
-
-impl ContactTrack {
-    /// Arms a disarmed contact whose gap has become positive before `t` on the trajectories of the last search.
-    pub(in crate::dynamics) fn rearm_if_positive(&mut self, t: f64) {
-        if self.rearmed_at.take().is_some_and(|at| at <= t) && self.state.closed().is_none() {
-            self.state = Contact::Open { armed: true };
-        }
     }
 }

@@ -10,6 +10,7 @@ use rayon::prelude::*;
 use crate::contact::Frame;
 use crate::dynamics::free_flight::body_motion::BodyMotion;
 use crate::dynamics::impact2d::LastingInterval;
+use crate::dynamics::model::body::{BodyEnergies, BodyPowers};
 use crate::dynamics::model::ground_now::GroundNow;
 use crate::dynamics::trajectory::stored_path::StoredMotion;
 use crate::motion::Ground;
@@ -346,16 +347,16 @@ fn lasting_account(history: &History, interval: &LastingInterval) -> Account<1> 
 /// Powers of the ground and of pushes, and those lost in bearings and in the body itself \[W\].
 fn body_powers(history: &History, body: usize, t: f64) -> [f64; 4] {
     let (model, state) = (history.model(), history.state(body, t));
-    let [ground, push, loss] =
+    let BodyPowers { ground, push, bearings } =
         model.bodies[body].powers(&state, GroundNow { acceleration: model.ground.acceleration(t), t, since: t });
-    [ground, push, loss, model.bodies[body].own_loss(&state)]
+    [ground, push, bearings, model.bodies[body].own_loss(&state)]
 }
 
 /// Kinetic energy, strain in the bearings and in the body itself, potential of gravity \[J\].
 fn energies(history: &History, body: usize, t: f64) -> [f64; 4] {
     let (model, state) = (history.model(), history.state(body, t));
-    let [kinetic, bearing, gravity] = model.bodies[body].energies(&state, model.gravity);
-    [kinetic, bearing, model.bodies[body].own_strain(&state), gravity]
+    let BodyEnergies { kinetic, bearings, gravity } = model.bodies[body].energies(&state, model.gravity);
+    [kinetic, bearings, model.bodies[body].own_strain(&state), gravity]
 }
 
 /// Power of the ground where one end of a device moves as given \[W\].

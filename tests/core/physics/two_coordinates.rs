@@ -7,7 +7,9 @@ use crate::support::{scene, within};
 use girderbench::contact::Frame;
 use girderbench::dynamics::Model;
 use girderbench::dynamics::linear::Flight;
-use girderbench::dynamics::model::body::{Body, BodyCoordinates, Coordinates, Counted, Point};
+use girderbench::dynamics::model::body::{
+    Body, BodyCoordinates, BodyEnergies, BodyPowers, Coordinates, Counted, Point,
+};
 use girderbench::dynamics::model::closed_form::ClosedForm;
 use girderbench::dynamics::model::ground_now::GroundNow;
 use girderbench::dynamics::model::motion_bounds::MotionBounds;
@@ -135,13 +137,20 @@ impl Coordinates for TwoCoordinates {
         self.omega
     }
 
-    fn energies(&self, _: &Body, state: &[f64], _: f64) -> [f64; 3] {
+    fn energies(&self, _: &Body, state: &[f64], _: f64) -> BodyEnergies {
         let [place2, speed2] = [POSITIONS, RATES].map(|part| DVec2::from_slice(&state[part]).length_squared());
-        [0.5 * MASS * speed2, 0.5 * self.stiffness() * place2, 0.0]
+        BodyEnergies {
+            kinetic: 0.5 * MASS * speed2,
+            bearings: 0.5 * self.stiffness() * place2,
+            ..BodyEnergies::default()
+        }
     }
 
-    fn powers(&self, _: &Body, state: &[f64], ground: GroundNow) -> [f64; 3] {
-        [-MASS * ground.acceleration.truncate().dot(DVec2::from_slice(&state[RATES])), 0.0, 0.0]
+    fn powers(&self, _: &Body, state: &[f64], ground: GroundNow) -> BodyPowers {
+        BodyPowers {
+            ground: -MASS * ground.acceleration.truncate().dot(DVec2::from_slice(&state[RATES])),
+            ..BodyPowers::default()
+        }
     }
 }
 

@@ -7,7 +7,9 @@ use crate::support::{scene, within};
 use girderbench::contact::Frame;
 use girderbench::dynamics::Model;
 use girderbench::dynamics::linear::Flight;
-use girderbench::dynamics::model::body::{Body, BodyCoordinates, Coordinates, Counted, Point};
+use girderbench::dynamics::model::body::{
+    Body, BodyCoordinates, BodyEnergies, BodyPowers, Coordinates, Counted, Point,
+};
 use girderbench::dynamics::model::closed_form::ClosedForm;
 use girderbench::dynamics::model::ground_now::GroundNow;
 use girderbench::dynamics::model::motion_bounds::MotionBounds;
@@ -165,14 +167,18 @@ impl Coordinates for TwoEnds {
         self.omega
     }
 
-    fn energies(&self, _: &Body, state: &[f64], _: f64) -> [f64; 3] {
+    fn energies(&self, _: &Body, state: &[f64], _: f64) -> BodyEnergies {
         let stretch = state[1] - state[0];
         let speed2 = DVec2::from_slice(&state[RATES]).length_squared();
-        [0.5 * HALF * speed2, 0.5 * self.stiffness() * stretch * stretch, 0.0]
+        BodyEnergies {
+            kinetic: 0.5 * HALF * speed2,
+            bearings: 0.5 * self.stiffness() * stretch * stretch,
+            ..BodyEnergies::default()
+        }
     }
 
-    fn powers(&self, _: &Body, state: &[f64], ground: GroundNow) -> [f64; 3] {
-        [-HALF * ground.acceleration.x * (state[2] + state[3]), 0.0, 0.0]
+    fn powers(&self, _: &Body, state: &[f64], ground: GroundNow) -> BodyPowers {
+        BodyPowers { ground: -HALF * ground.acceleration.x * (state[2] + state[3]), ..BodyPowers::default() }
     }
 }
 

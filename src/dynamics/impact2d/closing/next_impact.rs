@@ -16,7 +16,7 @@ use crate::dynamics::locate::cubic_bound::CubicBound;
 use crate::dynamics::locate::horizon::Horizon;
 use crate::dynamics::locate::positive_again::is_positive_again;
 use crate::dynamics::locate::root::root;
-use crate::dynamics::locate::subdivision::{GapSample, Subdivision};
+use crate::dynamics::locate::subdivision::{GapClosing, GapSample, Subdivision};
 use crate::motion::Ground;
 
 /// Result of a search.
@@ -233,9 +233,9 @@ fn in_steps(world: &mut World, pair: usize, t: f64, until: f64, planned: f64) ->
     let until = until.min(t + motion.window);
     let mut first: Option<f64> = None;
     for point in open_points(world, pair, t, &motion) {
-        let (impact, in_front_at) = in_step(world, pair, &point, &motion, [t, until]);
-        world.sites[point.site].in_front_at = in_front_at;
-        first = impact.into_iter().chain(first).reduce(f64::min);
+        let found = in_step(world, pair, &point, &motion, [t, until]);
+        world.sites[point.site].in_front_at = found.rearmed_at;
+        first = found.closing.into_iter().chain(first).reduce(f64::min);
     }
     // At the end of the step the pair is searched again.
     let next = if until < planned.min(world.model.duration) { until } else { f64::INFINITY };
@@ -244,27 +244,19 @@ fn in_steps(world: &mut World, pair: usize, t: f64, until: f64, planned: f64) ->
 
 /// First crossing of a point in `[t, until]`, and when a point that was not armed is first in front of its face; `motion` is
 /// the pair's at `t` and bounds `|g̈|` up to `until`.
-fn in_step(
-    world: &World,
-    pair: usize,
-    point: &OpenPoint,
-    motion: &PairMotion,
-    [t, until]: [f64; 2],
-) -> (Option<f64>, Option<f64>) {
+fn in_step(world: &World, pair: usize, point: &OpenPoint, motion: &PairMotion, [t, until]: [f64; 2]) -> GapClosing {
     let sample = |at: f64| {
         let [gap, rate] = gap_at(world, pair, point.site, point.depth, at);
         GapSample { t: at, gap, rate }
     };
     let (here, armed) = (sample(t), point.advancement.armed());
     if armed && here.gap <= point.resolution && here.rate < 0.0 {
-        return (Some(t), None);
+        return GapClosing::at(t);
     }
     let curvature = bounded_gap(world, point.site, point.depth, motion).0.curvature;
     // An impact is the crossing itself: neither how the rate may err nor a time to see it is needed.
     let functions = (sample, |_: &GapSample, _| curvature, |_| 0.0);
-    let mut subdivision = Subdivision::new(functions, armed, point.resolution, 0.0);
-    let impact = subdivision.first_closing(&[here, sample(until)]);
-    (impact, subdivision.rearmed_at())
+    Subdivision::new(functions, armed, point.resolution, 0.0).search(&[here, sample(until)])
 }
 
 #[cfg(test)]

@@ -8,7 +8,7 @@ use glam::{DMat3, DQuat, DVec3};
 
 use crate::contact::Frame;
 use crate::dynamics::linear::Flight;
-use crate::dynamics::model::body::{Body, Coordinates, Counted, Point};
+use crate::dynamics::model::body::{Body, BodyEnergies, BodyPowers, Coordinates, Counted, Point};
 use crate::dynamics::model::closed_form::ClosedForm;
 use crate::dynamics::model::ground_now::GroundNow;
 use crate::dynamics::model::motion_bounds::MotionBounds;
@@ -138,12 +138,12 @@ impl Coordinates for GivenMotion {
         0.0
     }
 
-    fn energies(&self, _: &Body, _: &[f64], _: f64) -> [f64; 3] {
-        [0.0; 3]
+    fn energies(&self, _: &Body, _: &[f64], _: f64) -> BodyEnergies {
+        BodyEnergies::default()
     }
 
-    fn powers(&self, _: &Body, _: &[f64], _: GroundNow) -> [f64; 3] {
-        [0.0; 3]
+    fn powers(&self, _: &Body, _: &[f64], _: GroundNow) -> BodyPowers {
+        BodyPowers::default()
     }
 }
 

@@ -6,7 +6,7 @@ use std::sync::Arc;
 use glam::{DMat3, DQuat, DVec3};
 
 use crate::contact::Frame;
-use crate::dynamics::model::body::{Body, Coordinates, Counted, Point};
+use crate::dynamics::model::body::{Body, BodyEnergies, BodyPowers, Coordinates, Counted, Point};
 use crate::dynamics::model::closed_form::ClosedForm;
 use crate::dynamics::model::coordinates::guided_flight::GuidedFlight;
 use crate::dynamics::model::ground_now::GroundNow;
@@ -121,12 +121,12 @@ impl Coordinates for Guided {
         0.0
     }
 
-    fn energies(&self, body: &Body, state: &[f64], _: f64) -> [f64; 3] {
-        [0.5 * body.mass * state[RATE] * state[RATE], 0.0, 0.0]
+    fn energies(&self, body: &Body, state: &[f64], _: f64) -> BodyEnergies {
+        BodyEnergies { kinetic: 0.5 * body.mass * state[RATE] * state[RATE], ..BodyEnergies::default() }
     }
 
-    fn powers(&self, body: &Body, state: &[f64], ground: GroundNow) -> [f64; 3] {
-        [-body.mass * ground.acceleration.dot(self.along) * state[RATE], 0.0, 0.0]
+    fn powers(&self, body: &Body, state: &[f64], ground: GroundNow) -> BodyPowers {
+        BodyPowers { ground: -body.mass * ground.acceleration.dot(self.along) * state[RATE], ..BodyPowers::default() }
     }
 }
 

@@ -6,7 +6,7 @@ use std::ops::Range;
 use glam::{DQuat, DVec3};
 
 use crate::contact::Frame;
-use crate::dynamics::model::body::{Body, Coordinates, Counted, Point};
+use crate::dynamics::model::body::{Body, BodyEnergies, BodyPowers, Coordinates, Counted, Point};
 use crate::dynamics::model::coordinates::given_motion::GivenMotion;
 use crate::dynamics::model::coordinates::guided::Guided;
 use crate::dynamics::model::ground_now::GroundNow;
@@ -140,13 +140,13 @@ impl Coordinates for GuidedOnGround {
     }
 
     // Against its own ground, as the works are.
-    fn energies(&self, body: &Body, state: &[f64], _: f64) -> [f64; 3] {
+    fn energies(&self, body: &Body, state: &[f64], _: f64) -> BodyEnergies {
         let rate = state[self.places() + PLACE];
-        [0.5 * body.mass * rate * rate, 0.0, 0.0]
+        BodyEnergies { kinetic: 0.5 * body.mass * rate * rate, ..BodyEnergies::default() }
     }
 
-    fn powers(&self, body: &Body, state: &[f64], ground: GroundNow) -> [f64; 3] {
+    fn powers(&self, body: &Body, state: &[f64], ground: GroundNow) -> BodyPowers {
         let felt = (ground.acceleration + self.relative_acceleration(ground)).dot(self.own.along);
-        [-body.mass * felt * state[self.places() + PLACE], 0.0, 0.0]
+        BodyPowers { ground: -body.mass * felt * state[self.places() + PLACE], ..BodyPowers::default() }
     }
 }

@@ -22,7 +22,7 @@ use smallvec::SmallVec;
 
 use crate::contact::Frame;
 use crate::dynamics::model::axial_motion::AxialMotion;
-use crate::dynamics::model::body::{Body, BodyCoordinates, Coordinates, Counted, Point};
+use crate::dynamics::model::body::{Body, BodyCoordinates, BodyEnergies, BodyPowers, Coordinates, Counted, Point};
 use crate::dynamics::model::ground_now::GroundNow;
 use crate::dynamics::model::linear_block::part::LinearPart;
 use crate::dynamics::model::motion_bounds::MotionBounds;
@@ -248,7 +248,7 @@ impl Body {
     }
 
     /// [`Coordinates::energies`].
-    pub fn energies(&self, state: &[f64], gravity: f64) -> [f64; 3] {
+    pub fn energies(&self, state: &[f64], gravity: f64) -> BodyEnergies {
         of_each!(self, c => c.energies(self, state, gravity))
     }
 
@@ -258,7 +258,7 @@ impl Body {
     }
 
     /// [`Coordinates::powers`].
-    pub fn powers(&self, state: &[f64], ground: GroundNow) -> [f64; 3] {
+    pub fn powers(&self, state: &[f64], ground: GroundNow) -> BodyPowers {
         of_each!(self, c => c.powers(self, state, ground))
     }
 

@@ -7,7 +7,7 @@ use nalgebra::DMatrix;
 
 use crate::contact::Frame;
 use crate::dynamics::model::axial_motion::AxialMotion;
-use crate::dynamics::model::body::{Body, Coordinates, Counted, Point};
+use crate::dynamics::model::body::{Body, BodyEnergies, BodyPowers, Coordinates, Counted, Point};
 use crate::dynamics::model::ground_now::GroundNow;
 use crate::dynamics::model::linear_block::part::{LinearPart, SectionShape};
 use crate::dynamics::model::motion_bounds::MotionBounds;
@@ -270,21 +270,21 @@ impl Coordinates for Planar {
         rigid_body::fastest(body)
     }
 
-    fn energies(&self, body: &Body, state: &[f64], gravity: f64) -> [f64; 3] {
+    fn energies(&self, body: &Body, state: &[f64], gravity: f64) -> BodyEnergies {
         let here = body.planar_frame(state);
         let inertia = body.mass * body.gyration2 * here.spin.z * here.spin.z;
         let weight = body.mass * gravity;
         let kinetic = 0.5 * (body.mass * here.velocity.length_squared() + inertia);
         let q = positions(state);
-        [kinetic, 0.5 * q.dot(body.planar.stiffness * q), weight * here.shift.z]
+        BodyEnergies { kinetic, bearings: 0.5 * q.dot(body.planar.stiffness * q), gravity: weight * here.shift.z }
     }
 
-    fn powers(&self, body: &Body, state: &[f64], ground: GroundNow) -> [f64; 3] {
+    fn powers(&self, body: &Body, state: &[f64], ground: GroundNow) -> BodyPowers {
         let here = body.planar_frame(state);
         let inertia = -body.mass * ground.acceleration.dot(here.velocity);
         let push = body.push.dot(here.velocity) + body.moment.z * here.spin.z;
         let v = rates(state);
-        [inertia, push, v.dot(body.planar.damping * v)]
+        BodyPowers { ground: inertia, push, bearings: v.dot(body.planar.damping * v) }
     }
 }
 

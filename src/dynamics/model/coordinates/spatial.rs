@@ -6,7 +6,7 @@ use std::ops::Range;
 use glam::{DQuat, DVec2, DVec3};
 
 use crate::contact::{Frame, turned_by};
-use crate::dynamics::model::body::{Body, Coordinates, Counted, Point};
+use crate::dynamics::model::body::{Body, BodyEnergies, BodyPowers, Coordinates, Counted, Point};
 use crate::dynamics::model::ground_now::GroundNow;
 use crate::dynamics::model::motion_bounds::MotionBounds;
 use crate::dynamics::model::reference_pose::ReferencePose;
@@ -248,16 +248,24 @@ impl Coordinates for Spatial {
         rigid_body::fastest(body)
     }
 
-    fn energies(&self, body: &Body, state: &[f64], gravity: f64) -> [f64; 3] {
+    fn energies(&self, body: &Body, state: &[f64], gravity: f64) -> BodyEnergies {
         let (here, weight) = (self.frame(body, 0, state), body.mass * gravity);
         let strain = rigid_body::strain_energy(body, &here, weight);
-        [rigid_body::kinetic_energy(body, &here), strain, weight * here.shift.z]
+        BodyEnergies {
+            kinetic: rigid_body::kinetic_energy(body, &here),
+            bearings: strain,
+            gravity: weight * here.shift.z,
+        }
     }
 
-    fn powers(&self, body: &Body, state: &[f64], ground: GroundNow) -> [f64; 3] {
+    fn powers(&self, body: &Body, state: &[f64], ground: GroundNow) -> BodyPowers {
         let here = self.frame(body, 0, state);
         let push = body.push.dot(here.velocity) + body.moment.dot(here.spin);
-        [-body.mass * ground.acceleration.dot(here.velocity), push, rigid_body::bearing_loss(body, &here)]
+        BodyPowers {
+            ground: -body.mass * ground.acceleration.dot(here.velocity),
+            push,
+            bearings: rigid_body::bearing_loss(body, &here),
+        }
     }
 }
 

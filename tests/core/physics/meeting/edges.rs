@@ -32,7 +32,7 @@ fn bars(stiffness: f64, rolls: [f64; 2], [heading, along]: [f64; 2]) -> Scene {
 pub(super) fn angular_momentum(history: &History, t: f64) -> DVec3 {
     let own = |(girder, body): (usize, &girderbench::dynamics::Body)| {
         let m = history.motion(girder, t);
-        let spin = m.attitude * (body.inertia[0] * (m.attitude.inverse() * m.spin));
+        let spin = m.attitude * (body.inertia * (m.attitude.inverse() * m.spin));
         body.mass * m.place.cross(m.velocity) + spin
     };
     history.model().bodies.iter().enumerate().map(own).sum()
@@ -46,7 +46,7 @@ fn mobility(history: &History) -> f64 {
         let (m, body) = (history.motion(girder, touch.start), &history.model().bodies[girder]);
         let turn = (at.point - m.place).cross(DVec3::Z);
         let own = m.attitude.inverse() * turn;
-        1.0 / body.mass + own.dot(body.inertia[1] * own)
+        1.0 / body.mass + own.dot(body.inverse_inertia * own)
     };
     of(0) + of(1)
 }

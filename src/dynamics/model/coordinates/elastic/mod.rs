@@ -18,7 +18,7 @@ use glam::{DMat3, DQuat, DVec2, DVec3};
 
 use crate::contact::Frame;
 use crate::dynamics::model::axial_motion::AxialMotion;
-use crate::dynamics::model::body::{Body, Coordinates, Counted, Point};
+use crate::dynamics::model::body::{Body, BodyEnergies, BodyPowers, Coordinates, Counted, Point};
 use crate::dynamics::model::closed_form::ClosedForm;
 use crate::dynamics::model::coordinates::planar;
 use crate::dynamics::model::coordinates::section_forces::Bearer;
@@ -325,19 +325,23 @@ impl Coordinates for ElasticGirder {
         rigid_body::fastest(body)
     }
 
-    fn energies(&self, body: &Body, state: &[f64], gravity: f64) -> [f64; 3] {
+    fn energies(&self, body: &Body, state: &[f64], gravity: f64) -> BodyEnergies {
         let (_, rate) = self.halves(state);
         let kinetic: f64 = rate.iter().zip(self.masses()).map(|(v, mass)| 0.5 * mass * v * v).sum();
         let strain = self.on_bearings(state).map(|(axis, w, _)| 0.5 * axis.stiffness * w * w).sum();
-        [kinetic, strain, body.mass * gravity * body.start[2]]
+        BodyEnergies { kinetic, bearings: strain, gravity: body.mass * gravity * body.start[2] }
     }
 
-    fn powers(&self, body: &Body, state: &[f64], ground: GroundNow) -> [f64; 3] {
+    fn powers(&self, body: &Body, state: &[f64], ground: GroundNow) -> BodyPowers {
         let (_, rate) = self.halves(state);
         let inertia = -body.mass * (ground.acceleration.x * rate[0] + ground.acceleration.y * rate[1]);
         let modal: f64 = self.pushed.iter().zip(&rate[RIGID..]).map(|(push, v)| push * v).sum();
         let push = body.push.x * rate[0] + body.push.y * rate[1] + body.moment.z * rate[2] + modal;
-        [inertia, push, self.on_bearings(state).map(|(axis, _, v)| axis.damping * v * v).sum()]
+        BodyPowers {
+            ground: inertia,
+            push,
+            bearings: self.on_bearings(state).map(|(axis, _, v)| axis.damping * v * v).sum(),
+        }
     }
 
     fn own_strain(&self, state: &[f64]) -> f64 {

@@ -16,7 +16,7 @@ impl SpatialElasticGirder {
         let loads = self.loads(state, wrenches);
         let [force, moment] = Equilibrium::sum(&loads);
         // Beyond the dead load a weight acts by what the rotation changes of its direction, the same everywhere: it is in the sum.
-        let rigid = Fields { moved: force / self.rigid.mass, turned: self.rigid.inertia[1] * moment };
+        let rigid = Fields { moved: force / self.rigid.mass, turned: self.rigid.inverse_inertia * moment };
         let beam = &self.modes.beam;
         let size = [beam.plan.length, beam.plan.mass];
         Equilibrium { size, rotary: beam.rotary, loads, rigid, fields: self.fields(&modal) }

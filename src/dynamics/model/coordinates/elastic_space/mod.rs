@@ -15,7 +15,7 @@ use glam::{DMat3, DQuat, DVec2, DVec3};
 
 use crate::contact::{Frame, turned_by};
 use crate::dynamics::connection::Connection;
-use crate::dynamics::model::body::{Body, Coordinates, Counted, Point};
+use crate::dynamics::model::body::{Body, BodyEnergies, BodyPowers, Coordinates, Counted, Point};
 use crate::dynamics::model::coordinates::elastic::girder::DEFORMED;
 use crate::dynamics::model::coordinates::section_forces::Bearer;
 use crate::dynamics::model::coordinates::spatial::{self, Spatial};
@@ -300,7 +300,7 @@ impl Coordinates for SpatialElasticGirder {
         rigid_body::fastest(body)
     }
 
-    fn energies(&self, body: &Body, state: &[f64], gravity: f64) -> [f64; 3] {
+    fn energies(&self, body: &Body, state: &[f64], gravity: f64) -> BodyEnergies {
         let (here, [q, rates]) = (self.mean_axes(state), self.modal(state));
         let weight = body.mass * gravity;
         let modal: f64 = rates.iter().map(|v| 0.5 * v * v).sum();
@@ -311,10 +311,14 @@ impl Coordinates for SpatialElasticGirder {
             })
             .sum();
         let kinetic = rigid_body::kinetic_energy(body, &here) + modal;
-        [kinetic, strain - rigid_body::preload_work(body, &here, weight), weight * here.shift.z]
+        BodyEnergies {
+            kinetic,
+            bearings: strain - rigid_body::preload_work(body, &here, weight),
+            gravity: weight * here.shift.z,
+        }
     }
 
-    fn powers(&self, body: &Body, state: &[f64], ground: GroundNow) -> [f64; 3] {
+    fn powers(&self, body: &Body, state: &[f64], ground: GroundNow) -> BodyPowers {
         let (here, [q, rates]) = (self.mean_axes(state), self.modal(state));
         let push = self.pushed.as_ref().map_or(0.0, |(section, push)| {
             let deformation = section.deformation(q, rates);
@@ -327,7 +331,7 @@ impl Coordinates for SpatialElasticGirder {
             let now = point.now(&body.axes, &here, q, rates);
             point.bearing.dissipated_power(&(), &now.motion)
         });
-        [-body.mass * ground.acceleration.dot(here.velocity), push, lost.sum()]
+        BodyPowers { ground: -body.mass * ground.acceleration.dot(here.velocity), push, bearings: lost.sum() }
     }
 
     fn own_strain(&self, state: &[f64]) -> f64 {

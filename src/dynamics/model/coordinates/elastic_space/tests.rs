@@ -2,6 +2,7 @@
 
 use super::*;
 use crate::dynamics::Model;
+use crate::dynamics::model::body::{BodyEnergies, BodyPowers};
 use crate::dynamics::model::coordinates::section_forces::SectionForces;
 use crate::dynamics::model::elastic_body::ElasticBody;
 use crate::scene::format;
@@ -106,11 +107,12 @@ fn forces_do_the_work_that_its_energy_gains() {
         let energy = |dt: f64| {
             let mut there = moved(&state, &rate, dt);
             body.normalise(&mut there);
-            body.energies(&there, model.gravity).into_iter().sum::<f64>() + body.own_strain(&there)
+            let BodyEnergies { kinetic, bearings, gravity } = body.energies(&there, model.gravity);
+            kinetic + bearings + gravity + body.own_strain(&there)
         };
         let gained = (energy(dt) - energy(-dt)) / (2.0 * dt);
         let ground = GroundNow { acceleration: DVec3::new(0.7, -0.4, 0.2), t: 0.0, since: 0.0 };
-        let [by_ground, push, loss] = body.powers(&state, ground);
+        let BodyPowers { ground: by_ground, push, bearings: loss } = body.powers(&state, ground);
         let by_contact: f64 = (contact.iter().enumerate())
             .map(|(section, wrench)| {
                 let here = body.frame(section, &state);
