@@ -10,7 +10,7 @@ use crate::dynamics::model::body::BodyCoordinates;
 use crate::dynamics::record::contact_log::ContactLog;
 use crate::dynamics::record::event::{Event, Stop};
 use crate::dynamics::record::link_log::LinkLog;
-use crate::dynamics::record::recomputed_steps::Replay;
+use crate::dynamics::record::recomputed_steps::RecomputedSteps;
 use crate::dynamics::trajectory::stored_path::StoredPath;
 use crate::dynamics::{Model, impact2d};
 use crate::language::Text;
@@ -26,7 +26,7 @@ pub struct Finished {
     /// Number, path and free motion of every body.
     pub bodies: Vec<(usize, StoredPath, Option<BodyMotion>)>,
     /// Steps that are kept by their starts.
-    pub replay: Replay,
+    pub recomputed: RecomputedSteps,
     /// Number and states of every contact (contact model).
     pub contacts: Vec<(usize, ContactLog)>,
     /// Number and phases of every link (contact model).
@@ -76,7 +76,7 @@ impl Run for ContactRun {
             end,
             stop: schedule.stop().cloned(),
             bodies: world.bodies.into_iter().map(|track| (track.body, track.path, track.free_motion)).collect(),
-            replay: store.replay,
+            recomputed: store.recomputed,
             contacts: world.contacts.into_iter().map(|track| (track.site, track.log)).collect(),
             links: world.links.into_iter().map(|track| (track.link, track.log)).collect(),
             events,
@@ -104,7 +104,7 @@ impl Run for impact2d::run::ImpactRun {
                     (track.body, track.segments.into_iter().collect(), Some(motion))
                 })
                 .collect(),
-            replay: Replay::default(),
+            recomputed: RecomputedSteps::default(),
             contacts: Vec::new(),
             links: Vec::new(),
             events: Vec::new(),

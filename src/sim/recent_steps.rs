@@ -50,7 +50,7 @@ impl RecentSteps {
 mod tests {
     use std::sync::Arc;
 
-    use crate::dynamics::record::recomputed_steps::Replay;
+    use crate::dynamics::record::recomputed_steps::RecomputedSteps;
     use crate::dynamics::trajectory::stored_path::StoredPath;
     use crate::dynamics::{Model, run};
     use crate::scene::{Motion, Scene, presets};
@@ -82,7 +82,7 @@ mod tests {
     fn a_step_taken_again_is_the_same_to_the_last_bit() {
         for angle in [0.0, 20.0] {
             let (whole, part, none) = (row(angle, usize::MAX), row(angle, 10_000), row(angle, 0));
-            let counts = [&whole, &part, &none].map(|history| history.trajectories.replays()[0].len());
+            let counts = [&whole, &part, &none].map(|history| history.trajectories.recomputed()[0].len());
             let steps = usize::try_from(whole.effort().steps).expect("few");
             assert!(counts[0] == 0 && counts[1] > 0 && counts[2] > counts[1], "{counts:?} of {steps}");
             assert!(counts[2] + 8 > steps / 2, "most are explicit: {counts:?} of {steps}");
@@ -105,7 +105,8 @@ mod tests {
     #[test]
     fn a_spatial_step_taken_again_is_the_same_to_the_last_bit() {
         let (whole, none) = (deck(usize::MAX), deck(0));
-        let (kept, steps) = (none.trajectories.replays()[0].len(), usize::try_from(whole.effort().steps).expect("few"));
+        let (kept, steps) =
+            (none.trajectories.recomputed()[0].len(), usize::try_from(whole.effort().steps).expect("few"));
         assert!(kept > steps / 8, "those without sliding: {kept} of {steps}");
         assert_eq!(whole.digest(), none.digest());
         for i in 0..=1000 {
@@ -129,8 +130,8 @@ mod tests {
             };
             let segments = paths(&none, &StoredPath::len);
             let each = |history: &History| {
-                let replays = history.trajectories.replays().iter().map(Replay::bytes).sum::<usize>();
-                (paths(history, &StoredPath::bytes) + replays) as f64 / segments as f64
+                let recomputed = history.trajectories.recomputed().iter().map(RecomputedSteps::bytes).sum::<usize>();
+                (paths(history, &StoredPath::bytes) + recomputed) as f64 / segments as f64
             };
             assert!(each(&none) < most, "{} bytes a segment at {angle}°", each(&none));
             assert!(2.0 * each(&none) < each(&whole), "{} against {}", each(&none), each(&whole));

@@ -11,7 +11,7 @@ use crate::dynamics::model::coordinates::BodyState;
 use crate::dynamics::model::reference_pose::ReferencePose;
 use crate::dynamics::record::contact_log::ContactLog;
 use crate::dynamics::record::link_log::LinkLog;
-use crate::dynamics::record::recomputed_steps::{Past, Replay};
+use crate::dynamics::record::recomputed_steps::{Past, RecomputedSteps};
 use crate::dynamics::run::Finished;
 use crate::dynamics::trajectory::heading::StepHeading;
 use crate::dynamics::trajectory::step_polynomial::StepPolynomial;
@@ -26,7 +26,7 @@ pub(super) struct Trajectories {
     /// Of each body.
     paths: Vec<StoredPath>,
     /// Steps kept by their starts, group by group.
-    replays: Vec<Replay>,
+    recomputed: Vec<RecomputedSteps>,
     /// Of each body.
     recent: Vec<RecentSteps>,
     /// The group of each body.
@@ -46,7 +46,7 @@ impl Trajectories {
         Self {
             end,
             paths: vec![StoredPath::default(); bodies],
-            replays: Vec::new(),
+            recomputed: Vec::new(),
             recent: vec![RecentSteps::default(); bodies],
             group_of: vec![0; bodies],
             free_motions: vec![None; bodies],
@@ -58,8 +58,8 @@ impl Trajectories {
 
     /// Takes in what a group stored; groups come in the order of their numbers.
     pub(super) fn take_in(&mut self, group: &mut Finished) {
-        let number = self.replays.len();
-        self.replays.push(std::mem::take(&mut group.replay));
+        let number = self.recomputed.len();
+        self.recomputed.push(std::mem::take(&mut group.recomputed));
         for (body, path, free_motion) in group.bodies.drain(..) {
             (self.paths[body], self.free_motions[body], self.group_of[body]) = (path, free_motion, number);
         }
@@ -103,8 +103,8 @@ impl Trajectories {
 
     /// Steps of all groups that are kept by their starts.
     #[cfg(test)]
-    pub(super) fn replays(&self) -> &[Replay] {
-        &self.replays
+    pub(super) fn recomputed(&self) -> &[RecomputedSteps] {
+        &self.recomputed
     }
 
     /// The free motion of a body, where it has a closed form.
@@ -147,11 +147,11 @@ impl Trajectories {
     /// The body's part of a step; those of the step's other bodies go into their caches.
     fn recomputed(&self, body: usize, (number, from): (u32, f64)) -> StepPolynomial {
         let past = Past { model: &self.model, paths: &self.paths, free_motions: &self.free_motions, logs: &self.logs };
-        let replay = &self.replays[self.group_of[body]];
-        let mut steps = replay.step(number, from, &past);
-        let place = replay.bodies(number).position(|of| of == body).unwrap_or(0);
+        let steps_of_group = &self.recomputed[self.group_of[body]];
+        let mut steps = steps_of_group.step(number, from, &past);
+        let place = steps_of_group.bodies(number).position(|of| of == body).unwrap_or(0);
         let own = steps.remove(place);
-        for (of, step) in replay.bodies(number).filter(|of| *of != body).zip(steps) {
+        for (of, step) in steps_of_group.bodies(number).filter(|of| *of != body).zip(steps) {
             self.recent[of].keep(number, step);
         }
         own
@@ -174,9 +174,9 @@ impl Trajectories {
     /// What they take \[bytes\]: paths and contact states.
     pub(super) fn bytes(&self) -> usize {
         let paths: usize = self.paths.iter().map(StoredPath::bytes).sum();
-        let replays: usize = self.replays.iter().map(Replay::bytes).sum();
+        let recomputed: usize = self.recomputed.iter().map(RecomputedSteps::bytes).sum();
         let logs: usize = self.logs.iter().map(ContactLog::bytes).sum();
-        paths + replays + logs
+        paths + recomputed + logs
     }
 
     /// Pose and twist of a section of a body.

@@ -2,10 +2,9 @@
 //! (`docs/physics.md#law-return-mapping`).
 //!
 //! In slip the anchor is dragged so that the spring carries exactly `μ_k |F_n|`: the stretch is `s = μ_k ℓ d` with
-//! `ℓ = N/k_t`, which is δ of a linear law with one stiffness. The
-//! tangential dashpot acts on the rate of the spring's own stretch, `−C_t (V_t − q̇)`, with q̇ the rate of the anchor
-//! along the face, so that the force is continuous on return to stick. Breakaway at `μ_s` reduces the stretch to
-//! `μ_k`.
+//! `ℓ = N/k_t`, which is δ of a linear law with one stiffness. The tangential dashpot acts on the rate of the spring's
+//! own stretch, `−C_t (V_t − q̇)`, with q̇ the rate of the anchor along the face, so that the force is continuous on
+//! return to stick. Breakaway at `μ_s` reduces the stretch to `μ_k`.
 
 use glam::DVec2;
 

@@ -25,7 +25,7 @@ impl ClosingSearch<'_> {
         for pair in self.world.pairs_of(slots) {
             self.pair_among(pair, t, &mut shared);
         }
-        // What is led is searched with the first link of its girder.
+        // The links of a girder in flight on springs are searched together, with the first of them.
         let searched: Vec<usize> =
             self.world.links_of(slots).into_iter().filter(|&link| !self.world.is_led(link)).collect();
         for link in searched {

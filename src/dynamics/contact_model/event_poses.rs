@@ -95,8 +95,7 @@ impl ContactPoses<'_> {
     }
 
     /// Whether the projection of a node is inside its face's polygon, the face by which it is in the pair is the most opposed
-    /// of its corner's, and the node touches no other face; of an edge
-    /// node, whether the crossing is a contact point of its own.
+    /// of its corner's, and the node touches no other face; of an edge node, whether the crossing is a contact point of its own.
     pub(in crate::dynamics) fn is_over(&self, contact: usize) -> bool {
         if self.edge(contact).is_some() {
             return contact_points::crossing(self.world, contact, &|contact| self.sides(contact)).is_some();

@@ -90,7 +90,7 @@ impl ContactRun {
         self.store.commit_all(&mut self.world, end);
         self.world.bodies.iter_mut().for_each(|track| track.path.shrink());
         self.world.contacts.iter_mut().for_each(|track| track.log.shrink());
-        self.store.replay.shrink();
+        self.store.recomputed.shrink();
         self.events.shrink_to_fit();
         end
     }
@@ -176,7 +176,7 @@ impl ContactRun {
     fn spent(&self, t: f64) -> Spent {
         let paths: usize = self.world.bodies.iter().map(|track| track.path.len()).sum();
         let steps =
-            self.store.polynomial_bytes + self.store.replay.bytes() + paths * (size_of::<f64>() + size_of::<u32>());
+            self.store.polynomial_bytes + self.store.recomputed.bytes() + paths * (size_of::<f64>() + size_of::<u32>());
         Spent {
             work: self.schedule.work,
             bytes: steps + self.events.len() * size_of::<Event>(),

@@ -6,8 +6,9 @@
 
 use crate::dynamics::integrator::dense_output::DenseOutput;
 use crate::dynamics::model::reference_pose::ReferencePose;
+use crate::dynamics::penalty3d::active_contact::ActiveContact;
 use crate::dynamics::penalty3d::island::Island;
-use crate::dynamics::record::recomputed_steps::{LoggedState, Member, Replay};
+use crate::dynamics::record::recomputed_steps::{LoggedState, Member, RecomputedSteps};
 use crate::dynamics::trajectory::packed_states::PackedStates;
 use crate::dynamics::trajectory::segment::{Segment, SegmentMotion};
 use crate::dynamics::trajectory::stored_path::Swept;
@@ -18,7 +19,7 @@ use crate::dynamics::world::tracks::Trajectory;
 #[derive(Debug, Default)]
 pub(in crate::dynamics) struct StepStore {
     /// Steps stored by their initial states.
-    pub replay: Replay,
+    pub recomputed: RecomputedSteps,
     /// Memory of polynomials \[bytes\].
     pub polynomial_bytes: usize,
 }
@@ -43,10 +44,10 @@ impl StepStore {
         } else {
             let (logged_states, members) = (logged_states(world, island)?, self.members(world, island)?);
             let flown = landed_at(world, island, &states);
-            (self.replay.open(members, logged_states)?, flown)
+            (self.recomputed.open(members, logged_states)?, flown)
         };
         island.sequence = Some(sequence);
-        self.replay.push(sequence, length, (!flown).then(|| island.system.layout.states(&states)))
+        self.recomputed.push(sequence, length, (!flown).then(|| island.system.layout.states(&states)))
     }
 
     /// Writes all trajectories up to `t` into the paths of their bodies.
@@ -113,7 +114,7 @@ impl StepStore {
         let mut members = Vec::with_capacity(island.slots.len());
         for (&slot, base) in island.slots.iter().zip(&mut island.system.bases) {
             if base.flown.is_none() && base.stored_number.is_none() {
-                base.stored_number = Some(self.replay.keep(base)?);
+                base.stored_number = Some(self.recomputed.keep(base)?);
             }
             let body = u32::try_from(world.bodies[slot].body).ok()?;
             let member = base.flown.map(|number| Member::flown(body, number));
@@ -143,7 +144,7 @@ impl StepStore {
 
 /// States of an island's contacts by their entries in the logs; `None` where an entry does not determine the state.
 fn logged_states(world: &World, island: &Island) -> Option<Vec<LoggedState>> {
-    let logged = |(active, &contact): (&crate::dynamics::penalty3d::active_contact::ActiveContact, &usize)| {
+    let logged = |(active, &contact): (&ActiveContact, &usize)| {
         let track = &world.contacts[contact];
         let entry = track.log.latest()?;
         let mut logged = active.closed;

@@ -13,7 +13,7 @@ use crate::dynamics::model::edge_node::node_place::NodePlace;
 use crate::dynamics::penalty3d::contact_force::to_world;
 use crate::dynamics::penalty3d::contact_state::{ClosedContact, Contact};
 use crate::dynamics::record::event::EventKind;
-use crate::dynamics::world::contact_points;
+use crate::dynamics::world::contact_points::{self, NodesAtVertex};
 use crate::scene::Kind;
 
 /// Largest sine of the angle between two faces of bodies that have met that count as flush \[–\]: 10°. Chosen: the force at a vertex turns
@@ -74,9 +74,8 @@ impl VertexNodes<'_, '_> {
         self.successors(contact, closed).is_some()
     }
 
-    /// The nodes that are at the vertex which a node has left, closed ones that are there no more, and how far the first may be beside
-    /// their faces \[m\]; `None` without such nodes.
-    fn successors(&mut self, contact: usize, closed: &ClosedContact) -> Option<([Vec<usize>; 2], f64)> {
+    /// The nodes of the vertex which a node has left, and how far those present may be beside their faces \[m\]; `None` where none is.
+    fn successors(&mut self, contact: usize, closed: &ClosedContact) -> Option<(NodesAtVertex, f64)> {
         let pair = self.states.world.pair_of(contact).model_pair;
         if !self.states.world.model.pairs[pair].passes_on {
             return None;
@@ -93,13 +92,15 @@ impl VertexNodes<'_, '_> {
         let beside = self.states.here(contact).penetration().max(0.0) * tilt;
         let apart = (beside + closed.solver.beside) / LEAST_SINE;
         let reaches = [[0.0, 0.0], [apart, 0.0], [apart, apart]].into_iter();
-        reaches.map(|reach| (self.at_vertex_of(contact, reach), reach[1])).find(|([nodes, _], _)| !nodes.is_empty())
+        reaches.map(|reach| (self.at_vertex_of(contact, reach), reach[1])).find(|(nodes, _)| !nodes.present.is_empty())
     }
 
     /// Hands the part of a vertex in K and C that a node has left over an edge, in state `closed`, to the nodes that
     /// are there now; other nodes of the vertex that are there no more leave with it. Whether there is such a node.
     pub(super) fn pass_on(&mut self, contact: usize, closed: &ClosedContact) -> bool {
-        let Some(([nodes, gone], beside)) = self.successors(contact, closed) else { return false };
+        let Some((NodesAtVertex { present: nodes, gone }, beside)) = self.successors(contact, closed) else {
+            return false;
+        };
         let kept = nodes.iter().filter_map(|&node| Some((node, self.states.closed(node)?)));
         let left = gone.iter().filter_map(|&node| Some((node, self.states.closed(node)?)));
         let before: Vec<_> = kept.chain(left).chain([(contact, *closed)]).collect();
@@ -143,14 +144,14 @@ impl VertexNodes<'_, '_> {
         passes_on && tilt <= FLUSH && contact_points::is_held(self.states.world, contact, apart, &poses)
     }
 
-    /// The nodes that are at the vertex that a node has left, closed or about to be, and closed ones that are there no more;
-    /// see [`contact_points::at_vertex_of`].
-    fn at_vertex_of(&mut self, contact: usize, [extra, beyond]: [f64; 2]) -> [Vec<usize>; 2] {
+    /// The nodes of the vertex that a node has left, of those present the closed ones and those behind their face; see
+    /// [`contact_points::at_vertex_of`].
+    fn at_vertex_of(&mut self, contact: usize, [extra, beyond]: [f64; 2]) -> NodesAtVertex {
         let poses = |c: usize| self.states.poses().sides(c);
-        let [mut nodes, gone] = contact_points::at_vertex_of(self.states.world, contact, [extra, beyond], &poses);
-        nodes.retain(|&node| self.states.world.is_closed(node) || self.place_if_behind_face(node, beyond));
-        nodes.retain(|&node| !self.leaves_with(node));
-        [nodes, gone]
+        let mut nodes = contact_points::at_vertex_of(self.states.world, contact, [extra, beyond], &poses);
+        nodes.present.retain(|&node| self.states.world.is_closed(node) || self.place_if_behind_face(node, beyond));
+        nodes.present.retain(|&node| !self.leaves_with(node));
+        nodes
     }
 
     /// Whether the projection of a corner, at a vertex that another one has left, moves out over the edge of its own face. In plan the two

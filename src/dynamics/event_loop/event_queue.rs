@@ -21,7 +21,7 @@ pub struct EventQueue {
 
 impl EventQueue {
     /// Enters the time of a source \[s\], or replaces it. Times are at least 0, so that their bits have the order of
-    /// their values; what is no number is kept in mind, and the source has no time.
+    /// their values. Of a source whose time is no number that is noted, and it has no time.
     pub fn set(&mut self, source: Source, t: f64) {
         if t.is_nan() {
             self.undefined = Some(source);

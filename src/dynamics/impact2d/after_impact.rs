@@ -39,7 +39,7 @@ pub(in crate::dynamics::impact2d) fn resume(
         let strain = strain_energy(world, instant);
         if project(world, instant, &[]) {
             lost += strain - strain_energy(world, instant);
-            // What was moved out of its face begins there, and not as deep as it was hit.
+            // A body that was moved out of a face begins its flight outside, not at the depth at which it was hit.
             instant.kinematics = Kinematics::new(&world.model, &bodies, &instant.states, ground);
         }
         start_trajectories(run, instant, to, Vec::new(), lost);
@@ -66,7 +66,7 @@ fn modes(world: &World, instant: &mut ImpactInstant, ending: Option<Ending>, gro
         }
     }
     let model = &world.model;
-    let again = slips_on.then(|| select_modes(model, &instant.kinematics, &candidates, &model.impact)).flatten();
+    let again = slips_on.then(|| select_modes(model, &instant.kinematics, &candidates)).flatten();
     again.unwrap_or(modes)
 }
 

@@ -39,8 +39,9 @@ pub(super) const NEWTON_STEPS: u32 = 4;
 pub(super) const CUBIC_STEPS: u32 = 12;
 /// Halvings towards a zero at the start of an interval in search of a value below 0: to 2⁻³⁰ ≈ 1e-9 of the interval. Tuned.
 pub(super) const DIP_HALVINGS: u32 = 30;
-/// Where behind a start at 0 a rise is looked for, in parts of the interval \[–\]: a function of two terms that is above 0 for less than the
-/// first rises by less than a millionth of what it falls by; the second is for one that is within rounding there. Chosen.
+/// Times at which a function that starts at 0 is tested for a positive value, in parts of the interval \[–\]. A rise shorter than the first is,
+/// for two terms of a power series, less than a millionth of the later fall; the second serves where the value at the first is rounding.
+/// Chosen.
 pub(super) const RISE_LOOKS: [f64; 2] = [1.0 / 1024.0, 1.0 / 32.0];
 /// Height above the vertex of the parabola through three samples within which the function may reach 0, in parts of their
 /// second difference. Tuned.

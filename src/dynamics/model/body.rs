@@ -174,10 +174,10 @@ pub trait Coordinates: Debug + Send + Sync {
     /// Reference pose by its [`numbers`](ReferencePose::numbers); by none, where the body was placed.
     fn reference(&self, body: &Body, numbers: &[f64]) -> ReferencePose;
 
-    /// Counts a state since the body was placed from its present pose on, and says what that is.
+    /// Converts a state relative to the placed pose into one relative to the present pose, which is returned.
     fn rebase(&self, body: &Body, state: &mut [f64]) -> ReferencePose;
 
-    /// Counts a state from where the body was placed that was counted from the reference pose of these numbers.
+    /// Converts a state relative to the reference pose of these numbers into one relative to the placed pose.
     fn restore(&self, numbers: &[f64], state: &mut [f64]);
 
     /// Rate of a state under the contact forces on each section and the ground's motion; bearings and given pushes are the body's own.
@@ -191,7 +191,7 @@ pub trait Coordinates: Debug + Send + Sync {
     /// Restores the length of parts that have length 1.
     fn normalise(&self, _state: &mut [f64]) {}
 
-    /// Adds to a state that moved on by `dt` along `slope` what its positions gain by the accelerations, `½ a dt²`.
+    /// Adds `½ a dt²` to the positions of a state that moved on by `dt` \[s\] along `slope`, with its accelerations a.
     fn add_accelerations(&self, state: &mut [f64], slope: &[f64], dt: f64);
 
     /// Squared size of a difference of states: of its positions as lengths \[m²\], of its velocities \[m²/s²\]. NaN where a

@@ -35,7 +35,7 @@ impl SectionBounds {
         }
     }
 
-    /// Of the same in space, with `ω_E = J φ̇` of the section for φ̇ and R E for R′: J is not longer than 1, and what its change adds,
+    /// [`of_frame`](Self::of_frame) in space, with `ω_E = J φ̇` of the section for φ̇ and R E for R′: |J| ≤ 1, and the part of its change,
     /// `J̇ φ̇`, is at most φ̇² up to φ = 1.
     pub(in crate::dynamics) fn of_frame_in_space(&self, lever: f64, apart: f64, window: f64) -> MotionBounds {
         let (plane, p) = (self.of_frame(lever, apart, window), self.turned[0]);

@@ -87,8 +87,8 @@ impl ActiveLink {
         phase
     }
 
-    /// Adds its force at the island's state `y` to the wrenches of the bodies; how what its law remembers changes, where that is
-    /// a state of the island.
+    /// Adds the device's force at the island's state `y` to the wrenches of the bodies. Returns the component of its memory in `y` and how
+    /// that changes; `None` where the memory is no state of the island.
     #[inline]
     pub(in crate::dynamics) fn push(
         &self,

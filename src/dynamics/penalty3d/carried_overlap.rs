@@ -2,8 +2,8 @@
 //! (`docs/physics.md#contact-wherever-bodies-meet`).
 //!
 //! A contact keeps its normal as long as it lasts, while the shortest way by which the bodies part can turn to another face or to two
-//! other edges. Where the overlap along that way comes to exceed the penetration of the deepest contact, what is there takes over. Both
-//! are equal then, and so are the energies in their springs.
+//! other edges. When the least overlap comes to exceed the penetration of the deepest contact, the contact along the shortest way takes
+//! over. The two penetrations are equal at that time, so that the energy in the springs does not change.
 
 use glam::DVec3;
 

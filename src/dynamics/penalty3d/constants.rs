@@ -54,8 +54,7 @@ pub(in crate::dynamics) const LEAST_SQUARED_FREQUENCY: f64 = 1e-6;
 /// Acceleration that stands for no load at all \[m/s²\]: keeps the error scale of a body at rest above 0. Tuned.
 pub(in crate::dynamics) const LEAST_ACCELERATION: f64 = 1e-9;
 /// Least tolerance of a step without contact \[–\], where no stiff spring is between position and force; with contact it is the scene's
-/// finest. Measured: a
-/// million steps of a tumbling girder change its energy by 1e-10 at 1e-13, and by a tenth of that at 1e-14.
+/// finest. Measured: a million steps of a tumbling girder change its energy by 1e-10 at 1e-13, and by a tenth of that at 1e-14.
 pub(in crate::dynamics) const FINEST_TOLERANCE_FREE: f64 = 1e-14;
 
 // Step length

@@ -3,7 +3,6 @@
 use smallvec::SmallVec;
 
 use crate::contact::{Local, Mode, NormalLaw};
-use crate::dynamics::Model;
 use crate::dynamics::integrator::constants::{RESOLVED_CHANGE, RESOLVED_DECAY, RESOLVED_RELAXATION};
 use crate::dynamics::penalty3d::active_contact::ActiveContact;
 use crate::dynamics::penalty3d::active_link::ActiveLink;
@@ -15,6 +14,7 @@ use crate::dynamics::penalty3d::constants::{
 use crate::dynamics::penalty3d::contact_rates::mobility;
 use crate::dynamics::penalty3d::equations_of_motion::ErrorScale;
 use crate::dynamics::penalty3d::island::Island;
+use crate::dynamics::{Body, Model};
 use crate::motion::Ground;
 use crate::scene::FINEST_TOLERANCE;
 
@@ -254,8 +254,9 @@ impl Island {
     }
 }
 
-/// Of a contact that opens under a law whose force is no power series in δ at δ = 0, as `δ^{3/2}`: the time `δ/V_n` to the opening, up to which its
-/// series in time converges \[s\], and the change of a speed by its force until then \[m/s\]. An estimate says nothing of a step beyond.
+/// Time `δ/V_n` to the opening \[s\] and change of a speed by the contact's force until then \[m/s\], of a contact that opens under a law whose
+/// force is no power series in δ at δ = 0, as `δ^{3/2}`; `None` of others. Its series in time converges up to the opening alone, so that the
+/// error estimate holds for shorter steps only.
 fn opening(model: &Model, active: &ActiveContact, here: &Local) -> Option<[f64; 2]> {
     let normal = &active.closed.law.normal;
     let is_series = normal.energy_power().fract() == 0.0;
@@ -268,7 +269,7 @@ fn opening(model: &Model, active: &ActiveContact, here: &Local) -> Option<[f64; 
 }
 
 /// Bound of the force at the radii of gyration that given moments amount to \[N\].
-fn turning_push(body: &crate::dynamics::Body) -> f64 {
+fn turning_push(body: &Body) -> f64 {
     let inertia = &body.inertia;
     let gyration2 = [inertia.x_axis.x / body.mass, inertia.y_axis.y / body.mass, body.gyration2];
     body.moment.to_array().into_iter().zip(gyration2).map(|(moment, i2)| moment.abs() / i2.sqrt()).sum()

@@ -12,7 +12,7 @@ pub(in crate::dynamics) struct Workspace {
     pub frames: Vec<Frame>,
     /// Wrenches on the sections of the bodies.
     pub wrenches: Vec<Wrench>,
-    /// Derivative by itself of the rate of each slip angle, then of each memory of a device that has one \[1/s\], negative.
+    /// Diagonal of the Jacobian: `∂φ̇/∂φ` of each slip angle φ, then `∂ṁ/∂m` of each device's memory m \[1/s\]; negative.
     pub rates: Vec<f64>,
     /// Contacts that slide in two directions, and devices whose memory evolves.
     pub sliding: Sliding,

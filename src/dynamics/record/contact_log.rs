@@ -6,6 +6,7 @@ use glam::DVec2;
 use crate::contact::{Law, Mode};
 use crate::dynamics::integrator::dense_output::DenseOutput;
 use crate::dynamics::model::edge_node::node_place::NodePlace;
+use crate::dynamics::penalty3d::active_contact;
 use crate::dynamics::penalty3d::contact_state::{ClosedContact, Contact, SolverState};
 
 /// A state, stored in twelve bytes.
@@ -179,7 +180,7 @@ impl ContactLog {
         {
             let mut angle = [0.0];
             self.angles[i].1.read(0..1, t, &mut angle);
-            *direction = crate::dynamics::penalty3d::active_contact::direction(angle[0]);
+            *direction = active_contact::direction(angle[0]);
         }
         Contact::Closed(closed)
     }

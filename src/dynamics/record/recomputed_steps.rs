@@ -31,7 +31,7 @@ const STORED_BIT: u32 = 1 << 31;
 
 /// Steps of a group of bodies.
 #[derive(Clone, Debug, Default)]
-pub struct Replay {
+pub struct RecomputedSteps {
     sequences: Vec<StepSequence>,
     members: Vec<Member>,
     logged_states: Vec<LoggedState>,
@@ -102,7 +102,7 @@ fn count(n: usize) -> Option<u32> {
     u32::try_from(n).ok()
 }
 
-impl Replay {
+impl RecomputedSteps {
     /// Begins a sequence of steps; its number, `None` where numbers are exhausted.
     pub(in crate::dynamics) fn open(&mut self, members: Vec<Member>, logged_states: Vec<LoggedState>) -> Option<u32> {
         let sequence =
@@ -168,8 +168,8 @@ impl Replay {
     /// Recomputes step `number`, which begins at `from` \[s\]: the dense output of each of its bodies.
     pub fn step(&self, number: u32, from: f64, past: &Past<'_>) -> Vec<StepPolynomial> {
         let (dense, layout, bases) = self.dense(number, from, past);
-        let piece = |(place, base)| StepPolynomial::of(&dense, layout.range(place), Some(base));
-        bases.iter().enumerate().map(piece).collect()
+        let polynomial = |(place, base)| StepPolynomial::of(&dense, layout.range(place), Some(base));
+        bases.iter().enumerate().map(polynomial).collect()
     }
 
     fn dense(&self, number: u32, from: f64, past: &Past<'_>) -> (DenseOutput, StateLayout, Vec<ReferencePose>) {
@@ -178,17 +178,17 @@ impl Replay {
         let bodies: Vec<usize> = members.iter().map(|member| member.body as usize).collect();
         let layout = StateLayout::of(bodies.iter().map(|&body| &past.model.bodies[body]));
         // Reference pose, and for a body that comes from a flight its state at the end of that flight.
-        let caught = |member: &Member| {
+        let pose_and_state = |member: &Member| {
             let body = &past.model.bodies[member.body as usize];
             if member.base & STORED_BIT == 0 {
-                let mut state = landed(*member, past);
+                let mut state = state_at_landing(*member, past);
                 return (body.rebase(&mut state), state);
             }
             let mut numbers = vec![0.0; body.placed().size()];
             self.starts.read(member.base & !STORED_BIT, &mut numbers);
             (body.reference(&numbers), [0.0; WIDTH])
         };
-        let (bases, landed): (Vec<ReferencePose>, Vec<PlanarState>) = members.iter().map(caught).unzip();
+        let (bases, landed): (Vec<ReferencePose>, Vec<PlanarState>) = members.iter().map(pose_and_state).unzip();
         let active: Vec<ActiveContact> =
             logged_states.iter().filter_map(|logged| active(*logged, (&bodies, &layout), &bases, past)).collect();
         let mut y = vec![0.0; layout.len()];
@@ -203,7 +203,7 @@ impl Replay {
         let system =
             CoupledSystem::without_rates(Members { bodies, bases, active, links: Vec::new() }, layout, Vec::new());
         let piece = past.model.ground.piece(past.model.ground.piece_number(from));
-        let mut field = EquationsOfMotion {
+        let mut equations = EquationsOfMotion {
             model: past.model,
             system: &system,
             kind: &IslandKind::of(past.model, &system, &y),
@@ -213,7 +213,7 @@ impl Replay {
             auxiliary_errors: &[],
             workspace: &mut Workspace::of(&system.active),
         };
-        let dense = again(&mut field, from, &mut y, length);
+        let dense = recompute_step(&mut equations, from, &mut y, length);
         (dense, system.layout, system.bases)
     }
 
@@ -237,26 +237,25 @@ impl Replay {
 }
 
 /// The explicit step of this length from `y` at `from`.
-fn again(field: &mut EquationsOfMotion<'_>, from: f64, y: &mut [f64], length: f64) -> DenseOutput {
+fn recompute_step(equations: &mut EquationsOfMotion<'_>, from: f64, y: &mut [f64], length: f64) -> DenseOutput {
     let mut rk = Dop853::default();
     rk.resize(y.len());
-    rk.start(field, from, y);
-    normalise(field.model, &field.system.bodies, &field.system.layout, y);
+    rk.start(equations, from, y);
+    normalise(equations.model, &equations.system.bodies, &equations.system.layout, y);
     // Its error was accepted when it was computed first.
-    let _ = rk.attempt(field, from, y, length);
-    rk.accept(field, from, y, length)
+    let _ = rk.attempt(equations, from, y, length);
+    rk.accept(equations, from, y, length)
 }
 
 /// State at the end of a body's flight, which is the beginning of the next sequence of its path.
-fn landed(member: Member, past: &Past<'_>) -> PlanarState {
+fn state_at_landing(member: Member, past: &Past<'_>) -> PlanarState {
     let (body, flown) = (member.body as usize, member.base as usize);
     match (past.paths[body].motion_of(flown), past.paths[body].next(flown), &past.free_motions[body]) {
         ((from, StoredMotion::Start(state)), Some(until), Some(free_motion)) => {
             free_motion.girder_state(from, state, until).unwrap_or(state)
         }
-        // Cannot occur: only flights stored by their initial state are referred to, and each is followed by a
-        // sequence.
-        _ => [0.0; WIDTH],
+        // Only flights stored by their initial state are referred to, and each is followed by a sequence: another would be no number.
+        _ => [f64::NAN; WIDTH],
     }
 }
 

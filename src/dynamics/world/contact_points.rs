@@ -60,15 +60,22 @@ pub(in crate::dynamics) fn other_of_crossing(world: &World, contact: usize) -> O
     is_shared(world, contact).then(|| if is_of_first(world, contact) { contact + 1 } else { contact - 1 })
 }
 
-/// The nodes at the vertex that the node of `contact` has left, or, with an extra distance, the nearest one as far as that, with a
-/// node that is `beyond` beyond the ends of its edges or beside its face \[m\]: those that are there, corners inside the facing polygon
-/// or crossings without one, and closed ones that have left the vertex.
+/// Nodes of a vertex of two faces that overlap.
+pub(in crate::dynamics) struct NodesAtVertex {
+    /// Nodes that are at the vertex: corners inside the facing polygon, or crossings of edges that are at no corner.
+    pub present: Vec<usize>,
+    /// Closed nodes that have left the vertex.
+    pub gone: Vec<usize>,
+}
+
+/// Nodes at the vertex that the node of `contact` has left. With an `extra` distance \[m\] the nearest vertex within that counts; a node may be
+/// `beyond` \[m\] beyond the ends of its edges or beside its face.
 pub(in crate::dynamics) fn at_vertex_of(
     world: &World,
     contact: usize,
     [extra, beyond]: [f64; 2],
     poses: Poses<'_>,
-) -> [Vec<usize>; 2] {
+) -> NodesAtVertex {
     let pair = world.contacts[contact].pair;
     let (left, other) = (point_on_second_face(world, contact, poses), other_of_crossing(world, contact));
     let near =
@@ -88,16 +95,16 @@ pub(in crate::dynamics) fn at_vertex_of(
     let all: Vec<(usize, f64)> = contacts.clone().filter_map(here).collect();
     let nearest = all.iter().map(|(_, distance)| *distance).fold(f64::INFINITY, f64::min);
     let counts = |&(c, distance): &(usize, f64)| (extra == 0.0 || distance == nearest).then_some(c);
-    let nodes: Vec<usize> = all.iter().filter_map(counts).collect();
+    let present: Vec<usize> = all.iter().filter_map(counts).collect();
     let gone = |&c: &usize| {
         let near = near + if world.edge(c).is_some() { slide(world, c) } else { 0.0 };
         let is_closed = world.is_closed(c);
         is_closed
-            && !nodes.contains(&c)
+            && !present.contains(&c)
             && (other == Some(c) || (point_on_second_face(world, c, poses) - left).length() <= near)
     };
     let gone = contacts.filter(gone).collect();
-    [nodes, gone]
+    NodesAtVertex { present, gone }
 }
 
 /// Whether a node in contact is at the vertex of a corner that is inside the facing polygon, up to `apart` \[m\] from it; not so of an edge

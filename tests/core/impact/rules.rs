@@ -188,7 +188,7 @@ fn no_hit_adds_energy_and_none_leaves_a_point_driven_in() {
             ..ImpactSettings::default()
         };
         let speed_noise = cluster.speed_round_off(&points);
-        let law = ImpactLaw { numbers: &numbers, speed_noise, inelastic: false };
+        let law = ImpactLaw { settings: &numbers, speed_noise, inelastic: false };
         let manifold =
             ContactManifold { pair: 0, sites: (0..points.len()).collect(), points: points.iter().copied().collect() };
         let mut after = cluster.clone();

@@ -203,7 +203,7 @@ impl Struck {
             ..ImpactSettings::default()
         };
         let (mut cluster, points) = (self.cluster(), self.points());
-        let law = ImpactLaw { numbers: &numbers, speed_noise: cluster.speed_round_off(&points), inelastic: false };
+        let law = ImpactLaw { settings: &numbers, speed_noise: cluster.speed_round_off(&points), inelastic: false };
         let manifold = ContactManifold { pair: 0, sites: (0..points.len()).collect(), points: points.into() };
         let collision = collide(&mut cluster, &manifold, from, &law);
         Row::of_hit(&collision.conditions)

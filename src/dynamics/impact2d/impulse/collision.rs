@@ -66,7 +66,7 @@ pub struct Collision {
 #[derive(Clone, Copy, Debug)]
 pub struct ImpactLaw<'a> {
     /// Coefficients of the scene.
-    pub numbers: &'a ImpactSettings,
+    pub settings: &'a ImpactSettings,
     /// Speed that is round-off \[m/s\].
     pub speed_noise: f64,
     /// Whether restitution is 0, after many hits at one instant.
@@ -75,18 +75,18 @@ pub struct ImpactLaw<'a> {
 
 impl ImpactLaw<'_> {
     fn face(&self) -> Coefficients {
-        let i = self.numbers;
+        let i = self.settings;
         Coefficients { e_n: i.restitution_normal, e_t: i.restitution_tangential, mu_s: i.mu_static, mu_k: i.mu_kinetic }
     }
 
     fn corner(&self) -> Coefficients {
-        let [mu_s, mu_k] = self.numbers.corner_friction();
+        let [mu_s, mu_k] = self.settings.corner_friction();
         Coefficients { mu_s, mu_k, ..self.face() }
     }
 
     /// Without restitution below the stop speed.
-    fn at_speed(&self, numbers: Coefficients, speed: f64) -> Coefficients {
-        if self.inelastic || speed < self.numbers.stop_speed { numbers.inelastic() } else { numbers }
+    fn at_speed(&self, coefficients: Coefficients, speed: f64) -> Coefficients {
+        if self.inelastic || speed < self.settings.stop_speed { coefficients.inelastic() } else { coefficients }
     }
 }
 
@@ -115,12 +115,12 @@ fn fastest_end(cluster: &Cluster, ends: &Ends) -> usize {
 
 fn corner(cluster: &mut Cluster, point: &ContactPoint, end: usize, from: State, law: &ImpactLaw<'_>) -> Collision {
     let approach = cluster.speeds(point);
-    let numbers = law.at_speed(law.corner(), -approach[0]);
-    let (first, mut work) = first_impulse(cluster, point, &numbers);
-    let (again, outcome) = outcome(cluster, point, &numbers, law.speed_noise);
+    let coefficients = law.at_speed(law.corner(), -approach[0]);
+    let (first, mut work) = first_impulse(cluster, point, &coefficients);
+    let (again, outcome) = outcome(cluster, point, &coefficients, law.speed_noise);
     work += again.map_or(0.0, |s| s.work);
     let second = again.map(|s| (end, s));
-    let (e_n, e_t) = (numbers.e_n, numbers.e_t);
+    let (e_n, e_t) = (coefficients.e_n, coefficients.e_t);
     Collision {
         arm: point.arms[0],
         impulses: HitImpulses { normal: point.n, approach, offset: 0.0, first, second, last: None, lost: -work },
@@ -132,7 +132,7 @@ fn corner(cluster: &mut Cluster, point: &ContactPoint, end: usize, from: State, 
 fn outcome(
     cluster: &mut Cluster,
     point: &ContactPoint,
-    numbers: &Coefficients,
+    coefficients: &Coefficients,
     speed_noise: f64,
 ) -> (Option<SecondImpulse>, Outcome) {
     let [v_n, v_s] = cluster.speeds(point);
@@ -142,23 +142,23 @@ fn outcome(
     if v_n >= -speed_noise {
         return (None, Outcome::Contact { at_rest: v_s.abs() <= speed_noise });
     }
-    let again = second_impulse(cluster, point, numbers, speed_noise);
+    let again = second_impulse(cluster, point, coefficients, speed_noise);
     (Some(again), Outcome::SecondImpulse { held: again.held })
 }
 
 fn face(cluster: &mut Cluster, ends: &Ends, from: State, law: &ImpactLaw<'_>) -> Collision {
     let speeds = [0, 1].map(|i| cluster.speed(&ends[i], ends[i].n));
-    if speeds.iter().all(|v| v.abs() < law.numbers.stop_speed) {
+    if speeds.iter().all(|v| v.abs() < law.settings.stop_speed) {
         return plastic_face(cluster, ends, from);
     }
-    if law.inelastic || law.numbers.flush == Flush::TwoCorner {
+    if law.inelastic || law.settings.flush == Flush::TwoCorner {
         return two_corner_face(cluster, ends, from, law);
     }
     let part = centroid(cluster, ends);
     let point = ends[0].towards(&ends[1], part);
     let approach = cluster.speeds(&point);
-    let numbers = law.face();
-    let (first, mut work) = first_impulse(cluster, &point, &numbers);
+    let coefficients = law.face();
+    let (first, mut work) = first_impulse(cluster, &point, &coefficients);
     let (turns, slides) = turns_and_slides(cluster, ends, law.speed_noise);
     let end = fastest_end(cluster, ends);
     let (again, outcome) = outcome(cluster, &ends[end], &law.corner(), law.speed_noise);
@@ -167,13 +167,13 @@ fn face(cluster: &mut Cluster, ends: &Ends, from: State, law: &ImpactLaw<'_>) ->
     let other = &ends[1 - end];
     if cluster.speed(other, other.n) < -law.speed_noise {
         // The second impulse has turned the face so that its other end approaches: both are stopped.
-        let both = two_corner(cluster, ends, &numbers.inelastic());
+        let both = two_corner(cluster, ends, &coefficients.inelastic());
         work += both.work;
         last = Some([both.normal[0] + both.normal[1], both.tangential]);
     }
     let offset = (part - 0.5) * (ends[1].along - ends[0].along);
     let second = again.map(|s| (end, s));
-    let (e_n, e_t) = (numbers.e_n, numbers.e_t);
+    let (e_n, e_t) = (coefficients.e_n, coefficients.e_t);
     Collision {
         arm: point.arms[0],
         impulses: HitImpulses { normal: point.n, approach, offset, first, second, last, lost: -work },
@@ -204,10 +204,10 @@ fn plastic_face(cluster: &mut Cluster, ends: &Ends, from: State) -> Collision {
 
 /// Impulse along the face with unilateral conditions at both ends.
 fn two_corner_face(cluster: &mut Cluster, ends: &Ends, from: State, law: &ImpactLaw<'_>) -> Collision {
-    let numbers = if law.inelastic { law.face().inelastic() } else { law.face() };
+    let coefficients = if law.inelastic { law.face().inelastic() } else { law.face() };
     let middle = ends[0].towards(&ends[1], 0.5);
     let approach = cluster.speeds(&middle);
-    let impulse = two_corner(cluster, ends, &numbers);
+    let impulse = two_corner(cluster, ends, &coefficients);
     let (turns, slides) = turns_and_slides(cluster, ends, law.speed_noise);
     let worst = ends[fastest_end(cluster, ends)];
     let separates = cluster.speed(&worst, worst.n) > law.speed_noise;
@@ -219,7 +219,7 @@ fn two_corner_face(cluster: &mut Cluster, ends: &Ends, from: State, law: &Impact
     Collision {
         arm: ends[0].towards(&ends[1], part).arms[0],
         impulses: HitImpulses { normal: middle.n, approach, offset, first, second: None, last: None, lost },
-        conditions: HitConditions { from, flush: true, turns, slides, e_n: numbers.e_n, e_t: -1.0, outcome },
+        conditions: HitConditions { from, flush: true, turns, slides, e_n: coefficients.e_n, e_t: -1.0, outcome },
     }
 }
 
@@ -253,8 +253,8 @@ mod tests {
     fn hit(velocity: [f64; 3], flush: Flush, inelastic: bool) -> (Collision, [Cluster; 2]) {
         let (mut cluster, manifold) = at_wall(velocity);
         let before = cluster.clone();
-        let numbers = ImpactSettings { flush, ..ImpactSettings::default() };
-        let law = ImpactLaw { numbers: &numbers, speed_noise: 1e-14, inelastic };
+        let settings = ImpactSettings { flush, ..ImpactSettings::default() };
+        let law = ImpactLaw { settings: &settings, speed_noise: 1e-14, inelastic };
         let collision = collide(&mut cluster, &manifold, State::Free, &law);
         (collision, [before, cluster])
     }

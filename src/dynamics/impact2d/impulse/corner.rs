@@ -44,12 +44,12 @@ pub struct SecondImpulse {
 }
 
 /// Applies the first impulse, (29) and (31); returns `[P_n, P_s]` \[N·s\] and the work \[J\].
-pub fn first_impulse(cluster: &mut Cluster, point: &ContactPoint, numbers: &Coefficients) -> ([f64; 2], f64) {
+pub fn first_impulse(cluster: &mut Cluster, point: &ContactPoint, coefficients: &Coefficients) -> ([f64; 2], f64) {
     let [v_n, v_s] = cluster.speeds(point);
     let [w_n, w_s, w_ns] = cluster.mobilities(point);
     // Along a direction without inverse mass there is no impulse.
-    let p_n = if w_n > 0.0 { -(1.0 + numbers.e_n) * v_n / w_n } else { 0.0 };
-    let p_s = if w_s > 0.0 { -(1.0 + numbers.e_t) * (v_s + w_ns * p_n) / w_s } else { 0.0 };
+    let p_n = if w_n > 0.0 { -(1.0 + coefficients.e_n) * v_n / w_n } else { 0.0 };
+    let p_s = if w_s > 0.0 { -(1.0 + coefficients.e_t) * (v_s + w_ns * p_n) / w_s } else { 0.0 };
     let work = cluster.push(point, [p_n, 0.0]) + cluster.push(point, [0.0, p_s]);
     ([p_n, p_s], work)
 }
@@ -60,18 +60,18 @@ pub fn first_impulse(cluster: &mut Cluster, point: &ContactPoint, numbers: &Coef
 pub fn second_impulse(
     cluster: &mut Cluster,
     point: &ContactPoint,
-    numbers: &Coefficients,
+    coefficients: &Coefficients,
     speed_noise: f64,
 ) -> SecondImpulse {
     let stay = sticking_impulse(cluster, point);
-    if stay[1].abs() <= numbers.mu_s * stay[0] {
+    if stay[1].abs() <= coefficients.mu_s * stay[0] {
         let work = cluster.push(point, stay);
         return SecondImpulse { impulse: stay, held: true, work };
     }
     let v_s = cluster.speeds(point)[1];
     // From rest the slip starts against the tangential impulse of stick.
     let sign = if v_s.abs() <= speed_noise { -stay[1].signum() } else { v_s.signum() };
-    let Some(impulse) = slipping_impulse(cluster, point, numbers.mu_k, sign) else {
+    let Some(impulse) = slipping_impulse(cluster, point, coefficients.mu_k, sign) else {
         let work = cluster.push(point, stay);
         return SecondImpulse { impulse: stay, held: true, work };
     };

@@ -41,24 +41,24 @@ pub struct FaceImpulse {
 }
 
 /// Applies an impulse with unilateral conditions at both ends.
-pub fn two_corner(cluster: &mut Cluster, ends: &Ends, numbers: &Coefficients) -> FaceImpulse {
+pub fn two_corner(cluster: &mut Cluster, ends: &Ends, coefficients: &Coefficients) -> FaceImpulse {
     let mut tried = cluster.clone();
-    let impulse = apply(&mut tried, ends, numbers, numbers.e_n);
+    let impulse = apply(&mut tried, ends, coefficients, coefficients.e_n);
     if impulse.work <= work_round_off(cluster, ends, &impulse) {
         *cluster = tried;
         return impulse;
     }
-    let (mut low, mut high) = (0.0, numbers.e_n);
+    let (mut low, mut high) = (0.0, coefficients.e_n);
     for _ in 0..RESTITUTION_BISECTIONS {
         let e = f64::midpoint(low, high);
-        let impulse = apply(&mut cluster.clone(), ends, numbers, e);
+        let impulse = apply(&mut cluster.clone(), ends, coefficients, e);
         if impulse.work <= work_round_off(cluster, ends, &impulse) {
             low = e;
         } else {
             high = e;
         }
     }
-    apply(cluster, ends, numbers, low)
+    apply(cluster, ends, coefficients, low)
 }
 
 /// Work that is round-off \[J\].
@@ -75,7 +75,7 @@ enum EdgeMode {
     Jam,
 }
 
-fn apply(cluster: &mut Cluster, ends: &Ends, numbers: &Coefficients, e: f64) -> FaceImpulse {
+fn apply(cluster: &mut Cluster, ends: &Ends, coefficients: &Coefficients, e: f64) -> FaceImpulse {
     let asked: [f64; 2] = [0, 1].map(|i| (-e * cluster.speed(&ends[i], ends[i].n)).max(0.0));
     let middle = ends[0].towards(&ends[1], 0.5);
     let v_s = cluster.speed(&middle, middle.s);
@@ -84,7 +84,7 @@ fn apply(cluster: &mut Cluster, ends: &Ends, numbers: &Coefficients, e: f64) -> 
     let guesses = [&[0, 1][..], &[0], &[1]].into_iter().flat_map(|pushed| modes.map(|mode| (pushed, mode)));
     let jams = [&[0, 1][..], &[0], &[1], &[]].into_iter().map(|pushed| (pushed, EdgeMode::Jam));
     for (pushed, mode) in guesses.chain(jams) {
-        if let Some((tried, impulse)) = solve_modes(cluster, ends, &middle, numbers, pushed, mode, asked) {
+        if let Some((tried, impulse)) = solve_modes(cluster, ends, &middle, coefficients, pushed, mode, asked) {
             *cluster = tried;
             return impulse;
         }
@@ -98,13 +98,13 @@ fn solve_modes(
     cluster: &Cluster,
     ends: &Ends,
     middle: &ContactPoint,
-    numbers: &Coefficients,
+    coefficients: &Coefficients,
     pushed: &[usize],
     mode: EdgeMode,
     asked: [f64; 2],
 ) -> Option<(Cluster, FaceImpulse)> {
     let speed_noise = cluster.speed_round_off(ends);
-    let friction = if let EdgeMode::Slip(sign) = mode { -numbers.mu_k * sign } else { 0.0 };
+    let friction = if let EdgeMode::Slip(sign) = mode { -coefficients.mu_k * sign } else { 0.0 };
     let held = matches!(mode, EdgeMode::Stick | EdgeMode::Jam);
     // Unknowns: normal impulses of the loaded ends, and the tangential impulse where the face sticks.
     let size = pushed.len() + usize::from(held);
@@ -130,7 +130,7 @@ fn solve_modes(
     let total = normal[0] + normal[1];
     let tangential = if held { solution[pushed.len()] } else { friction * total };
     if normal.iter().any(|p| *p < 0.0)
-        || (mode == EdgeMode::Stick && tangential.abs() > numbers.mu_s * total * (1.0 + CONE_ROUNDING))
+        || (mode == EdgeMode::Stick && tangential.abs() > coefficients.mu_s * total * (1.0 + CONE_ROUNDING))
     {
         return None;
     }

@@ -72,7 +72,7 @@ fn hit(
     let places = instant.kinematics.places(model, manifold.pair);
     let place = places.into_iter().flatten().next().unwrap_or(0);
     let from = to[place];
-    let law = ImpactLaw { numbers: &model.impact, speed_noise: instant.speed_noise, inelastic };
+    let law = ImpactLaw { settings: &model.impact, speed_noise: instant.speed_noise, inelastic };
     let collision = collide(&mut instant.kinematics.cluster, manifold, from, &law);
     let to_wall = model.pairs[manifold.pair].bodies.contains(&None);
     let row = if to_wall { Row::of_hit(&collision.conditions) } else { None };

@@ -87,13 +87,13 @@ impl ContactMode {
     }
 
     /// `[μ_s, μ_k]` of the face or, at one point, of a corner.
-    pub fn friction_coefficients(&self, numbers: &ImpactSettings) -> [f64; 2] {
-        if self.is_flush() { [numbers.mu_static, numbers.mu_kinetic] } else { numbers.corner_friction() }
+    pub fn friction_coefficients(&self, settings: &ImpactSettings) -> [f64; 2] {
+        if self.is_flush() { [settings.mu_static, settings.mu_kinetic] } else { settings.corner_friction() }
     }
 
     /// Least and largest coefficient of kinetic friction of a face whose pressure is at one end: between those of the face and of a corner.
-    pub fn friction_at_end(&self, numbers: &ImpactSettings) -> [f64; 2] {
-        let ([_, face], [_, corner]) = (self.friction_coefficients(numbers), numbers.corner_friction());
+    pub fn friction_at_end(&self, settings: &ImpactSettings) -> [f64; 2] {
+        let ([_, face], [_, corner]) = (self.friction_coefficients(settings), settings.corner_friction());
         [corner.min(face), corner.max(face)]
     }
 
@@ -153,9 +153,9 @@ pub(in crate::dynamics::impact2d) fn are_indeterminate(
     kinematics: &Kinematics,
     modes: &[ContactMode],
     points: &[Vec<ContactPoint>],
-    numbers: &ImpactSettings,
+    settings: &ImpactSettings,
 ) -> bool {
-    let unknowns = unknowns(modes, points, numbers);
+    let unknowns = unknowns(modes, points, settings);
     is_singular(unknowns.len(), |r, c| mobility(kinematics, [&unknowns[r], &unknowns[c]]), SINGULAR_PIVOT)
 }
 
@@ -169,9 +169,9 @@ pub(in crate::dynamics::impact2d) fn least_reactions(
     kinematics: &Kinematics,
     modes: &[ContactMode],
     points: &[Vec<ContactPoint>],
-    numbers: &ImpactSettings,
+    settings: &ImpactSettings,
 ) -> Option<ConstrainedMotion> {
-    let unknowns = unknowns(modes, points, numbers);
+    let unknowns = unknowns(modes, points, settings);
     let mut accelerations = kinematics.free.clone();
     let without = ConstrainedMotion { reactions: Vec::new(), accelerations: kinematics.free.clone() };
     let entry = |r: usize, c: usize| mobility(kinematics, [&unknowns[r], &unknowns[c]]);
@@ -196,7 +196,7 @@ pub(in crate::dynamics::impact2d) fn least_reactions(
     Some(ConstrainedMotion { reactions, accelerations })
 }
 
-fn unknowns(modes: &[ContactMode], points: &[Vec<ContactPoint>], numbers: &ImpactSettings) -> Vec<Unknown> {
+fn unknowns(modes: &[ContactMode], points: &[Vec<ContactPoint>], settings: &ImpactSettings) -> Vec<Unknown> {
     let mut all = Vec::new();
     for (number, (mode, points)) in modes.iter().zip(points).enumerate() {
         if let (FrictionMode::SlipAtEnd { end, .. }, [first, second]) = (mode.friction, &points[..]) {
@@ -211,7 +211,7 @@ fn unknowns(modes: &[ContactMode], points: &[Vec<ContactPoint>], numbers: &Impac
         }
         let friction = match mode.friction.slip_sign() {
             None => 0.0,
-            Some(sign) => -mode.friction_coefficients(numbers)[1] * sign,
+            Some(sign) => -mode.friction_coefficients(settings)[1] * sign,
         };
         for (i, point) in points.iter().enumerate() {
             all.push(Unknown {
@@ -283,8 +283,8 @@ mod tests {
         let sites = touching(&model, &kinematics)[..ends].to_vec();
         let mode = ContactMode { pair: 0, sites, friction };
         let points = vec![mode.points(&model, &kinematics)];
-        let numbers = ImpactSettings { mu_static: 0.2, mu_kinetic: 0.15, ..ImpactSettings::default() };
-        let motion = least_reactions(&kinematics, &[mode], &points, &numbers).expect("a solution");
+        let settings = ImpactSettings { mu_static: 0.2, mu_kinetic: 0.15, ..ImpactSettings::default() };
+        let motion = least_reactions(&kinematics, &[mode], &points, &settings).expect("a solution");
         (motion, centre(&points[0]))
     }
 

@@ -15,7 +15,6 @@ use crate::dynamics::impact2d::delassus::Cluster;
 use crate::dynamics::impact2d::kinematics::Kinematics;
 use crate::dynamics::impact2d::lasting::constrained_motion::{ContactMode, FrictionMode};
 use crate::dynamics::impact2d::lasting::mode_selection::{Candidate, Consistency, Excluded, combination};
-use crate::scene::ImpactSettings;
 
 /// What impulses at one instant leave.
 #[derive(Clone, Debug)]
@@ -31,7 +30,6 @@ pub(in crate::dynamics::impact2d) fn stop_within_friction(
     model: &Model,
     kinematics: &Kinematics,
     candidates: &[Candidate],
-    numbers: &ImpactSettings,
 ) -> Option<Stopped> {
     let kinematics = in_velocities(model, kinematics);
     let of = |candidate: &Candidate| Candidate {
@@ -46,7 +44,7 @@ pub(in crate::dynamics::impact2d) fn stop_within_friction(
     if combinations > MODE_COMBINATIONS {
         return None;
     }
-    let consistency = Consistency { model, kinematics: &kinematics, candidates: &candidates, numbers, impulses: true };
+    let consistency = Consistency { model, kinematics: &kinematics, candidates: &candidates, impulses: true };
     let stops = |choice: &[Option<ContactMode>]| -> Vec<usize> {
         let stops = |(mode, candidate): (&Option<ContactMode>, &Candidate)| {
             let sticks = mode.as_ref().is_some_and(|mode| mode.friction == FrictionMode::Stick);

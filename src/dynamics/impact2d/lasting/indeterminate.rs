@@ -36,11 +36,11 @@ pub fn solve_reactions(
     kinematics: &Kinematics,
     modes: &[ContactMode],
     points: &[Vec<ContactPoint>],
-    numbers: &ImpactSettings,
+    settings: &ImpactSettings,
 ) -> Option<ConstrainedMotion> {
-    let motion = least_reactions(kinematics, modes, points, numbers)?;
+    let motion = least_reactions(kinematics, modes, points, settings)?;
     if modes.iter().any(|mode| mode.friction == FrictionMode::Wedged)
-        && let Some(reactions) = reactions_in_cones(kinematics, modes, points, numbers, &motion)
+        && let Some(reactions) = reactions_in_cones(kinematics, modes, points, settings, &motion)
     {
         return Some(ConstrainedMotion { reactions, ..motion });
     }
@@ -52,11 +52,11 @@ pub(in crate::dynamics::impact2d) fn reactions_in_cones(
     kinematics: &Kinematics,
     modes: &[ContactMode],
     points: &[Vec<ContactPoint>],
-    numbers: &ImpactSettings,
+    settings: &ImpactSettings,
     motion: &ConstrainedMotion,
 ) -> Option<Vec<Reaction>> {
     let cluster = &kinematics.cluster;
-    let generators = generators(modes, points, numbers);
+    let generators = generators(modes, points, settings);
     let wanted: InlineVec<DVec3> =
         kinematics.free.iter().zip(&motion.accelerations).map(|(free, held)| *free - *held).collect();
     let rows: Vec<(ContactPoint, DVec2)> = generators.iter().map(|g| (g.point, g.force)).collect();
@@ -86,14 +86,14 @@ pub(in crate::dynamics::impact2d) fn reactions_in_cones(
     Some(reactions)
 }
 
-fn generators(modes: &[ContactMode], points: &[Vec<ContactPoint>], numbers: &ImpactSettings) -> Vec<Generator> {
+fn generators(modes: &[ContactMode], points: &[Vec<ContactPoint>], settings: &ImpactSettings) -> Vec<Generator> {
     let mut all = Vec::new();
     for (number, (mode, points)) in modes.iter().zip(points).enumerate() {
-        let [mu_s, mu_k] = mode.friction_coefficients(numbers);
+        let [mu_s, mu_k] = mode.friction_coefficients(settings);
         let (along, at): ([f64; 2], Option<usize>) = match mode.friction {
             FrictionMode::Stick | FrictionMode::Wedged => ([-mu_s, mu_s], None),
             FrictionMode::Slip(sign) => ([-mu_k * sign; 2], None),
-            FrictionMode::SlipAtEnd { sign, end } => (mode.friction_at_end(numbers).map(|mu| -mu * sign), Some(end)),
+            FrictionMode::SlipAtEnd { sign, end } => (mode.friction_at_end(settings).map(|mu| -mu * sign), Some(end)),
             FrictionMode::Frictionless => ([0.0; 2], None),
         };
         let edges = if along[0] == along[1] { &along[..1] } else { &along[..] };
@@ -164,13 +164,13 @@ mod tests {
         let along = HALF[0] * TURN.cos() + HALF[1] * TURN.sin();
         for (part, holds) in [(0.99, false), (1.01, true), (3.0, true)] {
             let mu = part * across / along;
-            let numbers = ImpactSettings { mu_static: mu, mu_kinetic: 0.5 * mu, ..ImpactSettings::default() };
-            assert!(are_indeterminate(&kinematics, &modes, &points, &numbers), "four reactions, three equations");
-            let motion = least_reactions(&kinematics, &modes, &points, &numbers).expect("a motion");
+            let settings = ImpactSettings { mu_static: mu, mu_kinetic: 0.5 * mu, ..ImpactSettings::default() };
+            assert!(are_indeterminate(&kinematics, &modes, &points, &settings), "four reactions, three equations");
+            let motion = least_reactions(&kinematics, &modes, &points, &settings).expect("a motion");
             assert!(motion.accelerations[0].length() < 1e-10, "at rest: {:?}", motion.accelerations);
             let least = motion.reactions[0];
             assert!(least.tangential.abs() > mu * least.total(), "those of least norm leave the cones: {least:?}");
-            let reactions = reactions_in_cones(&kinematics, &modes, &points, &numbers, &motion);
+            let reactions = reactions_in_cones(&kinematics, &modes, &points, &settings, &motion);
             assert_eq!(reactions.is_some(), holds, "{part}: {reactions:?}");
             let Some(reactions) = reactions else { continue };
             let sum: DVec2 = reactions

@@ -56,7 +56,7 @@ impl Candidate {
     }
 
     /// Modes of the pair in the order in which they are tried, `still` being that of no relative motion; none is opening.
-    fn options(&self, numbers: &ImpactSettings, still: FrictionMode) -> Vec<Option<ContactMode>> {
+    fn options(&self, settings: &ImpactSettings, still: FrictionMode) -> Vec<Option<ContactMode>> {
         let mut all = vec![None];
         let faces = (self.sites.len() > 1).then(|| self.sites.clone());
         let kept = |sites: &Vec<usize>| self.excluded.site.is_none_or(|out| !sites.contains(&out));
@@ -66,14 +66,14 @@ impl Candidate {
             let frictions = sticks.then_some(still).into_iter().chain(slips);
             all.extend(frictions.map(|friction| Some(ContactMode { pair: self.pair, sites: sites.clone(), friction })));
         }
-        all.extend(self.slips_at_an_end(numbers).map(Some));
+        all.extend(self.slips_at_an_end(settings).map(Some));
         all
     }
 
     /// Slips of the face with its pressure at one end, where a corner has another friction than the face: what is left where the face would
     /// turn onto the corner and the corner back onto the face. The reaction of the other end is 0, whether an event has just said so or not.
-    fn slips_at_an_end(&self, numbers: &ImpactSettings) -> impl Iterator<Item = ContactMode> + '_ {
-        let differs = self.sites.len() == 2 && numbers.corner_friction()[1] != numbers.mu_kinetic;
+    fn slips_at_an_end(&self, settings: &ImpactSettings) -> impl Iterator<Item = ContactMode> + '_ {
+        let differs = self.sites.len() == 2 && settings.corner_friction()[1] != settings.mu_kinetic;
         let of = |&sign: &f64| [0, 1].map(|end| FrictionMode::SlipAtEnd { sign, end });
         let all = if differs { self.slips() } else { &[] };
         all.iter().flat_map(of).map(|friction| ContactMode { pair: self.pair, sites: self.sites.clone(), friction })
@@ -81,13 +81,8 @@ impl Candidate {
 }
 
 /// Modes of all candidates together; none where no combination is consistent (Painlevé).
-pub fn select_modes(
-    model: &Model,
-    kinematics: &Kinematics,
-    candidates: &[Candidate],
-    numbers: &ImpactSettings,
-) -> Option<Vec<ContactMode>> {
-    select(&Consistency { model, kinematics, candidates, numbers, impulses: false }, FrictionMode::Stick)
+pub fn select_modes(model: &Model, kinematics: &Kinematics, candidates: &[Candidate]) -> Option<Vec<ContactMode>> {
+    select(&Consistency { model, kinematics, candidates, impulses: false }, FrictionMode::Stick)
 }
 
 /// Modes of all candidates together of which those at rest are wedged: statically indeterminate, with some reactions within the friction
@@ -96,19 +91,18 @@ pub(in crate::dynamics::impact2d) fn select_wedged(
     model: &Model,
     kinematics: &Kinematics,
     candidates: &[Candidate],
-    numbers: &ImpactSettings,
 ) -> Option<Vec<ContactMode>> {
     // What has ended is a reaction of least norm.
     let anew = |candidate: &Candidate| Candidate { excluded: Excluded::default(), ..candidate.clone() };
     let candidates: Vec<Candidate> = candidates.iter().map(anew).collect();
-    let consistency = Consistency { model, kinematics, candidates: &candidates, numbers, impulses: false };
+    let consistency = Consistency { model, kinematics, candidates: &candidates, impulses: false };
     select(&consistency, FrictionMode::Wedged)
 }
 
 /// Modes of all candidates together, with this mode of no relative motion.
 fn select(consistency: &Consistency<'_>, still: FrictionMode) -> Option<Vec<ContactMode>> {
     let options: Vec<Vec<Option<ContactMode>>> =
-        consistency.candidates.iter().map(|c| c.options(consistency.numbers, still)).collect();
+        consistency.candidates.iter().map(|c| c.options(&consistency.model.impact, still)).collect();
     let combinations = options.iter().map(Vec::len).try_fold(1usize, usize::checked_mul);
     let enumerate = |most: usize| {
         (0..combinations.filter(|combinations| *combinations <= most)?).find_map(|number| {
@@ -158,7 +152,6 @@ pub(super) struct Consistency<'a> {
     pub model: &'a Model,
     pub kinematics: &'a Kinematics,
     pub candidates: &'a [Candidate],
-    pub numbers: &'a ImpactSettings,
     /// Whether reactions are impulses and accelerations velocities: a slip may not have turned then.
     pub impulses: bool,
 }
@@ -196,12 +189,12 @@ impl Consistency<'_> {
 
     /// Motion with these modes; none where wedged contacts are not indeterminate, or have no reactions within the friction cones.
     pub(super) fn motion(&self, modes: &[ContactMode], points: &[Vec<ContactPoint>]) -> Option<ConstrainedMotion> {
-        let motion = least_reactions(self.kinematics, modes, points, self.numbers)?;
+        let motion = least_reactions(self.kinematics, modes, points, &self.model.impact)?;
         if modes.iter().all(|mode| mode.friction != FrictionMode::Wedged) {
             return Some(motion);
         }
-        let indeterminate = are_indeterminate(self.kinematics, modes, points, self.numbers);
-        let reactions = || reactions_in_cones(self.kinematics, modes, points, self.numbers, &motion);
+        let indeterminate = are_indeterminate(self.kinematics, modes, points, &self.model.impact);
+        let reactions = || reactions_in_cones(self.kinematics, modes, points, &self.model.impact, &motion);
         let reactions = indeterminate.then(reactions).flatten()?;
         Some(ConstrainedMotion { reactions, ..motion })
     }
@@ -216,7 +209,7 @@ impl Consistency<'_> {
         candidate: &Candidate,
     ) -> bool {
         let reaction = &motion.reactions[number];
-        let [mu_s, mu_k] = mode.friction_coefficients(self.numbers);
+        let [mu_s, mu_k] = mode.friction_coefficients(&self.model.impact);
         let centre = centre(points);
         let [w_n, _, w_ns] = self.kinematics.cluster.mobilities(&centre);
         let force = self.kinematics.force_round_off(&centre);
@@ -230,7 +223,7 @@ impl Consistency<'_> {
             FrictionMode::Slip(sign) if w_n - mu_k * sign * w_ns <= 0.0 => false,
             FrictionMode::Frictionless | FrictionMode::Wedged => true,
             FrictionMode::SlipAtEnd { sign, .. } => {
-                let [least, most] = mode.friction_at_end(self.numbers);
+                let [least, most] = mode.friction_at_end(&self.model.impact);
                 let (friction, pressure) = (-sign * reaction.tangential, reaction.total());
                 let within = friction >= least * pressure - force && friction <= most * pressure + force;
                 within && (candidate.slip != 0.0 || self.begins_along(sign, motion, &centre))
@@ -254,7 +247,7 @@ impl Consistency<'_> {
         let mode = |c: &Candidate| ContactMode { pair: c.pair, sites: c.sites.clone(), friction: FrictionMode::Stick };
         let modes: Vec<ContactMode> = self.candidates.iter().map(mode).collect();
         let points: Vec<_> = modes.iter().map(|mode| mode.points(self.model, self.kinematics)).collect();
-        are_indeterminate(self.kinematics, &modes, &points, self.numbers)
+        are_indeterminate(self.kinematics, &modes, &points, &self.model.impact)
     }
 
     /// Largest acceleration in play \[m/s²\].
@@ -284,10 +277,10 @@ mod tests {
 
     /// The mode of the block; its declared contacts are those at the wall.
     fn mode(force: [f64; 2], slip: f64, mu: f64, change: impl FnOnce(&mut Candidate)) -> Option<ContactMode> {
-        let (model, kinematics, mut candidate) = block(force, slip);
+        let (mut model, kinematics, mut candidate) = block(force, slip);
         change(&mut candidate);
-        let numbers = ImpactSettings { mu_static: mu, mu_kinetic: 0.75 * mu, ..ImpactSettings::default() };
-        select_modes(&model, &kinematics, &[candidate], &numbers).expect("a consistent mode").pop()
+        model.impact = ImpactSettings { mu_static: mu, mu_kinetic: 0.75 * mu, ..ImpactSettings::default() };
+        select_modes(&model, &kinematics, &[candidate]).expect("a consistent mode").pop()
     }
 
     #[test]
@@ -325,7 +318,7 @@ mod tests {
     #[test]
     fn a_face_that_neither_turns_onto_its_corner_nor_slips_flush_slides_with_its_pressure_at_the_corner() {
         // b/a = 0.368 lies between the coefficients of corner and face.
-        let (model, kinematics, candidate) = block([10.0, 3.69], 0.0);
+        let (mut model, kinematics, candidate) = block([10.0, 3.69], 0.0);
         let of = |corner: f64| ImpactSettings {
             mu_static: 0.4,
             mu_kinetic: 0.38,
@@ -333,16 +326,16 @@ mod tests {
             corner_mu_kinetic: Some(corner),
             ..ImpactSettings::default()
         };
-        let mode = |numbers: &ImpactSettings| {
-            select_modes(&model, &kinematics, std::slice::from_ref(&candidate), numbers)
-                .and_then(|mut modes| modes.pop())
+        let mut mode = |settings: ImpactSettings| {
+            model.impact = settings;
+            select_modes(&model, &kinematics, std::slice::from_ref(&candidate)).and_then(|mut modes| modes.pop())
         };
-        let at_end = mode(&of(0.35)).expect("a consistent mode");
+        let at_end = mode(of(0.35)).expect("a consistent mode");
         assert!(
             at_end.is_flush() && matches!(at_end.friction, FrictionMode::SlipAtEnd { sign: -1.0, .. }),
             "{at_end:?}"
         );
-        let turning = mode(&of(0.38)).expect("a consistent mode");
+        let turning = mode(of(0.38)).expect("a consistent mode");
         assert!(!turning.is_flush(), "with the friction of the face at the corner it turns: {turning:?}");
     }
 
@@ -355,19 +348,14 @@ mod tests {
     #[test]
     fn relaxation_finds_the_mode_of_enumeration() {
         for force in [[10.0, 1.0], [10.0, 3.0], [-1.0, 0.0]] {
-            let (model, kinematics, candidate) = block(force, 0.0);
-            let numbers = ImpactSettings { mu_static: 0.2, mu_kinetic: 0.15, ..ImpactSettings::default() };
+            let (mut model, kinematics, candidate) = block(force, 0.0);
+            model.impact = ImpactSettings { mu_static: 0.2, mu_kinetic: 0.15, ..ImpactSettings::default() };
             let candidates = [candidate];
-            let consistency = Consistency {
-                model: &model,
-                kinematics: &kinematics,
-                candidates: &candidates,
-                numbers: &numbers,
-                impulses: false,
-            };
-            let options: Vec<_> = candidates.iter().map(|c| c.options(&numbers, FrictionMode::Stick)).collect();
+            let consistency =
+                Consistency { model: &model, kinematics: &kinematics, candidates: &candidates, impulses: false };
+            let options: Vec<_> = candidates.iter().map(|c| c.options(&model.impact, FrictionMode::Stick)).collect();
             let relaxed = relax(&consistency, &options).expect("a consistent mode");
-            let enumerated = select_modes(&model, &kinematics, &candidates, &numbers).expect("a consistent mode");
+            let enumerated = select_modes(&model, &kinematics, &candidates).expect("a consistent mode");
             assert_eq!(relaxed.into_iter().flatten().collect::<Vec<_>>(), enumerated, "push {force:?} N");
         }
     }

@@ -49,21 +49,21 @@ pub(in crate::dynamics::impact2d) fn consistent_modes(
         for candidate in again.iter_mut().filter(|candidate| candidate.sites.contains(&site)) {
             candidate.excluded = Excluded { stick: true, site: None };
         }
-        if let Some(modes) = select_modes(&world.model, &instant.kinematics, &again, &world.model.impact) {
+        if let Some(modes) = select_modes(&world.model, &instant.kinematics, &again) {
             return (again, modes);
         }
     }
     let anew = candidates(world, instant, None);
-    if let Some(modes) = select_modes(&world.model, &instant.kinematics, &anew, &world.model.impact) {
+    if let Some(modes) = select_modes(&world.model, &instant.kinematics, &anew) {
         return (anew, modes);
     }
-    if let Some(modes) = select_wedged(&world.model, &instant.kinematics, &all, &world.model.impact) {
+    if let Some(modes) = select_wedged(&world.model, &instant.kinematics, &all) {
         return (all, modes);
     }
     let stops = ending.filter(|ending| matches!(ending, Ending::SlipStops(_)));
     // Each impact stops a slip; those of the second may have begun with the first.
     for _ in 0..=all.len() {
-        let stopped = stop_within_friction(&world.model, &instant.kinematics, &all, &world.model.impact);
+        let stopped = stop_within_friction(&world.model, &instant.kinematics, &all);
         let Some(Stopped { velocities, pairs }) = stopped else { break };
         instant.kinematics.cluster.velocity = velocities;
         all = anew_after_impulses(world, instant, stops, ground, &pairs);
@@ -106,11 +106,11 @@ fn slips(cluster: &Cluster, all: &[Candidate]) -> Vec<(f64, usize, ContactPoint)
 /// Whether at `t` no modes of these bodies agree with Coulomb's law and those in force, for want of others, still hold.
 pub(in crate::dynamics::impact2d) fn must_go_on(world: &World, t: f64, slots: &[usize], modes: &[ContactMode]) -> bool {
     let instant = ImpactInstant::new(world, t, slots);
-    let (kinematics, numbers) = (&instant.kinematics, &world.model.impact);
+    let (kinematics, settings) = (&instant.kinematics, &world.model.impact);
     let holds = || {
         let points: Vec<_> = modes.iter().map(|mode| mode.points(&world.model, kinematics)).collect();
-        let motion = least_reactions(kinematics, modes, &points, numbers);
-        motion.is_some_and(|m| reactions_in_cones(kinematics, modes, &points, numbers, &m).is_some())
+        let motion = least_reactions(kinematics, modes, &points, settings);
+        motion.is_some_and(|m| reactions_in_cones(kinematics, modes, &points, settings, &m).is_some())
     };
     modes_or_slow_stick(world, kinematics, &mut candidates(world, &instant, None)).is_none()
         && (modes.iter().all(|mode| mode.friction != FrictionMode::Wedged) || holds())
@@ -118,21 +118,20 @@ pub(in crate::dynamics::impact2d) fn must_go_on(world: &World, t: f64, slots: &[
 
 /// Consistent modes, if need be with slips below the stop speed turned into stick.
 fn modes_or_slow_stick(world: &World, kinematics: &Kinematics, all: &mut [Candidate]) -> Option<Vec<ContactMode>> {
-    let numbers = world.model.impact;
-    select_modes(&world.model, kinematics, all, &numbers).or_else(|| {
+    let stop_speed = world.model.impact.stop_speed;
+    select_modes(&world.model, kinematics, all).or_else(|| {
         let mut slow = false;
-        let is_slow = |c: &Candidate| tangential_speed(&kinematics.cluster, &c.points).abs() <= numbers.stop_speed;
+        let is_slow = |c: &Candidate| tangential_speed(&kinematics.cluster, &c.points).abs() <= stop_speed;
         for candidate in all.iter_mut().filter(|c| is_slow(c)) {
             (candidate.stick_or_open, slow) = (true, true);
         }
-        slow.then(|| select_modes(&world.model, kinematics, all, &numbers)).flatten()
+        slow.then(|| select_modes(&world.model, kinematics, all)).flatten()
     })
 }
 
-/// The same, or wedged ones.
+/// Consistent modes, with slips below the stop speed turned into stick or wedged ones where there are no others.
 fn modes_at_rest_or_wedged(world: &World, kinematics: &Kinematics, all: &mut [Candidate]) -> Option<Vec<ContactMode>> {
-    modes_or_slow_stick(world, kinematics, all)
-        .or_else(|| select_wedged(&world.model, kinematics, all, &world.model.impact))
+    modes_or_slow_stick(world, kinematics, all).or_else(|| select_wedged(&world.model, kinematics, all))
 }
 
 /// Candidates with the velocities of the cluster after impulses that have stopped the slips of these pairs.

@@ -130,7 +130,8 @@ impl Body {
         of_each!(self, c => (0..c.sections()).for_each(|section| frames.push(c.frame_since(self, section, state))));
     }
 
-    /// The same of the sections that are `asked` for; of the others the frame as placed, in their stead.
+    /// Appends one frame a section: [`Coordinates::frame_since`] where it is `asked` for, else the placed one, so that sections keep their
+    /// numbers.
     #[inline]
     pub(in crate::dynamics) fn push_frames_of(&self, asked: &[bool], state: &[f64], frames: &mut Vec<Frame>) {
         of_each!(self, c => frames.extend(asked.iter().enumerate().map(|(section, asked)| {

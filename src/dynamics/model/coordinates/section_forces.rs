@@ -75,8 +75,8 @@ impl Bearer {
         Fields { moved: 0.5 * (from + to), turned: DVec3::new(twist, -along.z, along.y) }
     }
 
-    /// Number of the section of a face along a girder with these sections beside that of G, of which those of such faces follow one another
-    /// in the order of [`Flank`]; that of G where there are none.
+    /// Number of the section of a face along a girder, which has these sections after section 0 at G; the sections of such faces follow one
+    /// another in the order of [`Flank`]. 0 where there are none.
     pub(in crate::dynamics) fn section_of(flank: Flank, mut deforming: impl Iterator<Item = Self>) -> usize {
         let first = deforming.position(|bearer| matches!(bearer, Self::Flank { .. }));
         first.map_or(0, |first| first + 1 + flank as usize)

@@ -36,7 +36,7 @@ impl LinearBlock {
             let Some(&(at, _, root)) = member.coordinates.iter().find(|(_, i, _)| *i == axis) else { continue };
             if let Some(drift) = self.motion.spectrum.drifts.iter().position(|&i| i == at) {
                 let [a, b] = [from, until].map(|t| self.motion.at(flight, t).drifts[drift]);
-                // What moves freely gains what is done to it, the push's work taken off.
+                // A coordinate without stiffness and damping: the gain of kinetic energy less the work of the push.
                 work += 0.5 * (b[1] * b[1] - a[1] * a[1]) - member.push[axis] / root * (b[0] - a[0]);
             } else {
                 row[at] = -root;
