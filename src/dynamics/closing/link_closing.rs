@@ -29,7 +29,7 @@ pub(in crate::dynamics) fn search(world: &mut World, link: usize, t: f64) -> Nex
     if world.link_acts(link) {
         return phase_end::search(world, link, t);
     }
-    if world.model.links[world.links[link].link].device.has_ended(&world.links[link].phase) {
+    if world.model_link(link).device.has_ended(&world.links[link].phase) {
         return NextClosing::at(f64::INFINITY);
     }
     let slots = world.links[link].slots;
@@ -149,7 +149,7 @@ fn in_steps(world: &World, number: usize, t: f64, until: f64) -> Option<f64> {
 
 /// Depth of an excursion of the gap below zero that is round-off at `t` \[m\].
 fn resolution(world: &World, number: usize, t: f64) -> f64 {
-    resolution_of(&world.model.links[world.links[number].link], &frames(world, number, t))
+    resolution_of(world.model_link(number), &frames(world, number, t))
 }
 
 /// The same, with the link's ends in these poses.

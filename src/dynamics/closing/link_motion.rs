@@ -14,5 +14,5 @@ pub(super) fn frames(world: &World, number: usize, t: f64) -> [Frame; 2] {
 /// Relative motion of a link's points at `t`.
 pub(super) fn motion(world: &World, number: usize, t: f64) -> Separation {
     let frames = frames(world, number, t);
-    world.model.links[world.links[number].link].motion([&frames[0], &frames[1]]).0
+    world.model_link(number).motion([&frames[0], &frames[1]]).0
 }

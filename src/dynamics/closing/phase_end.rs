@@ -11,19 +11,27 @@ use crate::dynamics::closing::flight_view::remember;
 use crate::dynamics::closing::found::NextClosing;
 use crate::dynamics::connection::{Separation, Switch, SwitchUnit};
 use crate::dynamics::locate::advancement::FirstZero;
-use crate::dynamics::locate::first_rise::{EarliestEvent, Resolution, first_rise};
+use crate::dynamics::locate::first_rise::{EarliestRise, Resolution, first_rise};
 use crate::dynamics::locate::horizon::Horizon;
 use crate::dynamics::locate::sample_times::sample_times;
 use crate::dynamics::penalty3d::link_events::{zero_and_band_of_length, zero_and_band_of_speed};
 use crate::dynamics::world::World;
+
+/// A link in the group that acts between the ground and a body of one coordinate, in this slot.
+#[derive(Clone, Copy, Debug)]
+struct LinkOnBody {
+    link: usize,
+    slot: usize,
+}
 
 /// Searches the end of the phase of a link that acts on a body in flight, from `t` on, and enters it in the link's track.
 pub(super) fn search(world: &mut World, link: usize, t: f64) -> NextClosing {
     let Some(slot) = world.links[link].slots[0].filter(|_| !world.is_linear_link(link)) else {
         return NextClosing::at(f64::INFINITY);
     };
-    let functions = switching_functions(world, (link, slot), state(world, slot, t));
-    first_of(world, (link, slot), &functions, t)
+    let at = LinkOnBody { link, slot };
+    let functions = switching_functions(world, at, state(world, slot, t));
+    first_of(world, at, &functions, t)
 }
 
 /// For a device that does not act, linear in the one coordinate of a body in flight: searches the beginning of its force and enters it in
@@ -32,17 +40,19 @@ pub(super) fn beginning(world: &mut World, link: usize, t: f64) -> Option<NextCl
     let track = &world.links[link];
     let &[Some(slot), None] = &track.slots else { return None };
     let device = &world.model.links[track.link].device;
-    let body = &world.model.bodies[world.bodies[slot].body];
+    let body = world.model_body(slot);
     if body.positions() != 1 || !device.is_linear_in(&track.phase) {
         return None;
     }
     let of = (state(world, slot, t), SwitchUnit::Length);
-    let gap = Linear::of(world, (link, slot), of, |motion| -device.gap(&track.phase, motion)[0]);
-    Some(first_of(world, (link, slot), &[(Switch::Closing, gap)], t))
+    let at = LinkOnBody { link, slot };
+    let gap = LinearSwitch::of(world, at, of, |motion| -device.gap(&track.phase, motion)[0]);
+    Some(first_of(world, at, &[(Switch::Closing, gap)], t))
 }
 
 /// Searches the first rise of these functions from `t` on and enters it in the link's track.
-fn first_of(world: &mut World, (link, slot): (usize, usize), functions: &[(Switch, Linear)], t: f64) -> NextClosing {
+fn first_of(world: &mut World, at: LinkOnBody, functions: &[(Switch, LinearSwitch)], t: f64) -> NextClosing {
+    let LinkOnBody { link, slot } = at;
     let duration = world.model.duration;
     let until = Horizon { periods: 1.0, samples: PHASE_END_SAMPLES }.end(&world.model.ground, t, duration);
     remember(world, world.links[link].slots, until);
@@ -56,9 +66,9 @@ fn first_of(world: &mut World, (link, slot): (usize, usize), functions: &[(Switc
         let to = world.window_end(slot, from).min(until);
         let likely = may_rise(world, slot, functions, [from, to]);
         evaluations += 1;
-        if let Some((at, event)) = within(world, (link, slot), &likely, [from, to]) {
-            world.links[link].ends = Some((at, event));
-            return NextClosing::of(FirstZero::Crossing(at), until, duration, evaluations);
+        if let Some((end, event)) = within(world, at, &likely, [from, to]) {
+            world.links[link].ends = Some((end, event));
+            return NextClosing::of(FirstZero::Crossing(end), until, duration, evaluations);
         }
         from = to;
     }
@@ -68,23 +78,23 @@ fn first_of(world: &mut World, (link, slot): (usize, usize), functions: &[(Switc
 /// A function of the one coordinate u of a body, or of its rate, from where that is at the beginning of a search: `start + slope (u − u₀)` \[m\]
 /// or `start + slope (u̇ − u̇₀)` \[m/s\]. It rounds with the way from there, not with the distance of the body from where it was placed.
 #[derive(Clone, Copy, Debug)]
-struct Linear {
+struct LinearSwitch {
     unit: SwitchUnit,
     from: f64,
     start: f64,
     slope: f64,
 }
 
-impl Linear {
+impl LinearSwitch {
     /// A function of a link's motion that is linear in the coordinate of its body, or in its rate; a search begins in `state`.
     fn of(
         world: &World,
-        (number, slot): (usize, usize),
+        LinkOnBody { link: number, slot }: LinkOnBody,
         ([u, rate], unit): ([f64; 2], SwitchUnit),
         value: impl Fn(&Separation) -> f64,
     ) -> Self {
-        let link = &world.model.links[world.links[number].link];
-        let body = &world.model.bodies[world.bodies[slot].body];
+        let link = world.model_link(number);
+        let body = world.model_body(slot);
         let [_, ground] = link.frames(|_, _| None);
         let at = |state: [f64; 2]| value(&link.motion([&body.frame(0, &state), &ground]).0);
         let start = at([u, rate]);
@@ -113,16 +123,12 @@ fn state(world: &World, slot: usize, t: f64) -> [f64; 2] {
 }
 
 /// Switching functions of a link's phase, in a search that begins in `state`.
-fn switching_functions(
-    world: &World,
-    (number, slot): (usize, usize),
-    state: [f64; 2],
-) -> SmallVec<[(Switch, Linear); 4]> {
-    let track = &world.links[number];
+fn switching_functions(world: &World, at: LinkOnBody, state: [f64; 2]) -> SmallVec<[(Switch, LinearSwitch); 4]> {
+    let track = &world.links[at.link];
     let (device, phase) = (&world.model.links[track.link].device, &track.phase);
     let function = |switch: usize| {
         let value = |motion: &Separation| device.switch(switch, phase, motion);
-        (Switch::Function(switch), Linear::of(world, (number, slot), (state, device.switch_unit(switch, phase)), value))
+        (Switch::Function(switch), LinearSwitch::of(world, at, (state, device.switch_unit(switch, phase)), value))
     };
     (0..device.switches(phase)).map(function).collect()
 }
@@ -131,9 +137,9 @@ fn switching_functions(
 fn may_rise(
     world: &World,
     slot: usize,
-    functions: &[(Switch, Linear)],
+    functions: &[(Switch, LinearSwitch)],
     span: [f64; 2],
-) -> SmallVec<[(Switch, Linear); 4]> {
+) -> SmallVec<[(Switch, LinearSwitch); 4]> {
     let range = world.flight_range(slot, span);
     functions.iter().filter(|(_, function)| function.may_rise(range)).copied().collect()
 }
@@ -141,8 +147,8 @@ fn may_rise(
 /// The first rise of one of these functions within a stretch, and its event.
 fn within(
     world: &World,
-    (number, slot): (usize, usize),
-    functions: &[(Switch, Linear)],
+    LinkOnBody { link: number, slot }: LinkOnBody,
+    functions: &[(Switch, LinearSwitch)],
     [from, to]: [f64; 2],
 ) -> Option<(f64, Switch)> {
     if functions.is_empty() {
@@ -155,7 +161,7 @@ fn within(
     let states = times.map(state_at);
     let most = |which: usize| states.iter().map(|state| state[which].abs()).fold(0.0, f64::max);
     let (moved, speed) = (most(0), most(1));
-    let mut found: Option<(f64, Switch)> = None;
+    let mut earliest = EarliestRise::none();
     for &(event, function) in functions {
         let length = |state: &[f64; 2]| function.at(*state).abs();
         let (zero, band) = match function.unit {
@@ -165,10 +171,8 @@ fn within(
         let values = states.map(|state| function.at(state) - band);
         let value_at = |t: f64| function.at(state_at(t)) - band;
         let resolution = Resolution { zero, rise: 0.0 };
-        let rise = first_rise([&times[..], &values[..]], resolution, false, EarliestEvent::UNKNOWN, value_at);
-        if let Some(t) = rise.filter(|t| found.is_none_or(|(first, _)| *t < first)) {
-            found = Some((t, event));
-        }
+        let rise = first_rise([&times[..], &values[..]], resolution, false, earliest.known(), value_at);
+        earliest.offer(rise, event);
     }
-    found
+    earliest.found()
 }

@@ -12,7 +12,7 @@ use crate::dynamics::closing::flight_view::{FlightSample, horizon, remember};
 use crate::dynamics::closing::found::NextClosing;
 use crate::dynamics::connection::{Excursion, Separation, Switch};
 use crate::dynamics::locate::advancement::FirstZero;
-use crate::dynamics::locate::first_rise::{EarliestEvent, Resolution, first_rise};
+use crate::dynamics::locate::first_rise::{EarliestRise, Resolution, first_rise};
 use crate::dynamics::locate::sample_times::sample_times;
 use crate::dynamics::model::motion_bounds::MotionBounds;
 use crate::dynamics::penalty3d::link_events::zero_and_band;
@@ -47,7 +47,7 @@ pub(super) fn search(world: &mut World, leader: usize, t: f64) -> NextClosing {
 
 /// Motion of a link's point of the girder against the ground.
 fn motion(world: &World, number: usize, girder: &Frame) -> Separation {
-    let link = &world.model.links[world.links[number].link];
+    let link = world.model_link(number);
     link.motion([girder, &Frame::fixed(link.homes[1])]).0
 }
 
@@ -101,7 +101,7 @@ fn first_in(world: &World, slot: usize, functions: &[Function], [from, to]: [f64
     }
     let times = sample_times::<STEP_SAMPLES>([from, to]);
     let frames = times.map(|t| world.frame(slot, 0, t));
-    let mut found: Option<(f64, Function)> = None;
+    let mut earliest = EarliestRise::none();
     for &(number, function) in functions {
         let track = &world.links[number];
         let link = &world.model.links[track.link];
@@ -110,12 +110,9 @@ fn first_in(world: &World, slot: usize, functions: &[Function], [from, to]: [f64
         let value = |motion: &Separation| link.device.switch(function, &track.phase, motion) - band;
         let values = motions.map(|motion| value(&motion));
         let value_at = |t: f64| value(&motion(world, number, &world.frame(slot, 0, t)));
-        // Of an event after the first one found only that is asked.
-        let earliest = found.map_or(EarliestEvent::UNKNOWN, |(at, _)| EarliestEvent { at, together: 0.0 });
-        let rise = first_rise([&times[..], &values[..]], Resolution { zero, rise: 0.0 }, false, earliest, value_at);
-        if let Some(t) = rise.filter(|t| found.is_none_or(|(first, _)| *t < first)) {
-            found = Some((t, (number, function)));
-        }
+        let resolution = Resolution { zero, rise: 0.0 };
+        let rise = first_rise([&times[..], &values[..]], resolution, false, earliest.known(), value_at);
+        earliest.offer(rise, (number, function));
     }
-    found
+    earliest.found()
 }

@@ -134,7 +134,7 @@ impl StepSamples {
     pub(super) fn turned(&self, world: &World) -> f64 {
         // The excursion at a lever is at least the rotation times the lever.
         let turned = |slot: usize| {
-            let arm = world.model.bodies[world.bodies[slot].body].radius;
+            let arm = world.model_body(slot).radius;
             excursion(world, slot, arm, self.times[0], self.times[STEP_SAMPLES - 1]) / arm
         };
         *self.turned.get_or_init(|| self.slots.into_iter().flatten().map(turned).sum())

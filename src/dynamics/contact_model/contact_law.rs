@@ -33,7 +33,7 @@ pub(super) fn of(world: &World, contact: usize) -> Law {
 pub(super) fn divisor_taken_over(world: &World, nodes: &[usize], before: &[usize], left: usize) -> f64 {
     let (pair, tracks) = (world.pair_of(left), &world.contacts);
     let count = nodes.len() as f64;
-    match (world.model.pairs[pair.model_pair].contact.sharing, world.model.kind) {
+    match (world.model_pair(tracks[left].pair).contact.sharing, world.model.kind) {
         // A vertex has its part of K whichever of its nodes have left.
         (Sharing::Tributary, Kind::Spatial) => pair.sharers as f64 * count,
         // In plan nodes share K, and the parts of all nodes at the vertex stay.
@@ -53,7 +53,7 @@ fn sharers(at: ContactPoses<'_>, pair: usize) -> (usize, Vec<usize>) {
     let world = at.world;
     let track = &world.pairs[pair];
     let alone = vec![1; track.contacts.len()];
-    match (world.model.pairs[track.model_pair].contact.sharing, world.model.kind) {
+    match (world.model_pair(pair).contact.sharing, world.model.kind) {
         (Sharing::PerNode, _) => (1, alone),
         (Sharing::Tributary, Kind::Planar) => {
             let node = |contact: usize| (&world.site(contact).face, at.local(contact).at);

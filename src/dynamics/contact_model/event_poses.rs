@@ -27,7 +27,7 @@ pub(in crate::dynamics) struct EventPoses {
 impl EventPoses {
     /// Poses on the present trajectories.
     pub(in crate::dynamics) fn of(world: &World, slots: Vec<usize>, t: f64) -> Self {
-        let layout = layout_of(world, &slots);
+        let layout = world.layout_of(&slots);
         let sections = |(i, &slot): (usize, &usize)| layout.sections(i).enumerate().map(move |(own, _)| (slot, own));
         let sections = slots.iter().enumerate().flat_map(sections);
         let frames = sections.map(|(slot, section)| world.frame(slot, section, t)).collect();
@@ -48,11 +48,6 @@ impl EventPoses {
     pub(in crate::dynamics) fn section(&self, slot: usize, own: usize) -> Option<usize> {
         Some(self.layout.sections(self.index_of(slot)?).start + own)
     }
-}
-
-/// Layout of the states and sections of bodies.
-pub(super) fn layout_of(world: &World, slots: &[usize]) -> StateLayout {
-    StateLayout::of(slots.iter().map(|&slot| &world.model.bodies[world.bodies[slot].body]))
 }
 
 /// Contacts of a group of bodies in the poses at the time of an event.

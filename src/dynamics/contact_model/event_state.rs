@@ -6,7 +6,7 @@ use glam::{DMat2, DVec2, DVec3};
 use crate::contact::{ContactGeometry, Frame, Law, Local, Mode, NormalLaw, locate};
 use crate::dynamics::closing::constants::CLOSING_INTERVAL;
 use crate::dynamics::contact_model::constants::{REGULARISATION_CLOCK, REGULARISATION_FRICTION, REGULARISATION_LEAST};
-use crate::dynamics::contact_model::event_poses::{ContactPoses, EventPoses, layout_of};
+use crate::dynamics::contact_model::event_poses::{ContactPoses, EventPoses};
 use crate::dynamics::contact_model::islands::assemble;
 use crate::dynamics::integrator::step_control::ControllerState;
 use crate::dynamics::model::body::Point;
@@ -38,11 +38,11 @@ impl EventBodies {
         states: Vec<Vec<f64>>,
         t: f64,
     ) -> Self {
-        let layout = layout_of(world, &slots);
+        let layout = world.layout_of(&slots);
         let (mut since, mut frames) = (Vec::with_capacity(layout.section_count()), Vec::new());
         frames.reserve_exact(layout.section_count());
         for (i, &slot) in slots.iter().enumerate() {
-            world.model.bodies[world.bodies[slot].body].push_frames(&states[i], &mut since);
+            world.model_body(slot).push_frames(&states[i], &mut since);
             frames.extend(since[layout.sections(i)].iter().map(|since| bases[i].whole(since)));
         }
         Self { poses: EventPoses { t, slots, layout, frames }, bases, states, since }
@@ -98,7 +98,7 @@ impl<'a> EventContacts<'a> {
         let mut mobility = DMat2::ZERO;
         for (which, arm) in [action.node_arm, action.face_arm].into_iter().enumerate() {
             if let Some(slot) = track.slots[which] {
-                let body = &self.world.model.bodies[self.world.bodies[slot].body];
+                let body = self.world.model_body(slot);
                 let axes = action.tangents(&geometry, &poses[1]);
                 let here = self.poses().side(contact, which, &self.now.poses.frames);
                 let along = |axis: DVec3| {

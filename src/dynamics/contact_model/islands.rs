@@ -4,7 +4,6 @@
 use crate::dynamics::contact_model::step_store::StepStore;
 use crate::dynamics::integrator::radau_iia::Radau;
 use crate::dynamics::integrator::step_control::ControllerState;
-use crate::dynamics::model::coordinates::state_layout::StateLayout;
 use crate::dynamics::model::reference_pose::{self, ReferencePose};
 use crate::dynamics::penalty3d::active_contact::ActiveContact;
 use crate::dynamics::penalty3d::active_link::ActiveLink;
@@ -55,7 +54,7 @@ impl IslandStock {
             world.islands.push(None);
             world.islands.len() - 1
         });
-        let layout = StateLayout::of(members.iter().map(|&slot| &world.model.bodies[world.bodies[slot].body]));
+        let layout = world.layout_of(members);
         for (index, &slot) in members.iter().enumerate() {
             end_flight(world, slot, t);
             world.bodies[slot].now = Trajectory::Island { island: number, index };

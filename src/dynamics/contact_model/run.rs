@@ -121,7 +121,7 @@ impl ContactRun {
             let together: Vec<usize> = members.iter().map(|&i| slots[i]).collect();
             if self.world.moves_as_block(&together) {
                 for &i in &members {
-                    let body = &self.world.model.bodies[self.world.bodies[slots[i]].body];
+                    let body = self.world.model_body(slots[i]);
                     body.restore(&bases[i].numbers(), &mut states[i]);
                 }
                 let states: Vec<&[f64]> = members.iter().map(|&i| states[i].as_slice()).collect();
@@ -134,7 +134,7 @@ impl ContactRun {
             let springs = if may_fly { self.world.ground_springs(first) } else { None };
             let start = if alone || springs.is_some() {
                 let state = &mut states[members[0]];
-                let body = &self.world.model.bodies[self.world.bodies[first].body];
+                let body = self.world.model_body(first);
                 body.restore(&bases[members[0]].numbers(), state);
                 let flight = match &springs {
                     Some(springs) => self.world.fly_on(first, state, t, springs),
@@ -145,7 +145,7 @@ impl ContactRun {
                     self.world.bodies[first].now = Trajectory::Flight(flight);
                     continue;
                 }
-                let placed = self.world.model.bodies[self.world.bodies[first].body].placed();
+                let placed = self.world.model_body(first).placed();
                 Start { members: &[first], bases: vec![placed], y: state.clone(), t }
             } else {
                 let y: Vec<f64> = members.iter().flat_map(|&i| states[i].iter().copied()).collect();

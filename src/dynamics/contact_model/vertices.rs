@@ -76,8 +76,7 @@ impl VertexNodes<'_, '_> {
 
     /// The nodes of the vertex which a node has left, and how far those present may be beside their faces \[m\]; `None` where none is.
     fn successors(&mut self, contact: usize, closed: &ClosedContact) -> Option<(NodesAtVertex, f64)> {
-        let pair = self.states.world.pair_of(contact).model_pair;
-        if !self.states.world.model.pairs[pair].passes_on {
+        if !self.states.world.model_pair(self.states.world.contacts[contact].pair).passes_on {
             return None;
         }
         // Faces of bodies that have met may stand at any angle. Those that are not flush have no vertex in common: every node has a

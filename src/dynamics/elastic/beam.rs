@@ -27,9 +27,4 @@ impl Beam {
     pub fn transit_time(&self) -> f64 {
         self.length / self.wave_speed()
     }
-
-    /// Axial impedance `Z = m c/a0` \[N·s/m\].
-    pub fn impedance(&self) -> f64 {
-        self.mass * self.wave_speed() / self.length
-    }
 }

@@ -64,6 +64,38 @@ pub(in crate::dynamics) fn first_rise(
     None
 }
 
+/// The earliest rise among several functions, and which of them rises.
+#[derive(Clone, Copy, Debug)]
+pub(in crate::dynamics) struct EarliestRise<T> {
+    found: Option<(f64, T)>,
+}
+
+impl<T> EarliestRise<T> {
+    /// None yet.
+    pub(in crate::dynamics) fn none() -> Self {
+        Self { found: None }
+    }
+
+    /// The rise found so far: of one after that no more is asked than that it is later.
+    pub(in crate::dynamics) fn known(&self) -> EarliestEvent {
+        self.found.as_ref().map_or(EarliestEvent::UNKNOWN, |(at, _)| EarliestEvent { at: *at, together: 0.0 })
+    }
+
+    /// Keeps the rise of a function at `t` \[s\] where it is earlier; of two at one time the first that was offered.
+    pub(in crate::dynamics) fn offer(&mut self, t: Option<f64>, function: T) {
+        if let Some(t) = t
+            && self.found.as_ref().is_none_or(|(first, _)| t < *first)
+        {
+            self.found = Some((t, function));
+        }
+    }
+
+    /// The earliest; `None` where no function rises.
+    pub(in crate::dynamics) fn found(self) -> Option<(f64, T)> {
+        self.found
+    }
+}
+
 /// The earliest event known so far.
 #[derive(Clone, Copy, Debug)]
 pub(in crate::dynamics) struct EarliestEvent {
@@ -218,5 +250,16 @@ mod tests {
         let (later, count) = beside(0.3, 0.01);
         assert!(later > 0.31 && count <= 2, "later, by {count} evaluations: {later}");
         assert!((beside(0.9, 0.01).0 - 0.75).abs() < 1e-15, "before it: exactly");
+    }
+
+    #[test]
+    fn the_earliest_of_several_rises_is_kept_and_of_equal_ones_the_first() {
+        let mut earliest = EarliestRise::none();
+        for (t, function) in [(None, 0), (Some(0.7), 1), (Some(0.3), 2), (Some(0.3), 3), (Some(0.5), 4)] {
+            earliest.offer(t, function);
+        }
+        assert_eq!(earliest.known().at, 0.3);
+        assert_eq!(earliest.found(), Some((0.3, 2)));
+        assert_eq!(EarliestRise::<usize>::none().found(), None);
     }
 }

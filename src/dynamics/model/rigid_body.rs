@@ -39,7 +39,7 @@ fn first_moment(body: &Body, here: &Frame) -> DVec3 {
     placed + here.turned * placed
 }
 
-/// Wrench of all bearings without the preloads, `−K (p − p0) − C ṗ` of [`bearing_forces`], summed in the girder's axes as placed.
+/// Wrench of all bearings without the preloads, `−K (p − p0) − C ṗ`, summed in the girder's axes as placed.
 fn on_bearings(body: &Body, here: &Frame) -> Wrench {
     // Axes along the world's: the products with 0 and 1 left out, not a bit differs.
     if body.axes == DMat3::IDENTITY {
@@ -77,11 +77,6 @@ pub fn bearing_motions<'a>(
         let rate = into_axes * here.velocity_at(arm);
         (b, Separation { moved, rate, ..Separation::default() }, arm)
     })
-}
-
-/// Arm from G and force of every bearing: `preload − K (p − p0) − C ṗ`.
-pub fn bearing_forces<'a>(body: &'a Body, here: &'a Frame) -> impl Iterator<Item = (DVec3, DVec3)> + 'a {
-    bearing_motions(body, here).map(|(b, motion, arm)| (arm, b.preload + body.axes * b.force(&(), &motion)))
 }
 
 /// Acceleration of G and rate of spin of a body by a force that acts at `arm` from G.

@@ -4,7 +4,7 @@ use smallvec::SmallVec;
 
 use crate::dynamics::Model;
 use crate::dynamics::connection::{Excursion, Kinematics, Link, Phase, Separation, SwitchUnit};
-use crate::dynamics::locate::first_rise::{EarliestEvent, Resolution, first_rise};
+use crate::dynamics::locate::first_rise::{EarliestRise, Resolution, first_rise};
 use crate::dynamics::locate::sample_times::sample_time;
 use crate::dynamics::penalty3d::active_link::ActiveLink;
 use crate::dynamics::penalty3d::constants::{POSITION_ROUNDING, ZERO_BAND};
@@ -21,7 +21,7 @@ pub(in crate::dynamics) fn first_phase_end(model: &Model, island: &Island) -> Op
     // The start, and as soon as a phase may end further samples.
     let mut times: SmallVec<[f64; 8]> = SmallVec::from_slice(&[island.step.from]);
     let mut frames = island.frames_since(model, &times);
-    let mut found: Option<(f64, LinkDue)> = None;
+    let mut earliest = EarliestRise::none();
     for (index, active) in island.system.links.iter().enumerate() {
         let link = active.link(model);
         let begins = active.motion(model, &island.system.bases, &frames).0;
@@ -48,20 +48,16 @@ pub(in crate::dynamics) fn first_phase_end(model: &Model, island: &Island) -> Op
                 let frames = island.frames_since(model, &[t]);
                 switch(&active.motion(model, &island.system.bases, &frames).0, t)
             };
-            // Of an event after the first one found only that is asked.
-            let earliest = found.map_or(EarliestEvent::UNKNOWN, |(at, _)| EarliestEvent { at, together: 0.0 });
             let rise = match link.device.switch_unit(number, &active.phase) {
                 SwitchUnit::Length => island.step.allowed.displacement,
                 SwitchUnit::Speed => island.step.allowed.speed,
             };
             let resolution = Resolution { zero, rise };
-            let Some(t) = first_rise([&times, &values], resolution, false, earliest, value_at) else { continue };
-            if found.is_none_or(|(first, _)| t < first) {
-                found = Some((t, LinkDue { index, switch: number }));
-            }
+            let rise = first_rise([&times, &values], resolution, false, earliest.known(), value_at);
+            earliest.offer(rise, LinkDue { index, switch: number });
         }
     }
-    found
+    earliest.found()
 }
 
 /// How far the motion of a link's first point against the second departs within the planned step from what it is at its start, in the

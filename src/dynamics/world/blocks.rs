@@ -35,12 +35,11 @@ impl World {
 
     /// The block of these bodies; `None` where it has no closed form, or too many coordinates for it to pay.
     fn block(&self, model: &Model, slots: &[usize]) -> Option<LinearBlock> {
-        let count: usize = slots.iter().map(|&slot| model.bodies[self.bodies[slot].body].positions()).sum();
+        let count: usize = slots.iter().map(|&slot| self.model_body(slot).positions()).sum();
         if count > MOST_BLOCK_COORDINATES {
             return None;
         }
-        let parts: Vec<_> =
-            slots.iter().map(|&slot| model.bodies[self.bodies[slot].body].linear_part()).collect::<Option<_>>()?;
+        let parts: Vec<_> = slots.iter().map(|&slot| self.model_body(slot).linear_part()).collect::<Option<_>>()?;
         let joints = self.links_of(slots).into_iter().map(|number| &self.links[number]);
         let joints = joints
             .filter(|track| model.links[track.link].device.is_linear())
@@ -66,6 +65,6 @@ impl World {
 
     /// Whether a link is a linear bearing, which acts for ever.
     pub(in crate::dynamics) fn is_linear_link(&self, link: usize) -> bool {
-        self.model.links[self.links[link].link].device.is_linear()
+        self.model_link(link).device.is_linear()
     }
 }

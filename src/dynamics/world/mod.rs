@@ -19,9 +19,11 @@ pub(in crate::dynamics) mod tracks;
 
 use std::sync::Arc;
 
+use crate::dynamics::connection::Link;
+use crate::dynamics::model::coordinates::state_layout::StateLayout;
 use crate::dynamics::model::edge_node::Edge;
 use crate::dynamics::penalty3d::island::Island;
-use crate::dynamics::{ContactSite, Model, Pair};
+use crate::dynamics::{Body, ContactSite, Model, Pair};
 use tracks::{BodyTrack, ContactTrack, LinkTrack, PairTrack};
 
 /// Bodies, pairs, contacts, links and islands of one group.
@@ -62,6 +64,21 @@ impl World {
     /// A pair in the model.
     pub(in crate::dynamics) fn model_pair(&self, pair: usize) -> &Pair {
         &self.model.pairs[self.pairs[pair].model_pair]
+    }
+
+    /// The body in a slot as constant data.
+    pub(in crate::dynamics) fn model_body(&self, slot: usize) -> &Body {
+        &self.model.bodies[self.bodies[slot].body]
+    }
+
+    /// A link as constant data.
+    pub(in crate::dynamics) fn model_link(&self, link: usize) -> &Link {
+        &self.model.links[self.links[link].link]
+    }
+
+    /// Layout of the states and sections of bodies.
+    pub(in crate::dynamics) fn layout_of(&self, slots: &[usize]) -> StateLayout {
+        StateLayout::of(slots.iter().map(|&slot| self.model_body(slot)))
     }
 
     /// The edge of an edge node; `None` for a corner.

@@ -185,7 +185,7 @@ impl World {
         // An edge node is another material point at each closing.
         let corners = self.contacts.iter().enumerate().filter(|(_, track)| model.sites[track.site].edge.is_none());
         for (contact, track) in corners {
-            let solids = model.pairs[self.pairs[track.pair].model_pair].solids();
+            let solids = self.model_pair(track.pair).solids();
             nodes.entry((track.slots[0], &model.sites[track.site].node, solids)).or_default().push(contact);
         }
         for same in nodes.values().filter(|same| same.len() > 1) {

@@ -2,6 +2,7 @@
 
 use crate::support::{run, scene, within};
 use girderbench::dynamics::Model;
+use girderbench::dynamics::connection::Connection as _;
 use girderbench::dynamics::model::coordinates::spatial;
 use girderbench::dynamics::model::rigid_body;
 use girderbench::dynamics::model::wrench::Wrench;
@@ -145,7 +146,8 @@ fn bearings_and_weight_act_as_all_their_forces_together() {
         let mut slope = [0.0; spatial::WIDTH];
         spatial::slope(body, &here, &state, &Wrench::default(), DVec3::ZERO, &mut slope);
         let (mut force, mut moment) = (DVec3::NEG_Z * (body.mass * model.gravity), DVec3::ZERO);
-        for (arm, part) in rigid_body::bearing_forces(body, &here) {
+        for (bearing, motion, arm) in rigid_body::bearing_motions(body, &here) {
+            let part = bearing.preload + body.axes * bearing.force(&(), &motion);
             (force, moment) = (force + part, moment + arm.cross(part));
         }
         let inertia = rigid_body::world_inertia(body, &here.rotation(&body.axes));
