@@ -30,3 +30,12 @@ pub(super) const CONTACT_EVENTS_PER_INSTANT: usize = 64;
 pub(super) const DEVICE_EVENTS_PER_INSTANT: usize = 64;
 /// Changes of one contact during one touch; more end the run. Tuned.
 pub(super) const CONTACT_EVENTS_PER_TOUCH: usize = 1_000_000;
+/// Largest ratio of a contact's penetration to the least overlap of its bodies, or of that to it, at which the contact counts as
+/// carrying the overlap \[–\]. Chosen: the penetrations at the nodes of two flush ends differ by the angle between the faces alone.
+pub(super) const DEPTH_RATIO: f64 = 2.0;
+/// Difference of the cosines of two angles that counts as rounding \[–\]: of products of unit vectors that have been turned a few times,
+/// each to 1e-15 or so.
+pub(super) const COSINE_ROUNDING: f64 = 1e-12;
+/// Largest sine of the angle between two faces of bodies that have met that count as flush \[–\]: 10°. Chosen: the force at a vertex turns
+/// by at most this angle where one node replaces another.
+pub(super) const FLUSH_SINE: f64 = 0.174;

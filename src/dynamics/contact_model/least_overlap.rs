@@ -7,6 +7,7 @@
 use glam::DVec3;
 
 use crate::dynamics::ContactSite;
+use crate::dynamics::contact_model::constants::{COSINE_ROUNDING, DEPTH_RATIO};
 use crate::dynamics::contact_model::event_poses::ContactPoses;
 use crate::dynamics::model::edge_node::Edge;
 use crate::dynamics::model::edge_node::node_place::NodePlace;
@@ -14,14 +15,6 @@ use crate::dynamics::model::meeting::{Meeting, Poses};
 use crate::dynamics::penalty3d::constants::UNCARRIED;
 use crate::dynamics::world::contact_points;
 use crate::scene::facing::Side;
-
-/// Largest ratio of a contact's penetration to the least overlap of its bodies, or of that to it, at which the contact counts as
-/// carrying the overlap \[–\]. Chosen: the penetrations at the nodes of two flush ends differ by the angle between the faces alone.
-const DEPTH_RATIO: f64 = 2.0;
-
-/// Difference of the cosines of two angles that counts as rounding \[–\]: of products of unit vectors that have been turned a few times,
-/// each to 1e-15 or so.
-const COSINE_ROUNDING: f64 = 1e-12;
 
 /// A face and the node deepest behind it.
 #[derive(Clone, Copy, Debug)]

@@ -6,6 +6,7 @@
 use glam::DVec2;
 
 use crate::contact::{Local, Mode, NormalLaw};
+use crate::dynamics::contact_model::constants::FLUSH_SINE;
 use crate::dynamics::contact_model::contact_law;
 use crate::dynamics::contact_model::contact_states::ContactStates;
 use crate::dynamics::model::edge_node::LEAST_SINE;
@@ -15,10 +16,6 @@ use crate::dynamics::penalty3d::contact_state::{ClosedContact, Contact};
 use crate::dynamics::record::event::EventKind;
 use crate::dynamics::world::contact_points::{self, NodesAtVertex};
 use crate::scene::Kind;
-
-/// Largest sine of the angle between two faces of bodies that have met that count as flush \[–\]: 10°. Chosen: the force at a vertex turns
-/// by at most this angle where one node replaces another.
-const FLUSH: f64 = 0.174;
 
 /// State that all nodes of a vertex share.
 struct Carried {
@@ -83,7 +80,7 @@ impl VertexNodes<'_, '_> {
         // penetration of its own.
         let tilt = self.tilt(contact);
         let have_met = self.states.world.pair_of(contact).meeting.is_some();
-        if have_met && tilt > FLUSH {
+        if have_met && tilt > FLUSH_SINE {
             return None;
         }
         // With an angle θ between the faces, the projections of one vertex on them are δ sin θ apart, plus the distance by which the corner
@@ -140,7 +137,7 @@ impl VertexNodes<'_, '_> {
         let passes_on = self.states.world.model_pair(pair).passes_on;
         let apart = self.states.poses().local(contact).penetration().max(0.0) * tilt;
         let poses = |c: usize| self.states.poses().sides(c);
-        passes_on && tilt <= FLUSH && contact_points::is_held(self.states.world, contact, apart, &poses)
+        passes_on && tilt <= FLUSH_SINE && contact_points::is_held(self.states.world, contact, apart, &poses)
     }
 
     /// The nodes of the vertex that a node has left, of those present the closed ones and those behind their face; see

@@ -19,3 +19,13 @@ pub(super) const OSCILLATOR_ROUNDING: f64 = 1e-12;
 /// Sum of the stiffnesses of a girder's bearings and of connections beside them that is round-off, in parts of its terms \[–\]: of some
 /// ten bearings, each from a difference of two forces.
 pub(super) const CANCELLED: f64 = 64.0 * f64::EPSILON;
+/// Phase of a cell, of the fastest motion \[rad\]. Chosen: 1e5 rad are then 18 squarings.
+pub(super) const CELL_PHASE: f64 = 0.5;
+/// Rate that stands for that of a body which nothing holds or shakes \[1/s\]. Chosen: cells of 500 s, whose motion the series has exactly.
+pub(super) const LEAST_CELL_RATE: f64 = 1e-3;
+/// Phase of the fastest motion over which the work of forces bounds a flight \[rad\]. Chosen: longer, bounds are looser; shorter, they are asked
+/// for more often.
+pub(super) const BOUND_PHASE: f64 = 0.5;
+/// Phase `√|γ² − ω²| τ` below which the response is a series about critical damping \[rad\]: its first term left out, u⁴/9! with u the square of
+/// the phase, is 3e-22.
+pub(super) const NEAR_CRITICAL: f64 = 1e-2;

@@ -2,14 +2,11 @@
 
 use glam::DVec3;
 
+use crate::dynamics::free_flight::constants::BOUND_PHASE;
 use crate::dynamics::free_flight::flight::{Flight, FreeMotion, FreeMotionForm};
 use crate::dynamics::free_flight::uncoupled_axis::UncoupledAxis;
 use crate::dynamics::model::coordinates::planar::{self, PlanarState};
 use crate::dynamics::model::motion_bounds::MotionBounds;
-
-/// Phase of the fastest motion over which the work of forces bounds a flight \[rad\]. Chosen: longer, bounds are looser; shorter, they are asked
-/// for more often.
-const BOUND_PHASE: f64 = 0.5;
 
 impl FreeMotion {
     /// Bound of its circular frequencies, of bearings, dashpots and a sine of the ground \[rad/s\].

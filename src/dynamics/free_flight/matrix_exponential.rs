@@ -8,7 +8,7 @@
 use glam::{DMat3, DVec3};
 use twofloat::TwoFloat;
 
-use crate::dynamics::free_flight::constants::TAYLOR_TERMS;
+use crate::dynamics::free_flight::constants::{CELL_PHASE, LEAST_CELL_RATE, TAYLOR_TERMS};
 use crate::dynamics::model::coordinates::planar::{POSITIONS, WIDTH};
 
 /// Length of the augmented state.
@@ -36,18 +36,13 @@ pub struct CoupledPropagator {
     powers: Vec<Matrix>,
 }
 
-/// Phase of a cell, of the fastest motion \[rad\]. Chosen: 1e5 rad are then 18 squarings.
-const CELL: f64 = 0.5;
-/// Rate that stands for that of a body which nothing holds or shakes \[1/s\]. Chosen: cells of 500 s, whose motion the series has exactly.
-const LEAST_RATE: f64 = 1e-3;
-
 impl CoupledPropagator {
     /// `q̈ = −k q − c v + push + forced (sine + record)`, per unit mass; `drive` is the sine's Ω, `longest` the longest
     /// time that will be asked for \[s\].
     pub fn new(k: DMat3, c: DMat3, push: DVec3, forced: DVec3, drive: f64, longest: f64) -> Self {
         let generator = generator(k, c, push, forced, drive);
-        let rate = norm(k).sqrt().max(norm(c)).max(drive).max(LEAST_RATE);
-        let cell = CELL / rate;
+        let rate = norm(k).sqrt().max(norm(c)).max(drive).max(LEAST_CELL_RATE);
+        let cell = CELL_PHASE / rate;
         let mut power = exponential(&generator, cell);
         let mut powers = vec![rounded(&power)];
         let mut reach = cell;

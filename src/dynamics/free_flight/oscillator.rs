@@ -4,7 +4,7 @@
 //! force `f = c0 + c1 τ`, `q(τ) = q C + v S0 + c0 S1 + c1 S2` with `C = 1 − ω² S1`. No case is singular: without
 //! stiffness and damping the three are `τ, τ²/2, τ³/6`.
 
-use crate::dynamics::free_flight::constants::{NEGLIGIBLE, SERIES_LIMIT, SOFT};
+use crate::dynamics::free_flight::constants::{NEAR_CRITICAL, NEGLIGIBLE, SERIES_LIMIT, SOFT};
 
 /// An oscillator per unit mass.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -25,10 +25,6 @@ pub struct FreeResponse {
     /// Velocity per initial velocity.
     pub s_rate: f64,
 }
-
-/// Phase `√|γ² − ω²| τ` below which the response is a series about critical damping \[rad\]: its first term left out, u⁴/9! with u the square of
-/// the phase, is 3e-22.
-const NEAR_CRITICAL: f64 = 1e-2;
 
 impl Oscillator {
     /// Undamped circular frequency \[rad/s\].

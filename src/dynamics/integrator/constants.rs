@@ -104,3 +104,8 @@ pub(super) const SHORTEST_CUT: f64 = 64.0 * f64::EPSILON;
 /// Components beyond which the elimination of an implicit step, which grows with their cube, costs more than short
 /// explicit steps. Tuned.
 pub(super) const LARGEST_IMPLICIT: usize = 160;
+/// `α` of a singular system, in parts of its largest entry \[–\]: round-off outside of its range enters a solution as `ε/α = 2e-9`.
+pub(super) const TIKHONOV: f64 = 1e-7;
+/// Solutions by residuals of a singular system: with the first they take the error of its range to `(α/σ)⁶`, below ε for every eigenvalue σ
+/// above 4e-5 of its largest entry; girders of a row have such.
+pub(super) const REFINEMENTS: usize = 5;

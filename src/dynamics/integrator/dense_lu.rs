@@ -1,5 +1,6 @@
 //! Gaussian elimination of small dense systems, real or complex, in place and without allocating.
 
+use crate::dynamics::integrator::constants::{REFINEMENTS, TIKHONOV};
 use num_complex::Complex64;
 
 /// Field of numbers for the elimination: real or complex.
@@ -186,12 +187,6 @@ pub(in crate::dynamics) fn eliminate<const N: usize>(rows: &mut [[f64; N]]) -> b
     }
     true
 }
-
-/// `α` of a singular system, in parts of its largest entry \[–\]: round-off outside of its range enters a solution as `ε/α = 2e-9`.
-const TIKHONOV: f64 = 1e-7;
-/// Solutions by residuals of a singular system: with the first they take the error of its range to `(α/σ)⁶`, below ε for every eigenvalue σ
-/// above 4e-5 of its largest entry; girders of a row have such.
-const REFINEMENTS: usize = 5;
 
 /// Whether the matrix of these entries has a pivot of at most `least` times its largest entry.
 pub(in crate::dynamics) fn is_singular(size: usize, entry: impl Fn(usize, usize) -> f64, least: f64) -> bool {

@@ -50,3 +50,6 @@ pub(super) const EXCURSION_MARGIN: f64 = 0.25;
 pub(super) const EXCURSION_REDUCTIONS: u32 = 48;
 /// Samples of a record that one search in flight covers: bounds on a flight hold between two kinks alone \[–\]. Tuned.
 pub(in crate::dynamics) const SAMPLES_PER_SEARCH: f64 = 64.0;
+/// Part of the interval to which the root of a cubic is found \[–\]. Chosen: a thousandth of what a step's
+/// motion differs from a cubic by ([`NEWTON_STEPS`]).
+pub(super) const CUBIC_ROOT_FRACTION: f64 = 1e-6;

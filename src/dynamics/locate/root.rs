@@ -2,7 +2,7 @@
 //! bisection where they converge slowly.
 
 use crate::dynamics::locate::constants::{
-    CUBIC_STEPS, MARGIN_GROWTH, MAX_ROOT_EVALUATIONS, NEWTON_STEPS, ROUND, ROUND_REDUCTION,
+    CUBIC_ROOT_FRACTION, CUBIC_STEPS, MARGIN_GROWTH, MAX_ROOT_EVALUATIONS, NEWTON_STEPS, ROUND, ROUND_REDUCTION,
 };
 
 /// Root of `f`, negative or 0 at `a` and positive at `b`, to the last bit: the upper end of a bracket that round-off of the
@@ -103,10 +103,6 @@ pub(in crate::dynamics) fn root_with_slope(
     root_between(|t| f(t)[0], [a, b], [fa[0], fb[0]])
 }
 
-/// Part of the interval to which the root of a cubic is found \[–\]. Chosen: a thousandth of what a step's
-/// motion differs from a cubic by ([`NEWTON_STEPS`]).
-const FRACTION: f64 = 1e-6;
-
 /// A root in \[0, 1\] of the cubic with these values, of which the first is negative and the last positive, and slopes at 0 and 1, to a
 /// millionth.
 fn cubic_root([f0, f1]: [f64; 2], [s0, s1]: [f64; 2]) -> f64 {
@@ -124,7 +120,7 @@ fn cubic_root([f0, f1]: [f64; 2], [s0, s1]: [f64; 2]) -> f64 {
         }
         let next = x - value / (s0 + x * (2.0 * c + x * 3.0 * d));
         let next = if next > low && next < high { next } else { f64::midpoint(low, high) };
-        if (next - x).abs() <= FRACTION {
+        if (next - x).abs() <= CUBIC_ROOT_FRACTION {
             return next;
         }
         x = next;

@@ -14,3 +14,6 @@ pub(super) const MOST_BLOCK_COORDINATES: usize = 36;
 pub(super) const NOMINAL_FREQUENCY: f64 = 1.0;
 /// Change of a force per size of it over a displacement of 1 m that is round-off \[–\]: of a few sums and products.
 pub(super) const FORCE_ROUNDING: f64 = 16.0 * f64::EPSILON;
+/// Distance of two vertices below which they are one, per size of the face \[–\]. Tuned: above the round-off of ends
+/// placed edge on edge, below any width.
+pub(super) const ONE_VERTEX: f64 = 1e-6;

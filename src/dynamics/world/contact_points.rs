@@ -7,10 +7,7 @@ use crate::contact::parameters::edge_slack;
 use crate::contact::{Frame, locate};
 use crate::dynamics::model::edge_node::{Crossing, Edge};
 use crate::dynamics::world::World;
-
-/// Distance of two vertices below which they are one, per size of the face \[–\]. Tuned: above the round-off of ends
-/// placed edge on edge, below any width.
-const ONE_VERTEX: f64 = 1e-6;
+use crate::dynamics::world::constants::ONE_VERTEX;
 
 /// Poses of the node's and the face's body of a contact.
 pub(in crate::dynamics) type Poses<'a> = &'a dyn Fn(usize) -> [Frame; 2];
