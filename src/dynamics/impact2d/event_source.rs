@@ -28,8 +28,8 @@ impl From<Source> for EventSource {
     fn from(Source { rank, number }: Source) -> Self {
         match rank {
             LASTING => Self::Lasting(number),
-            PAIR => Self::Pair(number),
-            _ => unreachable!("a rank that no source is entered with: {rank}"),
+            // PAIR, the last rank.
+            _ => Self::Pair(number),
         }
     }
 }

@@ -9,6 +9,7 @@ pub(in crate::dynamics) mod given_motion;
 pub(in crate::dynamics) mod guided;
 mod guided_flight;
 pub(in crate::dynamics) mod guided_on_ground;
+mod modal_amplitudes;
 pub mod modal_springs;
 pub mod planar;
 pub mod section_forces;

@@ -66,13 +66,6 @@ impl ModalSprings {
     }
 }
 
-/// Raises amplitudes of modes, of displacement and turn, to those of a section where these are larger.
-pub(super) fn widen(most: &mut [[f64; 2]], section: impl Iterator<Item = [f64; 2]>) {
-    for (most, own) in most.iter_mut().zip(section) {
-        *most = [0, 1].map(|i| most[i].max(own[i]));
-    }
-}
-
 #[cfg(test)]
 mod tests {
     use super::*;

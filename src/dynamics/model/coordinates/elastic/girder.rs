@@ -9,7 +9,8 @@ use super::section::{Section, SectionFrame, station_and_offset};
 use crate::dynamics::elastic::Modes;
 use crate::dynamics::model::axial_motion::{AxialModes, AxialParts};
 use crate::dynamics::model::body::Body;
-use crate::dynamics::model::coordinates::modal_springs::{ModalDamping, ModalSprings, widen};
+use crate::dynamics::model::coordinates::modal_amplitudes::ModalAmplitudes;
+use crate::dynamics::model::coordinates::modal_springs::{ModalDamping, ModalSprings};
 use crate::dynamics::model::coordinates::section_forces::{Bearer, LinkOf};
 use crate::dynamics::model::linear_block::part::RIGID;
 use crate::scene::facing::Flank;
@@ -40,7 +41,7 @@ pub struct ElasticGirder {
     /// Constant load of the given push on the modes.
     pub(super) pushed: Vec<f64>,
     /// Amplitudes of each mode, the largest of its sections: |(u, v)| and |φ|.
-    pub(super) most: Vec<[f64; 2]>,
+    pub(super) most: ModalAmplitudes,
     /// Modes along the world's x and y, where it can move along that axis alone.
     pub(super) axial: [Option<Arc<AxialModes>>; 2],
     /// The body it is of, with rigid coordinates: shape, place, mass, what holds it.
@@ -56,9 +57,9 @@ impl ElasticGirder {
         let (ends, middle) = (vec![section(-half), section(half)], section(0.0));
         let push = rigid.push.truncate();
         let pushed: Vec<f64> = middle.fields.iter().map(|f| f.truncate().dot(push) + f.z * rigid.moment.z).collect();
-        let mut most = vec![[0.0; 2]; modes.count()];
+        let mut most = ModalAmplitudes::of_modes(modes.count());
         for section in &ends {
-            widen(&mut most, section.amplitudes());
+            most.widen(section.amplitudes());
         }
         let bearings = axes_of(&rigid.bearings, &modes, rigid.prism.shear(), axes);
         let springs = ModalSprings::of(modes.frequencies(), damping);
@@ -115,7 +116,7 @@ impl ElasticGirder {
             return known + 1;
         }
         let added = Section::at(&self.modes, &self.rigid.axes, station, frame);
-        widen(&mut self.most, added.amplitudes());
+        self.most.widen(added.amplitudes());
         self.deforming.push(added);
         self.deforming.len()
     }
@@ -125,7 +126,7 @@ impl ElasticGirder {
         let (prism, axes) = (&self.rigid.prism, &self.rigid.axes);
         let flanks = [Flank::Right, Flank::Left].map(|flank| Section::flank(&self.modes, axes, flank.offset(prism)));
         for flank in flanks {
-            widen(&mut self.most, flank.amplitudes());
+            self.most.widen(flank.amplitudes());
             self.deforming.push(flank);
         }
     }

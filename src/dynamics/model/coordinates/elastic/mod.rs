@@ -261,23 +261,13 @@ impl Coordinates for ElasticGirder {
 
     fn excursion(&self, arm: f64, way: &dyn Fn(Range<usize>) -> f64) -> f64 {
         let lever = self.lever();
-        let modal = |(j, [moved, turned]): (usize, &[f64; 2])| {
-            let way = way(RIGID + j..RIGID + j + 1);
-            (moved + (lever + arm) * turned) * way
-        };
-        way(0..2) + (arm + DEFORMED * lever) * way(2..3) + self.most.iter().enumerate().map(modal).sum::<f64>()
+        way(0..2) + (arm + DEFORMED * lever) * way(2..3) + self.most.excursion(RIGID, lever + arm, way)
     }
 
     fn bounds(&self, rates: &dyn Fn(Range<usize>) -> [f64; 2]) -> MotionBounds {
         let ([speed, acceleration], [spin, spin_rate]) = (rates(0..2), rates(2..3));
         let mut section = SectionBounds { speed, acceleration, spin, spin_rate, ..SectionBounds::default() };
-        for (j, [moved, turned]) in self.most.iter().enumerate() {
-            let [rate, gain] = rates(RIGID + j..RIGID + j + 1);
-            section.moved[0] += moved * rate;
-            section.moved[1] += moved * gain;
-            section.turned[0] += turned * rate;
-            section.turned[1] += turned * gain;
-        }
+        self.most.add_to(&mut section, RIGID, rates);
         let lever = self.lever();
         section.of_frame(lever, DEFORMED * lever, f64::INFINITY)
     }

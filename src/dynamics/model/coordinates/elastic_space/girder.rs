@@ -8,7 +8,8 @@ use crate::dynamics::elastic::{Fields, SpaceModes};
 use crate::dynamics::model::body::Body;
 use crate::dynamics::model::coordinates::elastic::girder::SAME_STATION;
 use crate::dynamics::model::coordinates::elastic::section::station_and_offset;
-use crate::dynamics::model::coordinates::modal_springs::{ModalDamping, ModalSprings, widen};
+use crate::dynamics::model::coordinates::modal_amplitudes::ModalAmplitudes;
+use crate::dynamics::model::coordinates::modal_springs::{ModalDamping, ModalSprings};
 use crate::dynamics::model::coordinates::section_forces::LinkOf;
 use crate::dynamics::model::wrench::Wrench;
 use crate::scene::facing::Flank;
@@ -36,7 +37,7 @@ pub struct SpatialElasticGirder {
     /// Bearings.
     pub(super) bearings: Vec<BearingPoint>,
     /// Amplitudes of each mode, the largest of its sections: |(u, v, w)| and |φ|.
-    pub(super) most: Vec<[f64; 2]>,
+    pub(super) most: ModalAmplitudes,
     /// The body it is of, with rigid coordinates: shape, place, mass, what holds it.
     pub(super) rigid: Body,
 }
@@ -49,9 +50,9 @@ impl SpatialElasticGirder {
         let push = Wrench { force: rigid.push, moment: rigid.moment };
         let pushed = (push.force != DVec3::ZERO || push.moment != DVec3::ZERO).then(|| (section(0.0), push));
         let deforming = vec![section(-half), section(half)];
-        let mut most = vec![[0.0; 2]; modes.count()];
+        let mut most = ModalAmplitudes::of_modes(modes.count());
         for section in &deforming {
-            widen(&mut most, section.amplitudes());
+            most.widen(section.amplitudes());
         }
         Self {
             springs: ModalSprings::of(modes.frequencies(), damping),
@@ -108,7 +109,7 @@ impl SpatialElasticGirder {
         if let Some(known) = self.deforming.iter().position(same) {
             return known + 1;
         }
-        widen(&mut self.most, added.amplitudes());
+        self.most.widen(added.amplitudes());
         self.deforming.push(added);
         self.deforming.len()
     }
@@ -118,7 +119,7 @@ impl SpatialElasticGirder {
         let (prism, axes) = (&self.rigid.prism, &self.rigid.axes);
         let all = [Flank::Right, Flank::Left, Flank::Bottom, Flank::Top];
         for flank in all.map(|flank| Section::flank(&self.modes, axes, flank.offset(prism))) {
-            widen(&mut self.most, flank.amplitudes());
+            self.most.widen(flank.amplitudes());
             self.deforming.push(flank);
         }
     }

@@ -253,22 +253,13 @@ impl Coordinates for SpatialElasticGirder {
 
     fn excursion(&self, arm: f64, way: &dyn Fn(Range<usize>) -> f64) -> f64 {
         let lever = self.lever();
-        let modal = |(j, [moved, turned]): (usize, &[f64; 2])| {
-            (moved + (lever + arm) * turned) * way(POSITIONS + j..POSITIONS + j + 1)
-        };
-        Spatial.excursion(arm + DEFORMED * lever, way) + self.most.iter().enumerate().map(modal).sum::<f64>()
+        Spatial.excursion(arm + DEFORMED * lever, way) + self.most.excursion(POSITIONS, lever + arm, way)
     }
 
     fn bounds(&self, rates: &dyn Fn(Range<usize>) -> [f64; 2]) -> MotionBounds {
         let MotionBounds { speed, acceleration, spin, spin_rate, .. } = Spatial.bounds(rates);
         let mut section = SectionBounds { speed, acceleration, spin, spin_rate, ..SectionBounds::default() };
-        for (j, [moved, turned]) in self.most.iter().enumerate() {
-            let [rate, gain] = rates(POSITIONS + j..POSITIONS + j + 1);
-            section.moved[0] += moved * rate;
-            section.moved[1] += moved * gain;
-            section.turned[0] += turned * rate;
-            section.turned[1] += turned * gain;
-        }
+        self.most.add_to(&mut section, POSITIONS, rates);
         let lever = self.lever();
         section.of_frame_in_space(lever, DEFORMED * lever, f64::INFINITY)
     }
