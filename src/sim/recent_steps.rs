@@ -82,7 +82,7 @@ mod tests {
     fn a_step_taken_again_is_the_same_to_the_last_bit() {
         for angle in [0.0, 20.0] {
             let (whole, part, none) = (row(angle, usize::MAX), row(angle, 10_000), row(angle, 0));
-            let counts = [&whole, &part, &none].map(|history| history.trajectories.recomputed()[0].len());
+            let counts = [&whole, &part, &none].map(|history| history.trajectories.recomputed_steps()[0].len());
             let steps = usize::try_from(whole.effort().steps).expect("few");
             assert!(counts[0] == 0 && counts[1] > 0 && counts[2] > counts[1], "{counts:?} of {steps}");
             assert!(counts[2] + 8 > steps / 2, "most are explicit: {counts:?} of {steps}");
@@ -106,7 +106,7 @@ mod tests {
     fn a_spatial_step_taken_again_is_the_same_to_the_last_bit() {
         let (whole, none) = (deck(usize::MAX), deck(0));
         let (kept, steps) =
-            (none.trajectories.recomputed()[0].len(), usize::try_from(whole.effort().steps).expect("few"));
+            (none.trajectories.recomputed_steps()[0].len(), usize::try_from(whole.effort().steps).expect("few"));
         assert!(kept > steps / 8, "those without sliding: {kept} of {steps}");
         assert_eq!(whole.digest(), none.digest());
         for i in 0..=1000 {
@@ -130,7 +130,8 @@ mod tests {
             };
             let segments = paths(&none, &StoredPath::len);
             let each = |history: &History| {
-                let recomputed = history.trajectories.recomputed().iter().map(RecomputedSteps::bytes).sum::<usize>();
+                let recomputed =
+                    history.trajectories.recomputed_steps().iter().map(RecomputedSteps::bytes).sum::<usize>();
                 (paths(history, &StoredPath::bytes) + recomputed) as f64 / segments as f64
             };
             assert!(each(&none) < most, "{} bytes a segment at {angle}°", each(&none));

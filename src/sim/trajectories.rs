@@ -103,7 +103,7 @@ impl Trajectories {
 
     /// Steps of all groups that are kept by their starts.
     #[cfg(test)]
-    pub(super) fn recomputed(&self) -> &[RecomputedSteps] {
+    pub(super) fn recomputed_steps(&self) -> &[RecomputedSteps] {
         &self.recomputed
     }
 

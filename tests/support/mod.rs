@@ -95,7 +95,7 @@ pub(crate) fn momenta_in_space(history: &History, t: f64) -> [DVec3; 2] {
     bodies.fold([DVec3::ZERO; 2], |[linear, angular], (number, body)| {
         let motion = history.motion(number, t);
         let momentum = motion.velocity * body.mass;
-        let spin = motion.attitude * (body.inertia[0] * (motion.attitude.inverse() * motion.spin));
+        let spin = motion.attitude * (body.inertia * (motion.attitude.inverse() * motion.spin));
         [linear + momentum, angular + motion.place.cross(momentum) + spin]
     })
 }

@@ -51,7 +51,7 @@ fn row_between(from: State, held: &Held) -> Option<Row> {
         held.push[0],
         held.push[1]
     );
-    let model = Model::compile(&format::parse(&text, "test").expect("a scene")).expect("a sound scene");
+    let mut model = Model::compile(&format::parse(&text, "test").expect("a scene")).expect("a sound scene");
     let [r, alpha] = [A.hypot(B), B.atan2(A)];
     // The corner stays at the wall.
     let x = A - r * (alpha - held.theta.abs()).cos();
@@ -71,8 +71,8 @@ fn row_between(from: State, held: &Held) -> Option<Row> {
         stick_or_open: false,
         excluded: Excluded { stick: held.broke, site: None },
     };
-    let numbers = ImpactSettings { mu_static: held.mu[0], mu_kinetic: held.mu[1], ..ImpactSettings::default() };
-    let modes = select_modes(&model, &kinematics, &[candidate], &numbers).expect("a consistent motion");
+    model.impact = ImpactSettings { mu_static: held.mu[0], mu_kinetic: held.mu[1], ..ImpactSettings::default() };
+    let modes = select_modes(&model, &kinematics, &[candidate]).expect("a consistent motion");
     let to = modes.first().map_or(if held.theta == 0.0 { Free } else { FreeTurning }, ContactMode::state);
     Row::without_hit(from, to)
 }
