@@ -51,7 +51,7 @@ pub use sections::field::SectionField;
 pub use sections::quantity::OfSection;
 pub use sections::readings::{ElasticHit, FlexibleReading, NEGLIGIBLE, Neglected};
 pub use session::{Reached, Session};
-pub use summary::Summary;
+pub use summary::{ContactTimes, Summary};
 pub use unit::Unit;
 
 pub use crate::dynamics::impact2d::{Hit, LastingInterval, Record, Row, State, Transition};

@@ -3,7 +3,7 @@
 use rayon::prelude::*;
 
 use super::report::Extreme;
-use super::{History, Motion, peaks, touches};
+use super::{History, Motion, Touch, peaks, touches};
 
 /// The headline numbers of a run.
 #[derive(Clone, Debug, PartialEq, serde::Serialize)]
@@ -36,10 +36,19 @@ pub struct Summary {
     pub slip_time: f64,
 }
 
+/// Times that contacts are closed, summed over contacts.
+#[derive(Clone, Copy, Debug, Default, PartialEq)]
+pub struct ContactTimes {
+    /// In stick \[s\].
+    pub stick: f64,
+    /// In slip \[s\].
+    pub slip: f64,
+}
+
 impl History {
     /// Headline numbers.
     pub fn summary(&self) -> Summary {
-        let touches = self.touches();
+        let (touches, times) = (self.touches(), self.contact_times());
         let hardest = self.hardest();
         let total = self.hardest_pounding().map(|(_, most)| most);
         let [max_displacement, max_rotation] = self.largest_motion();
@@ -54,8 +63,8 @@ impl History {
             peak_time: self.strongest().map(|touch| touch.peak_time),
             touches: touches.len(),
             hits: self.hits(),
-            stick_time: self.contact_times()[0],
-            slip_time: self.contact_times()[1],
+            stick_time: times.stick,
+            slip_time: times.slip,
         }
     }
 
@@ -74,9 +83,13 @@ impl History {
         touches::hits(self.touches())
     }
 
-    /// Contact time in stick and in slip, summed over contacts \[s\].
-    pub fn contact_times(&self) -> [f64; 2] {
-        self.touches().iter().fold([0.0; 2], |[stick, slip], touch| [stick + touch.stick, slip + touch.slip])
+    /// Contact times in stick and in slip, summed over contacts.
+    pub fn contact_times(&self) -> ContactTimes {
+        let add = |sum: ContactTimes, touch: &Touch| ContactTimes {
+            stick: sum.stick + touch.stick,
+            slip: sum.slip + touch.slip,
+        };
+        self.touches().iter().fold(ContactTimes::default(), add)
     }
 
     /// Largest displacement of any girder's G from where it was placed \[m\].

@@ -102,7 +102,7 @@ pub const MEASURES: &[Measure] = &[
         unit: "s",
         meaning: "contact time in stick, summed over contacts",
         drawn: SECONDS,
-        of: |run| Some(run.contact_times()[0]),
+        of: |run| Some(run.contact_times().stick),
     },
     Measure {
         name: "slip_time",
@@ -110,7 +110,7 @@ pub const MEASURES: &[Measure] = &[
         unit: "s",
         meaning: "contact time in slip, summed over contacts",
         drawn: SECONDS,
-        of: |run| Some(run.contact_times()[1]),
+        of: |run| Some(run.contact_times().slip),
     },
     Measure {
         name: "least_gap",
