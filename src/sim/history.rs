@@ -6,7 +6,7 @@ use rayon::prelude::*;
 
 use super::energy::power_integrals::PowerIntegrals;
 use super::impact::events;
-use super::report::{Overlap, Pounding, RunDifference};
+use super::report::{LargestMotion, Overlap, Pounding, RunDifference};
 use super::trajectories::Trajectories;
 use super::{Event, Motion, Stop, Touch, Upright};
 use crate::contact::Frame;
@@ -51,6 +51,7 @@ pub(super) struct Found {
     pub(super) overlaps: OnceLock<Vec<Overlap>>,
     pub(super) poundings: OnceLock<Vec<Pounding>>,
     pub(super) uprights: OnceLock<Vec<Upright>>,
+    pub(super) largest_motion: OnceLock<Option<LargestMotion>>,
 }
 
 impl History {
@@ -199,11 +200,6 @@ impl History {
     /// All events in order of time.
     pub fn events(&self) -> &[Event] {
         &self.events
-    }
-
-    /// Largest difference in displacement of G from another run of the same bodies \[m\].
-    pub fn difference(&self, other: &Self) -> f64 {
-        self.differences(other).place
     }
 
     /// Largest differences of all bodies from another run of the same bodies.

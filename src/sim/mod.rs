@@ -42,8 +42,8 @@ pub use law_sense::{Dropped, TooDeep};
 pub use overlap::{Unjoined, unjoined};
 pub use quantity::Quantity;
 pub use report::{
-    Cause, ContactNow, ContactState, Event, EventKind, Motion, Overlap, Pounding, PoundingHit, RunDifference, SolidId,
-    Stop, Touch, Uplift, Upright,
+    Cause, ContactNow, ContactState, Event, EventKind, GirderExtreme, LargestMotion, Motion, Overlap, Pounding,
+    PoundingHit, RunDifference, SolidId, Stop, Touch, Uplift, Upright,
 };
 pub use seats::lost_supports::{Carrying, LostSupport};
 pub use sections::degree_check::DegreeCheck;

@@ -38,7 +38,7 @@ pub const MEASURES: &[Measure] = &[
         unit: "rad",
         meaning: "largest |θ| of any girder",
         drawn: DEGREES,
-        of: |run| Some(run.largest_rotation()),
+        of: |run| run.largest_motion().map(|motion| motion.rotation.extreme.value),
     },
     Measure {
         name: "max_displacement",
@@ -46,7 +46,7 @@ pub const MEASURES: &[Measure] = &[
         unit: "m",
         meaning: "largest displacement of any girder's G",
         drawn: MILLIMETRES,
-        of: |run| Some(run.largest_displacement()),
+        of: |run| run.largest_motion().map(|motion| motion.displacement.extreme.value),
     },
     Measure {
         name: "max_drift",

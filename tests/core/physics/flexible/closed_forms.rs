@@ -180,7 +180,7 @@ fn a_whole_scene_comes_to_the_rigid_one_like_one_over_e() {
             let mut scene = base.scene.clone();
             scene.duration = 1.5;
             scene.girders[0].elastic.as_mut().expect("elastic").young_modulus *= factor;
-            run(&scene).difference(&rigid)
+            run(&scene).differences(&rigid).place
         })
         .collect();
     let slope = |a: f64, b: f64, ratio: f64| (b / a).ln() / f64::ln(ratio);

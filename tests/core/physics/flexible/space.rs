@@ -211,7 +211,7 @@ fn a_stiffer_deck_comes_to_the_rigid_one_like_one_over_e() {
                 "elastic = {{ area_m2 = 8.0, modes = 6, young_modulus_pa = {:e}, damping_ratio = 0.2 }}",
                 30e9 * factor
             );
-            run(&thrown(&elastic, RUBBING)).difference(&rigid)
+            run(&thrown(&elastic, RUBBING)).differences(&rigid).place
         })
         .collect();
     let slope = |a: f64, b: f64, ratio: f64| (b / a).ln() / f64::ln(ratio);
