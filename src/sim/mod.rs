@@ -50,6 +50,7 @@ pub use sections::degree_check::DegreeCheck;
 pub use sections::field::SectionField;
 pub use sections::quantity::OfSection;
 pub use sections::readings::{ElasticHit, FlexibleReading, NEGLIGIBLE, Neglected};
+pub use sections::view::Sections;
 pub use session::{Reached, Session};
 pub use summary::{ContactTimes, Summary};
 pub use unit::Unit;

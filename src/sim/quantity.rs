@@ -7,7 +7,7 @@ use glam::DVec3;
 
 pub use super::energy::quantity::OfEnergy;
 pub use super::sections::quantity::OfSection;
-use super::{ContactNow, ContactState, History, Unit, energy, readings, seats, sections};
+use super::{ContactNow, ContactState, History, Unit, energy, readings, seats};
 use crate::geometry::End;
 use crate::scene::Kind;
 
@@ -201,7 +201,7 @@ impl Quantity {
             }
             let seats = End::BOTH.into_iter().filter(|end| has_seat(history, i, *end));
             all.extend(seats.map(|end| (format!("{name}{}.seat", end.label()), Self::Seat(i, end))));
-            let sections = sections::quantity::named(history, i).into_iter();
+            let sections = history.sections().quantities(i).into_iter();
             all.extend(sections.map(|(of, station, what)| (format!("{name}.{of}"), Self::Section(i, station, what))));
         }
         let listed = history.listed_pairs();
@@ -300,7 +300,7 @@ impl Quantity {
                     OfPier::ShearAlong(axis) => along(now.shear, axis),
                 }
             }),
-            Self::Section(i, station, what) => sections::quantity::at(history, i, station, what, t),
+            Self::Section(i, station, what) => history.sections().quantity(i, station, what, t),
             Self::Pair(i, what) if i < model.pairs.len() => match what {
                 OfPair::Gap => readings::gap(history, i, t),
                 OfPair::Total => history.resultant(i, t).length(),

@@ -225,7 +225,7 @@ impl Moment {
 /// Motion of the end sections of all girders, where one of them bends.
 fn ends(history: &History, t: f64) -> Vec<[Motion; 2]> {
     let girders = 0..history.model().girders().len();
-    if !girders.clone().any(|girder| history.flexible(girder).is_some()) {
+    if !girders.clone().any(|girder| history.sections().flexible(girder).is_some()) {
         return Vec::new();
     }
     girders.map(|girder| End::BOTH.map(|end| history.end_motion(girder, end, t))).collect()

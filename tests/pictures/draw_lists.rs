@@ -577,7 +577,7 @@ fn a_girder_that_bends_keeps_the_end_that_faces_something_where_it_is() {
     assert!((a - a_50).length() < 1e-5 && (b - b_50).length() < 1e-5, "corners before the wall are where they are");
     assert!((far - far_50).length() > 0.02, "the other end is drawn farther off: {far} and {far_50}");
     // Corners of the end by the run itself.
-    let place = history.section_place(0, End::Plus, t);
+    let place = history.sections().end_displacement(0, End::Plus, t);
     let centre = 0.5 * (a + b);
     let placed = DVec3::new(15.0, 0.0, 0.0) + place;
     assert!((centre.as_dvec3().truncate() - placed.truncate()).length() < 1e-5, "{centre} against {placed}");

@@ -228,12 +228,12 @@ fn how_long_a_hit_lasts() {
         says(lesson, number, &format!("{returned:.3} of their speed"));
     }
     let own = run(lesson, None);
-    let beam = own.flexible(0).expect("it bends").beam;
+    let beam = own.sections().flexible(0).expect("it bends").beam;
     says(lesson, None, &format!("to the far end and back in {:.1} ms", 2e3 * beam.transit_time()));
-    let ringing = |number, girder| run(lesson, number).elastic_hit(girder).expect("a hit").ringing / 1e3;
+    let ringing = |number, girder| run(lesson, number).sections().elastic_hit(girder).expect("a hit").ringing / 1e3;
     says(lesson, None, &format!("{:.1} kJ are left ringing in each", ringing(None, 1)));
     says(lesson, Some(3), &format!("{:.1} kJ are left ringing in the long one", ringing(Some(3), 0)));
-    assert!(run(lesson, Some(0)).flexible(0).is_none(), "rigid decks");
+    assert!(run(lesson, Some(0)).sections().flexible(0).is_none(), "rigid decks");
 }
 
 /// Whether a corner begins its touch in stick.

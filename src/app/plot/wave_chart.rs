@@ -27,14 +27,14 @@ const BAR: f32 = 10.0;
 
 /// Whether there is such a chart: the girder in question bends.
 pub(super) fn is_shown(source: &Source<'_>) -> bool {
-    source.answer.is_some_and(|answer| answer.history.flexible(source.girder).is_some())
+    source.answer.is_some_and(|answer| answer.history.sections().flexible(source.girder).is_some())
 }
 
 /// Draws it.
 pub(super) fn draw(ui: &mut Ui, source: &Source<'_>, over: &Over<'_>, palette: &Palette, out: &mut Vec<Command>) {
     let Some(answer) = source.answer else { return };
     let history = &answer.history;
-    let Some(beam) = history.flexible(source.girder).map(|flexible| &flexible.beam) else { return };
+    let Some(beam) = history.sections().flexible(source.girder).map(|flexible| &flexible.beam) else { return };
     let what = source.section_force;
     let whole = chart_view::field(over);
     let title = text::wave_chart(&section_force(what), &history.scene().girders[source.girder].name);
@@ -76,7 +76,8 @@ pub(super) fn draw(ui: &mut Ui, source: &Source<'_>, over: &Over<'_>, palette: &
     let said = pointed.map(|at| {
         let station = axis.value(at.y).clamp(-half, half);
         let t = over.axis.t(at.x).clamp(window[0], window[1]);
-        let force = history.of_section(source.girder, &history.section_forces(source.girder, station, t), what);
+        let force =
+            history.sections().component(source.girder, &history.sections().forces(source.girder, station, t), what);
         let (unit, size) = what.unit();
         text::at_station(&format!("{} {unit}", text::short(force / size)), station)
     });

@@ -83,7 +83,7 @@ impl History {
         let arm = body.axes * bearing.place;
         let ground = Frame::fixed(body.home + arm);
         let (mut motion, _) = kinematics.motion([frame, &ground], [arm, DVec3::ZERO], DVec3::ZERO, &body.axes);
-        let [bent, rate] = self.displaced(girder, bearing.place, t);
+        let [bent, rate] = self.sections().displaced(girder, bearing.place, t);
         motion.moved += bent;
         motion.rate += rate;
         motion

@@ -182,7 +182,7 @@ pub const MEASURES: &[Measure] = &[
         unit: "Pa",
         meaning: "largest stress of the extreme fibre of any girder that bends, beyond the dead load's; none without one",
         drawn: MEGAPASCALS,
-        of: |run| run.flexible_readings().iter().map(|girder| girder.stress.value).reduce(f64::max),
+        of: |run| run.sections().readings().iter().map(|girder| girder.stress.value).reduce(f64::max),
     },
     Measure {
         name: "max_overlap",

@@ -65,7 +65,7 @@ fn modes_that_decay_at_once_cost_no_steps_of_their_own() {
     let part = |_| bearings([2e6, 3e6], ", yield_force_n = 1.8e12, yield_displacement_m = 1e5");
     let stepped = run(&deck(damped, &part, ""));
     let wanted = run(&deck(damped, &|_| bearings([20e6, 21e6], ""), ""));
-    let made = stepped.flexible(0).and_then(|flexible| flexible.girder.clone()).expect("it bends");
+    let made = stepped.sections().flexible(0).and_then(|flexible| flexible.girder.clone()).expect("it bends");
     let fastest = made.frequencies().into_iter().map(|omega| made.damping().dashpot(omega)).fold(0.0, f64::max);
     assert!(fastest > 1e7, "decays at {fastest} 1/s");
     assert!((1..5000).contains(&stepped.effort().steps), "{} steps", stepped.effort().steps);
@@ -163,9 +163,9 @@ fn the_largest_stress_is_found_over_a_support_between_even_stations() {
         support(at, 0.0),
         support(-15.0, 0.0)
     )));
-    let reading = &history.flexible_readings()[0];
+    let reading = &history.sections().readings()[0];
     within("station", (reading.stressed_at - at) / 30.0, 1e-6);
-    let stations = (0..=3000).map(|i| history.stress(0, 0.01 * f64::from(i) - 15.0, reading.stress.t));
+    let stations = (0..=3000).map(|i| history.sections().stress(0, 0.01 * f64::from(i) - 15.0, reading.stress.t));
     let fine = stations.fold(0.0, f64::max);
     assert!(reading.stress.value >= fine, "{} Pa, {fine} Pa on a fine grid", reading.stress.value);
     let q = mass / 30.0 * STANDARD_GRAVITY;
@@ -186,7 +186,7 @@ fn section_forces_jump_by_what_a_bearing_and_a_cable_do() {
     for i in 1..40 {
         let t = 2.0 * f64::from(i) / 40.0;
         let jump = |station: f64| {
-            let [a, b] = [-1e-7, 1e-7].map(|off| history.section_forces(0, station + off, t));
+            let [a, b] = [-1e-7, 1e-7].map(|off| history.sections().forces(0, station + off, t));
             [a.axial - b.axial, a.shear - b.shear]
         };
         let force = history.link(cable, t).expect("it").force;
@@ -273,7 +273,7 @@ fn a_point_of_a_device_beyond_an_end_is_carried_by_its_end_section() {
         let t = history.end() * f64::from(i) / 20.0;
         let [end, centre] = [
             history.link(number, t).expect("it").ends[0],
-            history.section_place(0, girderbench::geometry::End::Minus, t),
+            history.sections().end_displacement(0, girderbench::geometry::End::Minus, t),
         ];
         let placed = glam::DVec3::new(-15.0, 0.0, 0.0) + centre;
         within("distance from the end's centre", (end - placed).truncate().length() - 0.4, 1e-9);
@@ -290,9 +290,9 @@ fn a_girder_that_only_dashpots_hold_bends_where_they_are_as_stiff_as_waves() {
         run(&deck(&format!("elastic = {{ area_m2 = 8.0, modes = {modes} }}"), &none, &damper))
     };
     // Z = 69 MN s/m: a dashpot of 0.1 N s/m is nothing to it.
-    assert!(held(0.1, "\"auto\"").flexible(0).is_none(), "as good as rigid");
+    assert!(held(0.1, "\"auto\"").sections().flexible(0).is_none(), "as good as rigid");
     let [own, finer] = ["\"auto\"", "12"].map(|modes| held(1e8, modes));
-    assert_eq!(own.flexible(0).and_then(|f| f.girder.as_ref()).expect("it bends").degree(), 10, "κ = 1");
+    assert_eq!(own.sections().flexible(0).and_then(|f| f.girder.as_ref()).expect("it bends").degree(), 10, "κ = 1");
     // 2e-5 of 450 mm; places of a deck that is hit differ by 1e-4 between degrees 8 and 12 (`invariants`).
     within("against degree 12", apart(&own, &finer, 0), 1e-5);
 }

@@ -77,7 +77,7 @@ fn the_ledger_of_a_deck_with_devices_that_bends_in_space_closes() {
     });
     let t = t.expect("times");
     let force = history.motion(0, t).attitude.inverse() * history.link(cable, t).expect("it").force;
-    let after = history.section_forces(0, -15.0, t);
+    let after = history.sections().forces(0, -15.0, t);
     assert!(force.length() > 1e5, "{force}");
     // Just inside of the −x end stands what acts there; a pull above the axis bends the deck.
     within("N at the end", (after.axial + force.x) / force.length(), 1e-3);
@@ -124,7 +124,7 @@ fn a_deck_on_a_pier_moves_in_space_as_in_plan_where_all_is_level() {
             let [a, b] = [&plan, &space].map(|history| history.motion(body, t).displacement);
             *apart = apart.max((a - b).truncate().length());
         }
-        let [a, b] = [&plan, &space].map(|history| history.deformation(0, 15.0, t));
+        let [a, b] = [&plan, &space].map(|history| history.sections().deformation(0, 15.0, t));
         bent = bent.max((a.moved.truncate() - b.moved.truncate()).length());
     }
     let most = |body: usize| {
