@@ -49,7 +49,10 @@ pub(super) fn caption(history: &History) -> String {
         (true, "report-plan-placed"),
         (facing, "report-plan-gaps"),
         (!model.piers.is_empty(), "report-plan-piers"),
-        (model.devices.iter().any(|device| history.link(device.links.start, 0.0).is_some()), "report-plan-devices"),
+        (
+            model.devices.iter().any(|device| history.connections().link(device.links.start, 0.0).is_some()),
+            "report-plan-devices",
+        ),
     ];
     parts.into_iter().filter(|(shown, _)| *shown).map(|(_, name)| Text::new(name).as_str().to_owned()).collect()
 }
@@ -219,7 +222,7 @@ impl<'a> Plan<'a> {
     fn devices(&self, svg: &mut String) {
         let t = self.at.as_ref().map_or(0.0, |(t, _)| *t);
         for link in self.history.model().devices.iter().flat_map(|device| device.links.clone()) {
-            let Some(now) = self.history.link(link, t) else { continue };
+            let Some(now) = self.history.connections().link(link, t) else { continue };
             let points: Vec<(f64, f64)> = now.line.iter().map(|point| self.place(point.truncate())).collect();
             for pair in points.windows(2) {
                 line(svg, pair[0], pair[1], &format!(r#"stroke="{DEVICE}" stroke-width="2.2""#));

@@ -34,6 +34,7 @@ pub use connections::device_readings::DeviceReading;
 pub use connections::hysteresis::Loop;
 pub use connections::link::LinkNow;
 pub use connections::piers::{BaseReading, PierNow, PierReading};
+pub use connections::view::Connections;
 pub use energy::balance::Balance;
 pub use energy::entries::Ledger;
 pub use error_estimate::ErrorEstimate;

@@ -291,7 +291,7 @@ impl Quantity {
                 }
             }
             Self::Seat(i, end) if i < model.bodies.len() => seats::remaining(history, i, end, t),
-            Self::Pier(i, what) => history.pier(i, t).map_or(0.0, |now| {
+            Self::Pier(i, what) => history.connections().pier(i, t).map_or(0.0, |now| {
                 let along = |vector: DVec3, axis: usize| vector.dot(history.scene().pier(i).axes.col(axis.min(1)));
                 match what {
                     OfPier::Drift => now.displacement.truncate().length(),
@@ -314,14 +314,14 @@ impl Quantity {
                 history.contact_at(i, t).map_or(0.0, |now| of_contact(&now, what))
             }
             Self::Bearing(girder, number, what) => {
-                let along = || history.bearing_loop(girder, number, t);
+                let along = || history.connections().bearing_loop(girder, number, t);
                 match what {
                     OfBearing::Deformation(axis) => along().map_or(0.0, |now| now.deformation[axis.min(1)]),
                     OfBearing::Force(axis) => along().map_or(0.0, |now| now.resistance[axis.min(1)]),
                     OfBearing::Load => history.bearing_load(girder, number, t),
                 }
             }
-            Self::Link(number, what) => history.link(number, t).map_or(0.0, |now| match what {
+            Self::Link(number, what) => history.connections().link(number, t).map_or(0.0, |now| match what {
                 OfLink::Deformation => now.along.deformation[0],
                 OfLink::Force => now.along.resistance[0],
             }),

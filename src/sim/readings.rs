@@ -152,7 +152,7 @@ pub fn reading(history: &History, girder: usize) -> Reading {
         seats: seats::of_girder(history, girder),
         gap: gaps.reduce(|a, b| if b.value < a.value { b } else { a }),
         force: hardest.map(|touch| Extreme { value: touch.peak_force, t: touch.peak_time }),
-        bearings: history.bearings_reading(girder),
+        bearings: history.connections().bearings_reading(girder),
         tipped: history.tipped(girder),
     }
 }
@@ -232,7 +232,7 @@ fn of_bearings(history: &History, girder: usize, limit: f64) -> Vec<Passed> {
     let passed = |number: usize| {
         let times: Vec<f64> = times.iter().copied().filter(|&t| t <= history.bearing_lost_at(girder, number)).collect();
         let size = |t: f64| {
-            let [along, across] = history.bearing_loop(girder, number, t)?.deformation;
+            let [along, across] = history.connections().bearing_loop(girder, number, t)?.deformation;
             Some(along.hypot(across))
         };
         let size = |t: f64| size(t).unwrap_or(0.0);
@@ -246,7 +246,7 @@ fn of_bearings(history: &History, girder: usize, limit: f64) -> Vec<Passed> {
 /// A pier whose drift passes a limit.
 fn of_pier(history: &History, pier: usize, limit: f64) -> Option<Passed> {
     let times = touches::looks(history, history.model().piers[pier].body);
-    let drift = |t: f64| history.pier(pier, t).map_or(0.0, |now| now.displacement.truncate().length());
+    let drift = |t: f64| history.connections().pier(pier, t).map_or(0.0, |now| now.displacement.truncate().length());
     let t = first(&times, history.end(), &|t| drift(t) - limit)?;
     let whose = history.scene().piers[pier].name.clone();
     Some(Passed { limit: Limit::PierDrift, whose, end: None, t, reached: largest(&times, &drift).value })

@@ -182,7 +182,7 @@ impl Moment {
             feet: history.ground_under_bearings(t),
             walls: walls::at(scene, Some((history, t))),
             piers: piers::at(scene, Some((history, t))),
-            devices: history.links(t),
+            devices: history.connections().links(t),
             overlaps: overlaps(history, t),
             seats: seats(history, t),
             laws: match history.impact() {

@@ -198,11 +198,13 @@ fn what_holds_a_skewed_deck_on_its_seat() {
     let own = run(lesson, None);
     let seats = girderbench::sim::seats::of_girder(&own, 0);
     says(lesson, None, &format!("{:.2} m square", seats[0].ledge.placed()));
-    let phases = |history: &History| (0..history.model().links.len()).all(|link| history.link_phases(link).len() <= 1);
+    let phases = |history: &History| {
+        (0..history.model().links.len()).all(|link| history.connections().link_phases(link).len() <= 1)
+    };
     assert!(phases(&own), "cable and keys do nothing yet");
     let hits = |number| run(lesson, number).summary().hits;
     says(lesson, Some(0), &format!("{} hits instead of {}", hits(Some(0)), hits(None)));
-    let yields = |number| run(lesson, number).link_phases(0).iter().any(|(_, phase)| phase.branch == 2);
+    let yields = |number| run(lesson, number).connections().link_phases(0).iter().any(|(_, phase)| phase.branch == 2);
     assert!(yields(Some(0)), "the tight cable yields");
 }
 

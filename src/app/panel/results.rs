@@ -46,7 +46,7 @@ pub(in crate::app) fn show_girder(
     let run =
         answer.map(|a| &a.history).filter(|run| run.scene().girders.get(i).is_some_and(|g| g.name == girder.name));
     if let Some(run) = run {
-        rows.extend(quantities(&run.bearing_quantities(i)));
+        rows.extend(quantities(&run.connections().bearing_quantities(i)));
     }
     rows.push((text::CONDITION.as_str(), format!("{} {}", text::short(number), text::turns_or_not(number))));
     table(ui, "computed", rows);
@@ -193,7 +193,7 @@ pub(in crate::app) fn show_device(ui: &mut Ui, answer: Option<&Answer>, id: Devi
     ui.add_space(4.0);
     ui.label(RichText::new(text::COMPUTED).strong());
     for number in device.links.clone() {
-        let Some(now) = history.link(number, t) else { continue };
+        let Some(now) = history.connections().link(number, t) else { continue };
         let name = &history.model().links[number].name;
         ui.label(RichText::new(name).weak());
         let mut rows = vec![
@@ -213,7 +213,7 @@ pub(in crate::app) fn show_device(ui: &mut Ui, answer: Option<&Answer>, id: Devi
 
 /// When a device changes its state.
 fn phases(ui: &mut Ui, history: &History, number: usize, t: f64, out: &mut Vec<Command>) {
-    let (all, law) = (history.link_phases(number), &history.model().links[number].device);
+    let (all, law) = (history.connections().link_phases(number), &history.model().links[number].device);
     for (n, (from, phase)) in all.iter().enumerate().take(MOST_TOUCHES) {
         let until = all.get(n + 1).map_or(f64::INFINITY, |next| next.0);
         let words = text::phase(*from, &law.state(phase));

@@ -220,7 +220,7 @@ impl Answer {
         let number = self.device_names().position(|known| known == name)?;
         let all =
             self.found.devices.get_or_init(|| self.history.model().devices.iter().map(|_| OnceLock::new()).collect());
-        all.get(number)?.get_or_init(|| self.history.device_reading(number)).as_ref()
+        all.get(number)?.get_or_init(|| self.history.connections().device_reading(number)).as_ref()
     }
 
     /// Every seat with what codes require of it and the orbit of its corners; found when first asked for.

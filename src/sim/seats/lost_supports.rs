@@ -46,7 +46,7 @@ impl History {
     pub fn lost_supports(&self, t: f64) -> Vec<LostSupport> {
         let lost = |link: usize| {
             let at = self.lost_at(link)?;
-            let place = self.link(link, at)?.ends[0];
+            let place = self.connections().link(link, at)?.ends[0];
             Some(LostSupport { name: self.model().links[link].name.clone(), t: at, place })
         };
         let all = self.model().supports.iter().flatten().filter_map(|links| lost(*links.first()?));
@@ -78,13 +78,13 @@ impl History {
 
     /// When a bearing of a girder lost its support \[s\]; infinite where it keeps it.
     pub fn bearing_lost_at(&self, girder: usize, number: usize) -> f64 {
-        let first = self.bearing_links(girder, number).first();
+        let first = self.connections().bearing_links(girder, number).first();
         first.and_then(|link| self.lost_at(*link)).unwrap_or(f64::INFINITY)
     }
 
     /// When the support that a link is was lost \[s\]: for good, in its last phase.
     fn lost_at(&self, link: usize) -> Option<f64> {
-        let (at, phase) = self.link_phases(link).last()?;
+        let (at, phase) = self.connections().link_phases(link).last()?;
         self.model().links[link].device.is_lost(phase).then_some(*at)
     }
 }

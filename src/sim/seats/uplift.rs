@@ -30,7 +30,11 @@ impl History {
 
     /// Whether a bearing is a slider in space that carries nothing at `t`.
     pub(in crate::sim) fn is_lifted(&self, girder: usize, number: usize, t: f64) -> bool {
-        let slides = self.bearing_links(girder, number).iter().any(|&link| self.model().links[link].device.lifts());
+        let slides = self
+            .connections()
+            .bearing_links(girder, number)
+            .iter()
+            .any(|&link| self.model().links[link].device.lifts());
         slides && self.model().kind == Kind::Spatial && {
             let at_rest = self.model().bodies[girder].bearings[number].preload.z;
             self.bearing_load(girder, number, t) <= NOTHING * at_rest.abs()
@@ -39,9 +43,9 @@ impl History {
 
     fn load_of(&self, girder: usize, number: usize, (t, frame): (f64, &Frame)) -> f64 {
         let bearing = &self.model().bodies[girder].bearings[number];
-        let motion = self.bearing_motion((girder, bearing), (t, frame));
-        let links = self.bearing_links(girder, number).iter();
-        let of_links: f64 = links.filter_map(|&link| Some(self.link(link, t)?.force.z)).sum();
+        let motion = self.connections().bearing_motion((girder, bearing), (t, frame));
+        let links = self.connections().bearing_links(girder, number).iter();
+        let of_links: f64 = links.filter_map(|&link| Some(self.connections().link(link, t)?.force.z)).sum();
         bearing.preload.z + bearing.force(&(), &motion).z + of_links
     }
 
@@ -91,7 +95,11 @@ impl History {
         let t = first(times, self.end(), &|t| bound - load(t))?;
         let pull = largest(times, &|t| -load(t));
         let pull = Extreme { value: if pull.value > bound { pull.value } else { 0.0 }, ..pull };
-        let lifts = self.bearing_links(girder, number).iter().any(|&link| self.model().links[link].device.lifts());
+        let lifts = self
+            .connections()
+            .bearing_links(girder, number)
+            .iter()
+            .any(|&link| self.model().links[link].device.lifts());
         Some(Uplift { name: format!("{}.bearing{}", body.name, number + 1), t, pull, lifts, load: at_rest })
     }
 

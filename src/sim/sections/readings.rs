@@ -126,7 +126,7 @@ impl<'a> Sections<'a> {
                 }
             }
         }
-        self.history.push_links(girder, (t, state), &mut wrenches);
+        self.history.connections().push_links(girder, (t, state), &mut wrenches);
         made.equilibrium(state, &wrenches, self.history.model().ground.acceleration(t))
     }
 

@@ -142,7 +142,7 @@ pub const MEASURES: &[Measure] = &[
         unit: "m",
         meaning: "largest deformation in plan of any bearing; none without bearings",
         drawn: MILLIMETRES,
-        of: |run| run.bearing_readings().iter().map(|of| of.deformation.1.value).reduce(f64::max),
+        of: |run| run.connections().bearing_readings().iter().map(|of| of.deformation.1.value).reduce(f64::max),
     },
     Measure {
         name: "max_bearing_force",
@@ -150,7 +150,7 @@ pub const MEASURES: &[Measure] = &[
         unit: "N",
         meaning: "largest resistance in plan of any bearing; none without bearings",
         drawn: NEWTONS,
-        of: |run| run.bearing_readings().iter().map(|of| of.force.1.value).reduce(f64::max),
+        of: |run| run.connections().bearing_readings().iter().map(|of| of.force.1.value).reduce(f64::max),
     },
     Measure {
         name: "max_pier_drift",
@@ -158,7 +158,7 @@ pub const MEASURES: &[Measure] = &[
         unit: "m",
         meaning: "largest displacement of any pier's cap against its foot; none without piers",
         drawn: MILLIMETRES,
-        of: |run| run.piers().iter().map(|pier| pier.drift.value).reduce(f64::max),
+        of: |run| run.connections().piers().iter().map(|pier| pier.drift.value).reduce(f64::max),
     },
     Measure {
         name: "max_pier_shear",
@@ -166,7 +166,7 @@ pub const MEASURES: &[Measure] = &[
         unit: "N",
         meaning: "largest base shear of any pier; none without piers",
         drawn: NEWTONS,
-        of: |run| run.piers().iter().map(|pier| pier.shear.value).reduce(f64::max),
+        of: |run| run.connections().piers().iter().map(|pier| pier.shear.value).reduce(f64::max),
     },
     Measure {
         name: "max_device_force",
@@ -174,7 +174,7 @@ pub const MEASURES: &[Measure] = &[
         unit: "N",
         meaning: "largest force of any device; none without devices",
         drawn: NEWTONS,
-        of: |run| run.devices().iter().map(|device| device.force.value).reduce(f64::max),
+        of: |run| run.connections().devices().iter().map(|device| device.force.value).reduce(f64::max),
     },
     Measure {
         name: "max_stress",

@@ -54,7 +54,7 @@ fn a_run_that_goes_on_is_without_the_bearing_and_releases_its_energy() {
         within("no turn: both are on the axis", history.motion(0, t + after).theta, 1e-12);
     }
     for part in [0.3, 0.9] {
-        let left = history.link(0, part * t).expect("the support").gap;
+        let left = history.connections().link(0, part * t).expect("the support").gap;
         within("left of its travel", left - (0.01 - 0.03 * (10.0 * part * t).sin()), 1e-12);
     }
     let books = history.ledger(0.4);

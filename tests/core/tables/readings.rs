@@ -49,7 +49,7 @@ fn a_peak_between_the_last_two_looks_is_read_and_a_limit_below_it_is_passed() {
             Limits { bearing_displacement: Some(most - 1e-8), drift: Some(most - 1e-8), ..Limits::default() };
         let history = run(&scene);
         within("displacement", history.summary().max_displacement / most - 1.0, 1e-9);
-        let moved = history.bearings_reading(0).expect("bearings").deformation.1;
+        let moved = history.connections().bearings_reading(0).expect("bearings").deformation.1;
         within("bearing", moved.value / most - 1.0, 1e-9);
         let passed = readings::passed(&history);
         assert_eq!(passed.len(), 1 + 4, "until {until} s: the drift and four bearings: {passed:?}");
@@ -381,7 +381,7 @@ fn what_a_cable_did_is_the_closed_form_s() {
         );
         let scene = format::read(&text, "cable").unwrap_or_else(|errors| panic!("{errors}"));
         let history = History::of(&scene).expect("runs");
-        let readings = history.devices();
+        let readings = history.connections().devices();
         assert_eq!(readings.len(), 1);
         (readings[0].clone(), String::from_utf8(in_memory(|out| devices(&history, out))).expect("a text"))
     };

@@ -46,7 +46,7 @@ fn a_linear_bearing_that_pulls_is_told() {
 fn a_slider_that_lifts_pulls_nothing() {
     let slides = "kind = \"pendulum\", friction = 0.05, radius_m = 0.0";
     let history = deck(slides, "initial = { velocity_m_s = [0.0, 0.0, 0.3] }");
-    let lifts = history.link_phases(0).iter().find(|(_, phase)| phase.branch == 2).expect("it lifts").0;
+    let lifts = history.connections().link_phases(0).iter().find(|(_, phase)| phase.branch == 2).expect("it lifts").0;
     let all = &history.upright(0).expect("in space").uplifts;
     assert_eq!(all.len(), 4, "{all:?}");
     for one in all {

@@ -125,7 +125,7 @@ fn a_cable_between_two_bars_pulls_as_st_venant_says() {
     let (a, taut, largest) = (4.0 / back, 0.001 / 0.5, 0.25 * z);
     let worst = (1..400).map(|i| {
         let t = 1.418_217 * back * f64::from(i) / 400.0;
-        let pull = history.link(0, taut + t).expect("the cable").force;
+        let pull = history.connections().link(0, taut + t).expect("the cable").force;
         (pull.x / largest - st_venant(a, back, t)).abs()
     });
     within("pull", worst.fold(0.0, f64::max), 3e-4);
@@ -189,18 +189,18 @@ fn section_forces_jump_by_what_a_bearing_and_a_cable_do() {
             let [a, b] = [-1e-7, 1e-7].map(|off| history.sections().forces(0, station + off, t));
             [a.axial - b.axial, a.shear - b.shear]
         };
-        let force = history.link(cable, t).expect("it").force;
+        let force = history.connections().link(cable, t).expect("it").force;
         let turned = force.truncate().rotate(glam::DVec2::from_angle(-history.motion(0, t).theta));
         let [axial, shear] = jump(5.0);
         // A smooth part of the section forces changes by 2e-7 m of inertia forces.
         within("N at the cable", axial - turned.x, 1.0 + 1e-5 * force.length());
         within("Q at the cable", shear - turned.y, 1.0 + 1e-5 * force.length());
         pulled = pulled.max(force.length());
-        let whole = history.bearing_loop(0, 1, t).expect("it").resistance;
+        let whole = history.connections().bearing_loop(0, 1, t).expect("it").resistance;
         let [axial, shear] = jump(12.0 + 4.0 * cot);
         within("N at the bearing", axial + whole[0], 1.0 + 1e-5 * whole[0].abs());
         within("Q at the bearing", shear + whole[1], 1.0 + 1e-5 * whole[1].abs());
-        assert!(history.link(bearing, t).is_some());
+        assert!(history.connections().link(bearing, t).is_some());
     }
     assert!(pulled > 1e4, "the cable pulls: {pulled} N");
 }
@@ -233,7 +233,7 @@ fn the_ledger_of_a_deck_with_devices_that_bends_closes() {
     let history = run(&held(CONCRETE));
     let changes = |name: &str| {
         let number = history.model().links.iter().position(|link| link.name == name).expect("a link");
-        history.link_phases(number).len()
+        history.connections().link_phases(number).len()
     };
     for name in ["deck.bearing1", "rubber", "cable"] {
         assert!(changes(name) > 2, "{name} acts: {} phases", changes(name));
@@ -250,9 +250,9 @@ fn a_bearing_that_loses_its_support_bears_no_more() {
     scene.girders[0].after_unseating = Some(girderbench::scene::AfterUnseating::Continue);
     let history = run(&scene);
     let number = history.model().links.iter().position(|link| link.name == "deck.bearing1").expect("a link");
-    let (lost, phase) = *history.link_phases(number).last().expect("phases");
+    let (lost, phase) = *history.connections().link_phases(number).last().expect("phases");
     assert!(history.model().links[number].device.is_lost(&phase) && lost < history.end(), "{phase:?} at {lost} s");
-    let after = history.bearing_loop(0, 0, 0.5 * (lost + history.end())).expect("it").resistance;
+    let after = history.connections().bearing_loop(0, 0, 0.5 * (lost + history.end())).expect("it").resistance;
     within("resistance", after[0].abs() + after[1].abs(), 1e-6);
     let ledger = history.ledger(history.end());
     within("residual in parts of the largest energy", ledger.residual.abs() / ledger.scale, 1e-9);
@@ -272,7 +272,7 @@ fn a_point_of_a_device_beyond_an_end_is_carried_by_its_end_section() {
     for i in 0..=20 {
         let t = history.end() * f64::from(i) / 20.0;
         let [end, centre] = [
-            history.link(number, t).expect("it").ends[0],
+            history.connections().link(number, t).expect("it").ends[0],
             history.sections().end_displacement(0, girderbench::geometry::End::Minus, t),
         ];
         let placed = glam::DVec3::new(-15.0, 0.0, 0.0) + centre;
