@@ -12,7 +12,6 @@ use crate::plot::paper::{DECK, EDGE, GREY, INK, PLACED, WHITE};
 use crate::scene::facing::Side;
 use crate::scene::placed::{abutment_depth, abutment_face};
 use crate::scene::{Abutment, Scene};
-use crate::sim::seats::Ledge;
 use crate::sim::{ContactNow, ContactState, History, Touch};
 
 const WIDTH: f64 = 900.0;
@@ -236,7 +235,7 @@ impl<'a> Plan<'a> {
 
     /// The front edge of the seat under an end, where there is one.
     fn front_edge(&self, svg: &mut String, number: usize, end: End, placed: &[DVec2; 4]) {
-        let Some(ledge) = Ledge::of(self.history, number, end) else { return };
+        let Some(ledge) = self.history.seats().ledge(number, end) else { return };
         let back = -ledge.normal.truncate() * ledge.placed();
         let [from, to] = Prism::end_corners(end).map(|corner| self.place(placed[corner] + back));
         line(svg, from, to, &format!(r#"stroke="{EDGE}" stroke-width="1.3" stroke-dasharray="6 3""#));

@@ -47,6 +47,7 @@ pub use report::{
     PoundingHit, RunDifference, SolidId, Stop, Touch, Uplift, Upright,
 };
 pub use seats::lost_supports::{Carrying, LostSupport};
+pub use seats::view::Seats;
 pub use sections::degree_check::DegreeCheck;
 pub use sections::field::SectionField;
 pub use sections::quantity::OfSection;

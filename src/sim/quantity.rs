@@ -7,7 +7,7 @@ use glam::DVec3;
 
 pub use super::energy::quantity::OfEnergy;
 pub use super::sections::quantity::OfSection;
-use super::{ContactNow, ContactState, History, Unit, energy, readings, seats};
+use super::{ContactNow, ContactState, History, Unit, energy, readings};
 use crate::geometry::End;
 use crate::scene::Kind;
 
@@ -290,7 +290,7 @@ impl Quantity {
                     OfCorner::Drift => way.truncate().length(),
                 }
             }
-            Self::Seat(i, end) if i < model.bodies.len() => seats::remaining(history, i, end, t),
+            Self::Seat(i, end) if i < model.bodies.len() => history.seats().remaining(i, end, t),
             Self::Pier(i, what) => history.connections().pier(i, t).map_or(0.0, |now| {
                 let along = |vector: DVec3, axis: usize| vector.dot(history.scene().pier(i).axes.col(axis.min(1)));
                 match what {
@@ -318,7 +318,7 @@ impl Quantity {
                 match what {
                     OfBearing::Deformation(axis) => along().map_or(0.0, |now| now.deformation[axis.min(1)]),
                     OfBearing::Force(axis) => along().map_or(0.0, |now| now.resistance[axis.min(1)]),
-                    OfBearing::Load => history.bearing_load(girder, number, t),
+                    OfBearing::Load => history.seats().bearing_load(girder, number, t),
                 }
             }
             Self::Link(number, what) => history.connections().link(number, t).map_or(0.0, |now| match what {

@@ -5,7 +5,7 @@
 use girderbench::geometry::End;
 use girderbench::scene::facing::Side;
 use girderbench::scene::{ModelKind, Overlays, Scene, ViewPreset, presets};
-use girderbench::sim::{ContactState, History, OfSection, SolidId, seats};
+use girderbench::sim::{ContactState, History, OfSection, SolidId};
 use girderbench::view::list::{ArrowKind, Mark};
 use girderbench::view::moment::OverlapNow;
 use girderbench::view::{
@@ -541,7 +541,7 @@ fn an_end_off_its_seat_is_drawn_with_the_edge_that_it_left() {
     scene.duration = 2.0;
     let drawn = |scene: &Scene| {
         let history = History::of(scene).expect("runs");
-        let seat = seats::of_girder(&history, 0).first().copied();
+        let seat = history.seats().of_girder(0).first().copied();
         let t = seat.map_or(1.0, |seat| seat.least().t);
         let camera = Camera::preset(ViewPreset::Iso, Bounds::of_scene(scene), ASPECT);
         let list = draw_list(&input(scene, Some(&history), t, &camera));

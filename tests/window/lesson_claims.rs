@@ -176,7 +176,7 @@ fn what_the_paper_saw() {
 
 /// Least that remains of any seat, in whole millimetres as the words say it.
 fn seat_left(history: &History) -> String {
-    let all = girderbench::sim::seats::of_girder(history, 0);
+    let all = history.seats().of_girder(0);
     let least = all.iter().map(|seat| seat.least().value).fold(f64::INFINITY, f64::min);
     let mm = (1e3 * least).abs();
     if least < 0.0 { format!("{mm:.0} mm beyond the edge") } else { format!("{mm:.0} mm of seat are left") }
@@ -189,14 +189,14 @@ fn what_holds_a_skewed_deck_on_its_seat() {
         let history = run(lesson, number);
         says(lesson, number, &turn(&history));
         says(lesson, number, &seat_left(&history));
-        let seats = girderbench::sim::seats::of_girder(&history, 0);
+        let seats = history.seats().of_girder(0);
         let least = seats.iter().map(girderbench::sim::seats::Seat::least).min_by(|a, b| a.value.total_cmp(&b.value));
         let shown = number.map_or(Some(lesson.at), |number| lesson.tries[number].at);
         let off = shown.zip(least).map(|(at, least)| (at - least.t).abs());
         assert!(off.is_some_and(|off| off < 0.01), "{number:?}: seen when least is left, {off:?} s from it");
     }
     let own = run(lesson, None);
-    let seats = girderbench::sim::seats::of_girder(&own, 0);
+    let seats = own.seats().of_girder(0);
     says(lesson, None, &format!("{:.2} m square", seats[0].ledge.placed()));
     let phases = |history: &History| {
         (0..history.model().links.len()).all(|link| history.connections().link_phases(link).len() <= 1)

@@ -237,7 +237,7 @@ fn a_verdict_and_every_reading_lead_to_their_moment_and_their_place() {
     harness.state_mut().apply(SelectCommand::Only(Some(Target::Girder(0))));
     settle(&mut harness);
     let answer = harness.state().replay.runner.answer().expect("run").clone();
-    let verdict = girderbench::sim::seats::verdict::verdict(&answer.history, 0).expect("seats");
+    let verdict = answer.history.seats().verdict(0).expect("seats");
     let words = format!("deck {}", verdict.words());
     assert!(words.contains("stays on its seats: at worst"), "{words}");
     reach(&mut harness, &words);

@@ -15,7 +15,6 @@ use crate::language::Text;
 use crate::scene::{DeviceId, Girder};
 use crate::sim::quantity::{OfPair, Quantity};
 use crate::sim::readings::{Extreme, Reading};
-use crate::sim::seats::verdict::of_reading;
 use crate::sim::{BearingsReading, ContactNow, History, Touch};
 use crate::view::contact_state;
 
@@ -61,7 +60,7 @@ pub(in crate::app) fn show_girder(
 
 /// Whether the girder stays on its seats, in a sentence that leads to the moment that decides it.
 fn verdict(ui: &mut Ui, (girder, name): (usize, &str), (answer, reading): (&Answer, &Reading), out: &mut Vec<Command>) {
-    let Some(verdict) = of_reading(&answer.history, girder, &reading.seats, reading.tipped) else {
+    let Some(verdict) = answer.history.seats().verdict_of(girder, &reading.seats, reading.tipped) else {
         ui.add(egui::Label::new(RichText::new(text::NO_SEATS).weak()).wrap());
         return;
     };

@@ -10,8 +10,8 @@ use crate::scene::difference::Values;
 use crate::scene::domain::{self, Departure};
 use crate::sim::moving_ground::{MovedSupport, moved_supports};
 use crate::sim::readings::{self, Extreme, Passed, Reading};
-use crate::sim::seats::verdict::{self, Verdict};
-use crate::sim::seats::{self, OrbitPoint};
+use crate::sim::seats::OrbitPoint;
+use crate::sim::seats::verdict::Verdict;
 use crate::sim::{
     Balance, ContactState, DeviceReading, Dropped, ErrorEstimate, EventKind, History, Hit, Overlap, Quantity,
     RunDifference, Summary, TooDeep,
@@ -182,7 +182,7 @@ impl Answer {
     /// Whether the run goes on as if ends were carried that have come off their seats: no bearing is lost over an edge in it.
     pub fn goes_on_as_carried(&self) -> bool {
         let off = |(_, verdict): &(usize, Verdict)| matches!(verdict, Verdict::CornerOff { .. } | Verdict::Lost { .. });
-        self.falls().iter().any(off) && self.history.lost_supports(self.history.end()).is_empty()
+        self.falls().iter().any(off) && self.history.seats().lost_supports(self.history.end()).is_empty()
     }
 
     /// Girders that come off their seats, lose a support or tip, with their verdicts, the earliest first, among the first
@@ -193,8 +193,7 @@ impl Answer {
             // Whether a girder tips is found for all of them together: of a long row in space that would hold up a frame.
             let few_in_space = self.history.scene().kind == Kind::Spatial && girders.len() <= MOST_VERDICTS;
             let could = girders.filter(|(_, girder)| few_in_space || girder.seat.plus.or(girder.seat.minus).is_some());
-            let verdicts =
-                could.take(MOST_VERDICTS).filter_map(|(i, _)| Some((i, verdict::verdict(&self.history, i)?)));
+            let verdicts = could.take(MOST_VERDICTS).filter_map(|(i, _)| Some((i, self.history.seats().verdict(i)?)));
             let mut falls: Vec<(usize, Verdict)> = verdicts.filter(|(_, verdict)| !verdict.stays()).collect();
             falls.sort_by(|(_, a), (_, b)| a.t().total_cmp(&b.t()));
             falls
@@ -226,7 +225,7 @@ impl Answer {
     /// Every seat with what codes require of it and the orbit of its corners; found when first asked for.
     pub fn seats(&self) -> &[SeatAnswer] {
         let of = |demands: SeatDemands| {
-            let orbit = seats::orbit(&self.history, demands.girder, &demands.seat, ORBIT_INTERVALS);
+            let orbit = self.history.seats().orbit(demands.girder, &demands.seat, ORBIT_INTERVALS);
             SeatAnswer { demands, orbit }
         };
         self.found.seats.get_or_init(|| codes::of(&self.history).into_iter().map(of).collect())

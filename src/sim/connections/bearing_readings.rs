@@ -37,7 +37,7 @@ impl Connections<'_> {
         if count == 0 {
             return None;
         }
-        let until: Vec<f64> = (0..count).map(|number| self.history.bearing_lost_at(girder, number)).collect();
+        let until: Vec<f64> = (0..count).map(|number| self.history.seats().bearing_lost_at(girder, number)).collect();
         let times = touches::looks(self.history, girder);
         let mut seen = vec![[0.0; 2]; times.len() * count];
         for (all, &t) in seen.chunks_exact_mut(count).zip(&times) {

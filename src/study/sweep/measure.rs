@@ -217,7 +217,7 @@ fn girders(run: &History) -> impl Iterator<Item = readings::Reading> {
 
 /// Every seat of every girder.
 fn seats(run: &History) -> impl Iterator<Item = seats::Seat> {
-    (0..run.model().girders().len()).flat_map(|girder| seats::of_girder(run, girder))
+    (0..run.model().girders().len()).flat_map(|girder| run.seats().of_girder(girder))
 }
 
 impl Measure {

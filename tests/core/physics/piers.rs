@@ -312,11 +312,11 @@ fn a_seat_on_a_pier_moves_with_it() {
     scene.duration = 1.0;
     let history = run(&scene);
     assert_eq!(scene.pier_under(&scene.girders[0], End::Plus), Some(0));
-    let seat = girderbench::sim::seats::of_girder(&history, 0)[0];
+    let seat = history.seats().of_girder(0)[0];
     for i in 0..=10 {
         let t = 0.1 * f64::from(i);
         let [deck, pier] = displacements(&history, t);
-        let [[_, remaining], _] = girderbench::sim::seats::corners_at(&history, 0, &seat.ledge, t);
+        let [[_, remaining], _] = history.seats().corners_at(0, &seat.ledge, t);
         within("what remains", remaining - (0.2 + deck - pier), 1e-14);
     }
     assert_eq!(seat.off_at(), Some(0.0), "0.3 m off at once");

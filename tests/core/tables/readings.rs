@@ -90,7 +90,12 @@ fn what_is_read_of_a_girder_ends_where_it_falls() {
     let Some(Bearings::Shared(shared)) = &mut girder.bearings else { panic!("equal bearings") };
     shared.travel = Some(travel);
     let history = History::of(&scene).expect("runs");
-    near(history.sound_until(0), 0.5f64.asin() / omega, 1e-9, "all bearings lose their support at v/ω sin ωt = travel");
+    near(
+        history.seats().sound_until(0),
+        0.5f64.asin() / omega,
+        1e-9,
+        "all bearings lose their support at v/ω sin ωt = travel",
+    );
     let far = history.motion(0, history.end()).displacement.length();
     assert!(far > 3.0 * travel && !history.events().is_empty(), "it is computed beyond: {far} m, and hits the wall");
     near(history.summary().max_displacement, travel, 1e-9, "until the fall");
@@ -98,9 +103,9 @@ fn what_is_read_of_a_girder_ends_where_it_falls() {
     near(reading.bearings.expect("some").deformation.1.value, travel, 1e-9, "of the bearings");
     near(reading.drift[0].value, travel, 1e-9, "of a corner");
     assert!(history.touches().is_empty(), "no touch before the fall: {:?}", history.touches());
-    let verdict = girderbench::sim::seats::verdict::verdict(&history, 0).expect("it falls");
+    let verdict = history.seats().verdict(0).expect("it falls");
     assert!(!verdict.stays() && verdict.words().starts_with("falls: "), "{}", verdict.words());
-    let carrying = history.carrying(0, history.end());
+    let carrying = history.seats().carrying(0, history.end());
     assert!(!carrying.is_empty() && carrying.iter().all(|now| *now == Carrying::Lost), "{carrying:?}");
 }
 
