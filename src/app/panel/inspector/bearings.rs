@@ -19,25 +19,30 @@ const USUAL_RATIO: f64 = 6.5;
 /// Displacement at which a slider without a stiffness of its own yields to begin with \[m\].
 const SLIDER_YIELD: f64 = 5e-4;
 
+/// Girder whose bearings have rows.
+#[derive(Clone, Copy)]
+struct BearingRow {
+    /// Kind of the scene, by which a bearing has two directions or three.
+    kind: Kind,
+    /// Unit of lengths.
+    unit: Unit,
+    /// Height of the girder's underside above G \[m\], where a bearing is attached whose height is not given.
+    underside: f64,
+}
+
 /// Shows a girder's bearings.
 pub(super) fn show(ui: &mut Ui, (place, scene): (Place<'_>, &Scene), kind: Kind, g: &mut Girder) -> Option<Change> {
     let (length, shear) = (length_unit(g.length), g.prism().shear());
+    let row = BearingRow { kind, unit: length, underside: -0.5 * g.thickness };
     let deck_radius = match &g.bearings {
         Some(Bearings::Deck(deck)) => deck.radius(STANDARD_GRAVITY),
         _ => 0.0,
     };
     match &mut g.bearings {
         Some(Bearings::Shared(shared)) => {
-            let underside = -0.5 * g.thickness;
             let numbers = grid(ui, "bearings", |ui| {
                 let rows = shared_rows(ui, place, kind, shared);
-                let rows = rows.or(height_row(
-                    ui,
-                    place,
-                    (kind, length),
-                    "bearings.height_m",
-                    (&mut shared.height, underside),
-                ));
+                let rows = rows.or(height_row(ui, place, row, "bearings.height_m", &mut shared.height));
                 let minus = (&mut shared.on_minus_x, "bearings.on_minus_x", text::ON_MINUS.as_str());
                 let plus = (&mut shared.on_plus_x, "bearings.on_plus_x", text::ON_PLUS.as_str());
                 let rows = rows.or(sliders::travel(ui, place, length, &mut shared.travel));
@@ -68,7 +73,7 @@ pub(super) fn show(ui: &mut Ui, (place, scene): (Place<'_>, &Scene), kind: Kind,
         }
         Some(Bearings::Each(each)) => {
             let weight = g.mass * STANDARD_GRAVITY;
-            let changed = list(ui, (place, scene), (kind, length, -0.5 * g.thickness), weight, each);
+            let changed = list(ui, (place, scene), row, weight, each);
             if each.is_empty() {
                 g.bearings = None;
             }
@@ -185,7 +190,7 @@ fn place_rows(ui: &mut Ui, place: Place<'_>, unit: Unit, key: &str, list: &mut V
 fn list(
     ui: &mut Ui,
     (place, scene): (Place<'_>, &Scene),
-    (kind, unit, underside): (Kind, Unit, f64),
+    row: BearingRow,
     weight: f64,
     each: &mut Vec<Bearing>,
 ) -> Option<Change> {
@@ -195,9 +200,9 @@ fn list(
     for (n, bearing) in each.iter_mut().enumerate() {
         super::rows::section(ui, &format!("{} {}", text::BEARING, n + 1), n == 0, |ui| {
             change = change.or(grid(ui, &format!("bearing {n}"), |ui| {
-                let numbers = single(ui, place, (kind, unit, first_yield), n, bearing);
+                let numbers = single(ui, place, row, first_yield, n, bearing);
                 let key = format!("bearings[{n}].height_m");
-                let numbers = numbers.or(height_row(ui, place, (kind, unit), &key, (&mut bearing.height, underside)));
+                let numbers = numbers.or(height_row(ui, place, row, &key, &mut bearing.height));
                 let key = format!("bearings[{n}].on");
                 numbers.or(on_row(ui, place, scene, (&mut bearing.on, &key, text::ON_PIER.as_str())))
             }));
@@ -221,7 +226,8 @@ fn list(
 fn single(
     ui: &mut Ui,
     place: Place<'_>,
-    (kind, unit, first_yield): (Kind, Unit, f64),
+    BearingRow { kind, unit, .. }: BearingRow,
+    first_yield: f64,
     n: usize,
     b: &mut Bearing,
 ) -> Option<Change> {
@@ -315,14 +321,14 @@ fn on_row(
 fn height_row(
     ui: &mut Ui,
     place: Place<'_>,
-    (kind, unit): (Kind, Unit),
+    BearingRow { kind, unit, underside }: BearingRow,
     key: &str,
-    height: (&mut Option<f64>, f64),
+    height: &mut Option<f64>,
 ) -> Option<Change> {
     if kind == Kind::Planar {
         return None;
     }
-    optional(ui, place, Named { key, label: text::BEARING_HEIGHT.as_str() }, height, unit)
+    optional(ui, place, Named { key, label: text::BEARING_HEIGHT.as_str() }, (height, underside), unit)
 }
 
 fn shared_rows(ui: &mut Ui, place: Place<'_>, kind: Kind, b: &mut SharedBearings) -> Option<Change> {
