@@ -11,7 +11,7 @@ use egui::{
 use crate::app::command::{Command, TimeCommand};
 use crate::app::plot::chart_view::{self, Over};
 use crate::app::plot::source::Source;
-use crate::app::plot::value_axis::{ValueAxis, fitting};
+use crate::app::plot::value_axis::{AxisUnit, ValueAxis, fitting};
 use crate::app::plot::wave_picture::{COLUMN, Key, colors};
 use crate::app::style::theme::Palette;
 use crate::app::text;
@@ -40,7 +40,7 @@ pub(super) fn draw(ui: &mut Ui, source: &Source<'_>, over: &Over<'_>, palette: &
     let title = text::wave_chart(&section_force(what), &history.scene().girders[source.girder].name);
     let half = 0.5 * beam.length;
     let axis = ValueAxis { range: [-half, half], edges: [whole.top(), whole.bottom()], log: false };
-    let (factor, unit) = fitting("m", half);
+    let AxisUnit { factor, name: unit } = fitting("m", half);
     chart_view::numbers(ui, over, (&axis, &axis.ticks(), factor, &unit), palette);
     let per_column = over.axis.per_point() * f64::from(COLUMN);
     if per_column * COLUMNS_OF_A_TRANSIT > beam.transit_time() {
