@@ -3,6 +3,7 @@
 use std::sync::{Mutex, OnceLock, PoisonError};
 use std::time::Duration;
 
+use crate::app::command::Way;
 use crate::codes::{self, SeatDemands};
 use crate::language::Message;
 use crate::scene::Kind;
@@ -282,16 +283,19 @@ impl Answer {
         let _ = self.found.error.set(error);
     }
 
-    /// Time of the next event after `t`, or of the one before (`forward` false) \[s\].
-    pub fn neighbour_event(&self, t: f64, forward: bool) -> Option<f64> {
+    /// Time of the next event after `t`, or of the one before \[s\].
+    pub(in crate::app) fn neighbour_event(&self, t: f64, way: Way) -> Option<f64> {
         // A look-up lands on the event itself: it must not find the same one again.
         let step = 1e-9 * self.history.end().max(1.0);
-        if forward {
-            let next = self.event_times.partition_point(|&e| e <= t + step);
-            self.event_times.get(next).copied()
-        } else {
-            let next = self.event_times.partition_point(|&e| e < t - step);
-            next.checked_sub(1).map(|i| self.event_times[i])
+        match way {
+            Way::Forward => {
+                let next = self.event_times.partition_point(|&e| e <= t + step);
+                self.event_times.get(next).copied()
+            }
+            Way::Back => {
+                let next = self.event_times.partition_point(|&e| e < t - step);
+                next.checked_sub(1).map(|i| self.event_times[i])
+            }
         }
     }
 
