@@ -65,7 +65,7 @@ fn values_are_read_where_the_mouse_points_and_at_the_time_shown_else() {
 fn values_zoom_by_the_wheel_over_their_axis_and_with_alt_and_come_back() {
     let mut harness = open(presets::OPENING);
     let axis = harness.get_by_label("Values of Rotation").rect();
-    let range = |harness: &Window| harness.state().plot_values("Rotation");
+    let range = |harness: &Window| harness.state().plots.values("Rotation");
     assert_eq!(range(&harness), None, "all of them");
     wheel(&mut harness, axis.center(), 120.0, Modifiers::NONE);
     let near = range(&harness).expect("a part");
