@@ -192,7 +192,8 @@ impl History {
         self.trajectories.motion(girder, t)
     }
 
-    /// Motion at `t` of a rigid girder that an end of this one would be the end of: of a rigid girder its own.
+    /// Motion of an end of a girder at `t`, clamped to what was computed, as of a rigid girder that has this end: place and displacement are
+    /// those of its G. The same for both ends of a rigid girder.
     pub fn end_motion(&self, girder: usize, end: End, t: f64) -> Motion {
         self.trajectories.end_motion(girder, end, t)
     }
