@@ -27,7 +27,7 @@ pub struct SoilNow {
     pub force: f64,
 }
 
-/// What a run did to the soil behind one abutment.
+/// Largest push of the soil behind one abutment over a run.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct BackfillReading {
     /// Number of the abutment in the scene.
@@ -60,7 +60,7 @@ impl Connections<'_> {
         Some(WallNow { displacement, soil: Some(SoilNow { front, force: -soil.force.dot(inward) }) })
     }
 
-    /// What the run did to the soil behind every backwall that moves.
+    /// Readings of the soil behind every backwall that moves, in the order of the abutments.
     pub fn backfill(self) -> Vec<BackfillReading> {
         (0..self.history.model().walls.len()).filter_map(|abutment| self.backfill_of(abutment)).collect()
     }

@@ -23,7 +23,7 @@ fn sizes_of(now: Loop) -> [f64; 2] {
 }
 
 impl Connections<'_> {
-    /// What the run did to the bearings of every girder that has some, by the girder's number.
+    /// Readings of the bearings of every girder that has some, in the order of the girders.
     pub fn bearing_readings(self) -> Vec<BearingsReading> {
         (0..self.history.model().girders().len())
             .into_par_iter()
@@ -31,7 +31,7 @@ impl Connections<'_> {
             .collect()
     }
 
-    /// What the run did to the bearings of this girder; `None` where it has none. A bearing without its support is none from then on.
+    /// Largest deformation and resistance of the bearings of a girder over the run; `None` where it has none. A bearing without its support is none from then on.
     pub fn bearings_reading(self, girder: usize) -> Option<BearingsReading> {
         let count = self.history.model().girders().get(girder)?.bearings.len();
         if count == 0 {

@@ -7,7 +7,7 @@ use crate::sim::peaks::largest_of_each;
 use crate::sim::report::Extreme;
 use crate::sim::{LinkNow, touches};
 
-/// What a run did to a device.
+/// Largest force, deformation and changes of a device over a run.
 #[derive(Clone, Debug, PartialEq)]
 pub struct DeviceReading {
     /// Its number in the model.
@@ -30,13 +30,13 @@ pub struct DeviceReading {
 }
 
 impl Connections<'_> {
-    /// What the run did to every device of the scene; nothing under the impact model, which knows none.
+    /// Readings of every device of the scene; empty under the impact model, which has no devices.
     pub fn devices(self) -> Vec<DeviceReading> {
         let numbers = 0..self.history.model().devices.len();
         numbers.filter_map(|number| self.device_reading(number)).collect()
     }
 
-    /// What the run did to the device of this number in the model.
+    /// Reading of the device of this number in the model; `None` where there is none, and under the impact model.
     pub fn device_reading(self, number: usize) -> Option<DeviceReading> {
         let ModelDevice { links, .. } = self.history.model().devices.get(number)?;
         self.history.trajectories.link_log(links.start)?;

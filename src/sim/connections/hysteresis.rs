@@ -21,7 +21,7 @@ pub struct Loop {
 }
 
 impl Loop {
-    /// Of a motion and the force on the first point, both in the axes of a connection. Between points apart the first axis is the
+    /// Deformation and resistance by a motion and the force on the first point, both in the axes of a connection. Between points apart the first axis is the
     /// line between them, and the deformation its elongation; the second is square to it.
     pub(in crate::sim) fn of(motion: &Separation, force: DVec3, follows_line: bool) -> Self {
         if !follows_line {
@@ -40,7 +40,8 @@ impl Loop {
 }
 
 impl<'a> Connections<'a> {
-    /// A bearing of a girder at `t`, along the girder's axes as placed, its hysteretic part with it; nothing where there is none.
+    /// Deformation and resistance of a bearing of a girder at `t`, along the girder's axes as placed, its hysteretic part with it; `None`
+    /// where there is no such bearing.
     pub fn bearing_loop(self, girder: usize, number: usize, t: f64) -> Option<Loop> {
         let t = t.clamp(0.0, self.history.end());
         self.history.model().girders().get(girder)?;
@@ -49,7 +50,7 @@ impl<'a> Connections<'a> {
         })
     }
 
-    /// The same by the poses of sections of bodies at `t`, within what was computed.
+    /// Deformation and resistance of a bearing by the poses of sections of bodies at `t`, within what was computed.
     pub(in crate::sim) fn bearing_loop_in(
         self,
         (girder, number): (usize, usize),

@@ -30,7 +30,7 @@ pub struct LinkNow {
     pub line: Vec<DVec3>,
     /// Force on the first point, world axes; the second feels its opposite \[N\].
     pub force: DVec3,
-    /// The same with the rest of the bearing that it is a part of, world axes \[N\].
+    /// Force on the first point with the rest of the bearing that it is a part of, world axes \[N\].
     pub reaction: DVec3,
     /// Distance to the beginning of its force; less the deformation while the force acts; of a bearing what is left of its travel, NaN
     /// where that has no end \[m\].
@@ -70,7 +70,7 @@ impl<'a> Connections<'a> {
         self.link_in(number, phase, t)
     }
 
-    /// The same in this phase of its log, where several begin at one instant.
+    /// A device at `t` in this phase of its log, where several begin at one instant; `None` as of [`link`](Self::link).
     pub fn link_in(self, number: usize, phase: Phase, t: f64) -> Option<LinkNow> {
         let LinkMotion { link, frames, motion, .. } =
             self.link_motion_of(number, |body, section| self.history.trajectories.section_frame(body, section, t))?;

@@ -21,7 +21,7 @@ pub struct PierNow {
     pub shear: DVec3,
 }
 
-/// What a run did to a pier.
+/// Largest drift, shear and moment of a pier over a run.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct PierReading {
     /// Its number in the scene.
@@ -37,14 +37,14 @@ pub struct PierReading {
     pub moment: Extreme,
     /// Largest |θ| of its cap \[rad\].
     pub turn: f64,
-    /// What yield did to its base; nothing where that does not yield.
+    /// Yielding of its base; `None` where that does not yield.
     pub base: Option<BaseReading>,
     /// Second-order moment `P Δ` of the weight on it in its largest drift, in parts of the moment of its largest base shear at its height;
     /// nothing of a pier without a given height. The model leaves this moment out \[–\].
     pub second_order: Option<f64>,
 }
 
-/// What yield did to the base of a pier.
+/// Ductility and residual drift of the base of a pier that yields.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct BaseReading {
     /// When it yielded for the first time \[s\].
@@ -77,12 +77,12 @@ impl Connections<'_> {
         foot.map_or(DVec3::ZERO, |body| self.history.motion(body, t).displacement)
     }
 
-    /// What the run did to every pier.
+    /// Readings of every pier, in the order of their numbers.
     pub fn piers(self) -> Vec<PierReading> {
         (0..self.history.model().piers.len()).map(|number| self.pier_reading(number)).collect()
     }
 
-    /// What the run did to the pier of this number in the model.
+    /// Reading of the pier of this number in the model.
     pub fn pier_reading(self, number: usize) -> PierReading {
         let Pier { body, yielding, .. } = self.history.model().piers[number];
         let resolved: ResolvedPier = self.history.scene().pier(number);
@@ -111,7 +111,7 @@ impl Connections<'_> {
         }
     }
 
-    /// What yield did to the base of a pier, of which this link is the part that yields.
+    /// Ductility and residual drift of the base of a pier, of which this link is the part that yields.
     fn base_reading(self, number: usize, (link, base): (usize, BaseYield), times: &[f64]) -> BaseReading {
         let resolved = self.history.scene().pier(number);
         let at_yield = [0, 1].map(|axis| base.force[axis] / resolved.stiffness[axis]);

@@ -34,7 +34,7 @@ pub struct Ledge {
     pub half_end: f64,
     /// By how much the seat is wider than the end at either side, along the edge; `None` where the scene does not give it \[m\].
     pub side: Option<f64>,
-    /// What it is fixed to.
+    /// Ground or pier that it is fixed to.
     pub on: SeatOn,
 }
 
@@ -44,7 +44,7 @@ impl Ledge {
         self.length * self.sine
     }
 
-    /// What remains of it at a corner, square to the edge: `r_c = (X_c − E)·ν`; negative off it \[m\].
+    /// Remaining seat at a corner, square to the edge: `r_c = (X_c − E)·ν`; negative off it \[m\].
     pub fn remaining(&self, shift: DVec3) -> f64 {
         // By the displacement of the corner, not by its place: far from the origin the difference would round away.
         self.placed() + shift.dot(self.normal)
@@ -67,7 +67,7 @@ pub struct Departure {
     pub along: f64,
 }
 
-/// What remains at a corner of an end.
+/// Remaining seat at a corner of an end, the least and when it was 0.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct SeatCorner {
     /// Its number in plan.
@@ -89,7 +89,7 @@ impl SeatCorner {
     }
 }
 
-/// What remains of a seat.
+/// Remaining seat of an end over a run.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Seat {
     /// The seat.
@@ -109,7 +109,7 @@ impl Seat {
         if other.value < one.value { other } else { one }
     }
 
-    /// What was used of it, square to the edge: placed less least \[m\].
+    /// Used seat, square to the edge: placed less least \[m\].
     pub fn used(&self) -> f64 {
         self.ledge.placed() - self.least().value
     }

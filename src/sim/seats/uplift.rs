@@ -56,7 +56,7 @@ impl<'a> Seats<'a> {
         self.uprights().get(girder)
     }
 
-    /// The same of every girder, by its number; none in a planar scene.
+    /// Tilt and uplifts of every girder, by its number; empty in a planar scene.
     pub fn uprights(self) -> &'a [Upright] {
         self.history.found.uprights.get_or_init(|| {
             let girders =

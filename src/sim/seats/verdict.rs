@@ -8,7 +8,7 @@ use crate::sim::seats::uplift::TIPPED;
 use crate::sim::seats::view::Seats;
 use crate::sim::seats::{Seat, SeatCorner};
 
-/// What a run says of the seats of a girder.
+/// Verdict on the seats of a girder.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub enum Verdict {
     /// Every corner stays over its seat.

@@ -11,7 +11,7 @@ pub struct SectionField {
     pub times: Vec<f64>,
     /// Stations from −a0/2 to a0/2 \[m\].
     pub stations: Vec<f64>,
-    /// Of the first station at every time, then of the next.
+    /// Values of the first station at every time, then those of the next.
     pub values: Vec<f64>,
 }
 

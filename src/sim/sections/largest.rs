@@ -54,7 +54,7 @@ struct Reading<'a> {
 }
 
 impl<'a> Reading<'a> {
-    /// Of a girder whose fields have this degree.
+    /// Reading of a girder whose fields have this degree.
     fn new(fibre: Option<&'a dyn Fn(&SectionForces) -> f64>, degree: usize) -> Self {
         let fixed = fixed_stations(degree).map(|xi| Station::new(degree, xi)).collect();
         Self { fibre, fixed, middle: Station::new(degree, 0.0) }
@@ -77,7 +77,7 @@ impl<'a> Reading<'a> {
         most
     }
 
-    /// The same by strain.
+    /// Values at one instant by strain, at the stations of every instant.
     fn by_strain(&self, strained: &Strained) -> [f64; VALUES] {
         let mut most = [0.0f64; VALUES];
         at_middle(&mut most, &strained.at(0.0));

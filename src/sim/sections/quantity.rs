@@ -3,7 +3,7 @@
 use crate::scene::Kind;
 use crate::sim::sections::view::Sections;
 
-/// What of a section of an elastic girder (`docs/physics.md#flexible-girders`).
+/// Quantity of a section of an elastic girder (`docs/physics.md#flexible-girders`).
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum OfSection {
     /// Normal force, tension positive.
@@ -36,7 +36,7 @@ impl OfSection {
         matches!(self, Self::VerticalShear | Self::VerticalMoment | Self::Torque)
     }
 
-    /// What it is, with its sign, for titles and legends.
+    /// Name with its sign, for titles and legends.
     pub const fn label(self) -> &'static str {
         match self {
             Self::Axial => "normal force N, tension +",

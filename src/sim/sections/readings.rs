@@ -66,7 +66,7 @@ pub struct ElasticHit {
 /// The largest value of a section force, how that is read from section forces, and section forces with that value alone.
 pub(in crate::sim) type LargestForce = (Extreme, fn(&SectionForces) -> f64, fn(f64) -> SectionForces);
 
-/// What a run did to an elastic girder.
+/// Largest section forces, stress and hardest hit of an elastic girder over a run.
 #[derive(Clone, Debug, PartialEq)]
 pub struct FlexibleReading {
     /// Number of the girder.
@@ -92,19 +92,19 @@ pub struct FlexibleReading {
 }
 
 impl<'a> Sections<'a> {
-    /// What is known of an elastic girder that bends; nothing of a rigid one, or one that is as good as rigid.
+    /// Beam, section and modes of an elastic girder that bends; `None` of a rigid one, or one that is as good as rigid.
     pub fn flexible(self, girder: usize) -> Option<&'a Flexible> {
         self.history.model().flexible.get(girder)?.as_ref().filter(|flexible| flexible.girder.is_some())
     }
 
-    /// What acts on an elastic girder at `t`.
+    /// Loads and inertia of an elastic girder at `t`, from which its section forces follow; `None` of one that does not bend.
     pub fn equilibrium(self, girder: usize, t: f64) -> Option<Equilibrium> {
         let made = self.flexible(girder)?.girder.as_ref()?;
         let t = t.clamp(0.0, self.history.end());
         Some(self.equilibrium_in(girder, made, (t, &self.history.state(girder, t))))
     }
 
-    /// The same of a girder that is in this state at `t`.
+    /// Loads and inertia of a girder that is in this state at `t`.
     pub(in crate::sim) fn equilibrium_in(
         self,
         girder: usize,
@@ -176,7 +176,7 @@ impl<'a> Sections<'a> {
         self.fibre_stress(girder, &self.forces(girder, station, t))
     }
 
-    /// The same from section forces.
+    /// Stress of the extreme fibre under these section forces, the largest of all edges \[Pa\].
     pub(in crate::sim) fn fibre_stress(self, girder: usize, forces: &SectionForces) -> f64 {
         self.flexible(girder).map_or(0.0, |flexible| self.stress_of(girder, flexible, forces))
     }
@@ -208,7 +208,7 @@ impl<'a> Sections<'a> {
         Some((forces, self.between_stations(girder, made, stress, &fibre)))
     }
 
-    /// What the run did to its elastic girders that bend.
+    /// Readings of the elastic girders that bend, in the order of their numbers.
     pub fn readings(self) -> Vec<FlexibleReading> {
         let all = 0..self.history.model().girders().len();
         let bending = all.filter_map(|girder| {
