@@ -1,7 +1,8 @@
 //! A run of a scene: advance it, then ask the answer anything.
 //!
 //! [`Session`] computes, [`History`] answers: motion, contacts, events and energy at any time, from the paths and states
-//! that the run left, never from samples.
+//! that the run left, never from samples. History's own questions are about time, bodies, contacts and energy; those about elastic girders,
+//! about bearings, devices, soil and piers, and about seats are asked of its views [`Sections`], [`Connections`] and [`Seats`].
 
 mod acting;
 pub mod connections;
