@@ -237,7 +237,7 @@ fn measure(problem: &Problem) {
     times.sort_by(f64::total_cmp);
     let history = run(&scene);
     let finer = run(&(problem.scene)(1e-13));
-    let (median, apart) = (times[times.len() / 2], history.difference(&finer));
+    let (median, apart) = (times[times.len() / 2], history.differences(&finer).place);
     let effort = history.effort();
     println!(
         "{:<12} {tolerance:>10.1e} {median:>12.3} {:>10} {apart:>12.2e} {:>10.2e} {:>8} {:>8} {:>9} {:>8}",

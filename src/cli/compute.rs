@@ -55,7 +55,7 @@ impl Timed {
         let _waiting = Waiting::for_about(self.run_time, Text::new("progress-error"));
         let history = &self.history;
         // Summaries want the poundings: they are found while another thread runs the scene again.
-        let beside = || (history.check_degree(), history.poundings().len());
+        let beside = || (history.sections().check_degree(), history.poundings().len());
         let (estimated_error, (degree_check, _)) = rayon::join(|| history.estimate_error(), beside);
         TableOptions { sample_hz, estimated_error: Some(estimated_error), degree_check, run_time: Some(self.run_time) }
     }

@@ -96,7 +96,7 @@ pub(super) fn run(args: &WavesArgs, console: &mut Console) -> Result<(), Failure
 /// Number of the girder that is asked for.
 fn girder(history: &History, args: &WavesArgs) -> Result<usize, Failure> {
     let girders = &history.scene().girders;
-    let bends = |&number: &usize| history.flexible(number).is_some();
+    let bends = |&number: &usize| history.sections().flexible(number).is_some();
     let Some(name) = &args.girder else { return (0..girders.len()).find(bends).ok_or_else(rigid) };
     let of_name = (0..girders.len()).find(|&number| girders[number].name == *name);
     let number = of_name.ok_or_else(|| {

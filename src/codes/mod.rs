@@ -18,7 +18,7 @@ pub use rotation::{RotationCondition, rotation_to_zero};
 use crate::geometry::End;
 use crate::scene::{Codes, Girder, Scene, Support};
 use crate::sim::History;
-use crate::sim::seats::{self, Seat};
+use crate::sim::seats::Seat;
 use demand::Code;
 
 /// Length of a seat square to its edge that codes ask for whatever a run gives, of a span \[m\] with a skew angle \[degrees\]: `S_EM` and,
@@ -79,7 +79,7 @@ pub fn of(history: &History) -> Vec<SeatDemands> {
     let scene = history.scene();
     let of_girder = |girder: usize| {
         let prism = scene.girders[girder].prism();
-        let seats = seats::of_girder(history, girder).into_iter();
+        let seats = history.seats().of_girder(girder).into_iter();
         seats.map(move |seat| {
             let columns = columns(scene, &scene.girders[girder], seat.ledge.end);
             let demands = demands(&Case { prism: &prism, codes: &scene.codes, seat: &seat, columns });

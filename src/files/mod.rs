@@ -28,7 +28,7 @@ pub use page::take_in;
 pub use read::{ReadError, read_input, read_table};
 pub use recent::Recent;
 pub use recovery::{Found, SideFile, find_beside, find_in};
-pub use save::{Draft, FileSet, as_file_name, check_folder, save_scene, scene_text, write_atomic, write_set};
+pub use save::{Draft, FileSet, as_file_name, check_folder, save_scene, scene_text, write_atomic};
 pub use scene_source::SceneSource;
 pub use settings::{Chosen, FoldedPanels, Settings};
 pub use stamp::Stamp;

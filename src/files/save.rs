@@ -77,16 +77,6 @@ pub fn write_atomic(path: &Path, bytes: &[u8]) -> Result<(), WriteError> {
     persist(stage(path, bytes)?, path)
 }
 
-/// Writes several files into a folder, which is made if it is missing; none gets its name before all are on the disk.
-///
-/// # Errors
-/// When the folder or a file cannot be written.
-pub fn write_set<N: AsRef<Path>, B: AsRef<[u8]>>(folder: &Path, files: &[(N, B)]) -> Result<(), WriteError> {
-    let mut set = FileSet::default();
-    files.iter().try_for_each(|(name, bytes)| set.add(&folder.join(name), bytes.as_ref()))?;
-    set.finish()
-}
-
 /// Files that come one by one and get their names together; dropped before that, nothing of them stays.
 #[derive(Debug, Default)]
 pub struct FileSet {

@@ -1,4 +1,4 @@
-//! Flat contact faces: four corners, outward normal, inside test, and the weights of paper equations (66), (67).
+//! Flat contact faces: four corners, outward normal, inside test.
 
 use glam::{DVec2, DVec3};
 
@@ -41,7 +41,7 @@ impl Face {
     /// Builds a face from its corners.
     ///
     /// # Errors
-    /// When the corners are not flat, not convex, or not a shape that the weights (66), (67) cover.
+    /// When the corners are not flat, not convex, or not a shape that paper equations (66), (67) cover.
     pub fn new(corners: [DVec3; 4], depth: f64) -> Result<Self, FaceError> {
         let [a, b, c, d] = corners;
         let size = (c - a).length().max((d - b).length());
@@ -111,40 +111,11 @@ impl Face {
         let [a, b, c, d] = self.corners;
         (c - a).length().max((d - b).length())
     }
-
-    /// `(t, t1, t2)` of a point in the plane (66): `t` from ab to cd, `t1` along ab, `t2` along dc.
-    ///
-    /// The foot of the perpendicular is taken on both parallel sides, so `t1` and `t2` differ on a trapezium.
-    pub fn parameters(&self, point: DVec3) -> [f64; 3] {
-        let [a, b, c, d] = self.corners;
-        let (ab, dc) = (b - a, c - d);
-        let height = (d - a).dot(self.bitangent);
-        let t = (point - a).dot(self.bitangent) / height;
-        let t1 = (point - a).dot(ab) / ab.length_squared();
-        let t2 = (point - d).dot(dc) / dc.length_squared();
-        [t, t1, t2]
-    }
-
-    /// Weights of a, b, c, d at `(t, t1, t2)` (67); they sum to 1 and give the point back from the corners.
-    pub fn weights([t, t1, t2]: [f64; 3]) -> [f64; 4] {
-        [(1.0 - t1) * (1.0 - t), t1 * (1.0 - t), t2 * t, (1.0 - t2) * t]
-    }
 }
 
 #[cfg(test)]
 mod tests {
     use super::*;
-
-    #[test]
-    fn weights_give_the_point_back_on_a_trapezium() {
-        let corners = [(0.0, 0.0), (4.0, 0.0), (3.0, 2.0), (1.0, 2.0)].map(|(x, y)| DVec3::new(x, y, 0.0));
-        let face = Face::new(corners, 1.0).expect("a trapezium is a face");
-        let point = DVec3::new(1.7, 0.9, 0.0);
-        let w = Face::weights(face.parameters(point));
-        let back: DVec3 = (0..4).map(|i| w[i] * corners[i]).sum();
-        assert!((back - point).length() < 1e-15 * 4.0, "rounding only, got {back}");
-        assert!((w.iter().sum::<f64>() - 1.0).abs() < 1e-15, "weights sum to one");
-    }
 
     #[test]
     fn a_kite_is_refused() {

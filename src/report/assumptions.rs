@@ -70,7 +70,7 @@ fn mark() -> String {
 /// Of girders, the ground and seats.
 fn of_bodies(history: &History) -> Vec<String> {
     let scene = history.scene();
-    let bends = |number: &usize| history.flexible(*number).is_some();
+    let bends = |number: &usize| history.sections().flexible(*number).is_some();
     let bending: Vec<&str> =
         (0..scene.girders.len()).filter(bends).map(|number| scene.girders[number].name.as_str()).collect();
     let girders = if bending.is_empty() {

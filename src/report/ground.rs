@@ -167,7 +167,7 @@ pub(super) fn girders(history: &History) -> String {
     let bodies = &history.model().bodies;
     let of = |value: &dyn Fn(usize, f64) -> f64| -> Vec<Curve> {
         let points = |girder: usize| {
-            let sound = history.sound_until(girder);
+            let sound = history.seats().sound_until(girder);
             times(history).filter(|t| *t <= sound).map(|t| [t, value(girder, t)]).collect()
         };
         bodies.iter().enumerate().map(|(girder, body)| curve(&body.name, girder, points(girder))).collect()

@@ -49,7 +49,7 @@ fn bearings(history: &History, readings: &[BearingsReport]) -> Vec<(String, Stri
         let curve = |axis: usize| {
             let [x, y] = [OfBearing::Deformation(axis), OfBearing::Force(axis)];
             let [x, y] = [x, y].map(|what| Quantity::Bearing(girder, number, what));
-            curve((history, history.bearing_lost_at(girder, number)), &AXES[axis], axis, [x, y])
+            curve((history, history.seats().bearing_lost_at(girder, number)), &AXES[axis], axis, [x, y])
         };
         drawn(&name, [curve(0), curve(1)].into_iter().flatten().collect())
     };

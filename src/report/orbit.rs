@@ -8,7 +8,7 @@ use crate::plot::draw::{line, text};
 use crate::plot::paper::{EDGE, EMPTY, GREY, INK, WHITE};
 use crate::sim::History;
 use crate::sim::seats::seat_on::SeatOn;
-use crate::sim::seats::{self, OrbitPoint, Seat, SeatCorner};
+use crate::sim::seats::{OrbitPoint, Seat, SeatCorner};
 use crate::tables::corner_angle;
 
 const PANEL: f64 = 400.0;
@@ -26,8 +26,8 @@ const MARKS: usize = 6;
 pub(super) fn pictures(history: &History) -> Vec<(String, String)> {
     let mut all = Vec::new();
     for (girder, body) in history.model().girders().iter().enumerate() {
-        for seat in seats::of_girder(history, girder) {
-            let orbit = seats::orbit(history, girder, &seat, INTERVALS);
+        for seat in history.seats().of_girder(girder) {
+            let orbit = history.seats().orbit(girder, &seat, INTERVALS);
             let fixed = match seat.ledge.on {
                 SeatOn::Ground => Text::new("report-orbit-ground"),
                 SeatOn::Pier(_) => Text::new("report-orbit-pier"),

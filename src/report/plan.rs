@@ -12,7 +12,6 @@ use crate::plot::paper::{DECK, EDGE, GREY, INK, PLACED, WHITE};
 use crate::scene::facing::Side;
 use crate::scene::placed::{abutment_depth, abutment_face};
 use crate::scene::{Abutment, Scene};
-use crate::sim::seats::Ledge;
 use crate::sim::{ContactNow, ContactState, History, Touch};
 
 const WIDTH: f64 = 900.0;
@@ -49,7 +48,10 @@ pub(super) fn caption(history: &History) -> String {
         (true, "report-plan-placed"),
         (facing, "report-plan-gaps"),
         (!model.piers.is_empty(), "report-plan-piers"),
-        (model.devices.iter().any(|device| history.link(device.links.start, 0.0).is_some()), "report-plan-devices"),
+        (
+            model.devices.iter().any(|device| history.connections().link(device.links.start, 0.0).is_some()),
+            "report-plan-devices",
+        ),
     ];
     parts.into_iter().filter(|(shown, _)| *shown).map(|(_, name)| Text::new(name).as_str().to_owned()).collect()
 }
@@ -219,7 +221,7 @@ impl<'a> Plan<'a> {
     fn devices(&self, svg: &mut String) {
         let t = self.at.as_ref().map_or(0.0, |(t, _)| *t);
         for link in self.history.model().devices.iter().flat_map(|device| device.links.clone()) {
-            let Some(now) = self.history.link(link, t) else { continue };
+            let Some(now) = self.history.connections().link(link, t) else { continue };
             let points: Vec<(f64, f64)> = now.line.iter().map(|point| self.place(point.truncate())).collect();
             for pair in points.windows(2) {
                 line(svg, pair[0], pair[1], &format!(r#"stroke="{DEVICE}" stroke-width="2.2""#));
@@ -233,7 +235,7 @@ impl<'a> Plan<'a> {
 
     /// The front edge of the seat under an end, where there is one.
     fn front_edge(&self, svg: &mut String, number: usize, end: End, placed: &[DVec2; 4]) {
-        let Some(ledge) = Ledge::of(self.history, number, end) else { return };
+        let Some(ledge) = self.history.seats().ledge(number, end) else { return };
         let back = -ledge.normal.truncate() * ledge.placed();
         let [from, to] = Prism::end_corners(end).map(|corner| self.place(placed[corner] + back));
         line(svg, from, to, &format!(r#"stroke="{EDGE}" stroke-width="1.3" stroke-dasharray="6 3""#));

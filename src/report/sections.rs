@@ -142,7 +142,7 @@ pub(super) fn scene(history: &History) -> String {
         &Text::new("report-seats-m"),
     ]);
     for (number, (girder, body)) in scene.girders.iter().zip(&history.model().bodies).enumerate() {
-        let q = history.bearing_quantities(number);
+        let q = history.connections().bearing_quantities(number);
         let [hertz, damping] = [q.omega.map(|w| w / std::f64::consts::TAU), q.damping_ratio]
             .map(|three| three.map(|v| if v.is_finite() { format!("{v:.3}") } else { "–".into() }).join(", "));
         let seat = |end: &str, length: Option<f64>| length.map(|l| format!("{end} {}", trimmed(l)));

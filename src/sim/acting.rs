@@ -27,11 +27,12 @@ impl History {
         let site = &self.model().sites[contact];
         let log = self.trajectories.log(contact);
         let closed = log.since(t)?;
-        // Where a run gave up, what its last state is counted from may have no step that is.
-        let counted = self.stop().is_none() || t < self.end();
+        // At the end of a run that gave up, the state of a contact may be relative to the reference pose of a step that was not kept:
+        // there the state relative to the placed poses is taken.
+        let step_is_kept = self.stop().is_none() || t < self.end();
         let sections = self.model().sections(contact);
         let side = |body: Option<usize>, which: usize| match body {
-            Some(_) if !counted => None,
+            Some(_) if !step_is_kept => None,
             Some(body) => self.trajectories.since(body, sections[which], t).map(|(base, frame)| (Some(base), frame)),
             None => Some((None, site.stand)),
         };

@@ -72,11 +72,12 @@ impl History {
             return None;
         }
         let of_girder = |girder: usize| {
-            let (forces, (stress, station)) = self.largest_of_sections(girder)?;
-            let fibre = self.apart_from(girder, stress, &|t| finer.stress(girder, station, t.clamp(0.0, finer.end())));
+            let (forces, (stress, station)) = self.sections().largest(girder)?;
+            let fibre = self
+                .apart_from(girder, stress, &|t| finer.sections().stress(girder, station, t.clamp(0.0, finer.end())));
             let at_mid_span = forces.into_iter().filter_map(|(most, of, alone)| {
-                let counts = self.fibre_stress(girder, &alone(most.value)) > STRESS_SHARE * stress.value;
-                let there = |t: f64| of(&finer.section_forces(girder, 0.0, t.clamp(0.0, finer.end()))).abs();
+                let counts = self.sections().fibre_stress(girder, &alone(most.value)) > STRESS_SHARE * stress.value;
+                let there = |t: f64| of(&finer.sections().forces(girder, 0.0, t.clamp(0.0, finer.end()))).abs();
                 counts.then(|| self.apart_from(girder, most, &there))
             });
             (stress.value > 0.0).then(|| at_mid_span.fold(fibre, f64::max))
@@ -142,7 +143,7 @@ mod tests {
         });
         let estimate = coarse.estimate_error();
         let [(rough, _), (right, _)] =
-            [&coarse, &fine].map(|history| history.largest_of_sections(0).expect("it bends").1);
+            [&coarse, &fine].map(|history| history.sections().largest(0).expect("it bends").1);
         let off = (rough.value - right.value) / rough.value;
         assert!(estimate.error < 1e-8 && off > 0.1, "{estimate:?}, {off} of the stress");
         let told = estimate.stress.expect("it bends");

@@ -6,7 +6,7 @@ use rayon::prelude::*;
 
 use super::energy::power_integrals::PowerIntegrals;
 use super::impact::events;
-use super::report::{Overlap, Pounding, RunDifference};
+use super::report::{LargestMotion, Overlap, Pounding, RunDifference};
 use super::trajectories::Trajectories;
 use super::{Event, Motion, Stop, Touch, Upright};
 use crate::contact::Frame;
@@ -51,6 +51,7 @@ pub(super) struct Found {
     pub(super) overlaps: OnceLock<Vec<Overlap>>,
     pub(super) poundings: OnceLock<Vec<Pounding>>,
     pub(super) uprights: OnceLock<Vec<Upright>>,
+    pub(super) largest_motion: OnceLock<Option<LargestMotion>>,
 }
 
 impl History {
@@ -191,7 +192,8 @@ impl History {
         self.trajectories.motion(girder, t)
     }
 
-    /// Motion at `t` of a rigid girder that an end of this one would be the end of: of a rigid girder its own.
+    /// Motion of an end of a girder at `t`, clamped to what was computed, as of a rigid girder that has this end: place and displacement are
+    /// those of its G. The same for both ends of a rigid girder.
     pub fn end_motion(&self, girder: usize, end: End, t: f64) -> Motion {
         self.trajectories.end_motion(girder, end, t)
     }
@@ -199,11 +201,6 @@ impl History {
     /// All events in order of time.
     pub fn events(&self) -> &[Event] {
         &self.events
-    }
-
-    /// Largest difference in displacement of G from another run of the same bodies \[m\].
-    pub fn difference(&self, other: &Self) -> f64 {
-        self.differences(other).place
     }
 
     /// Largest differences of all bodies from another run of the same bodies.

@@ -1,7 +1,8 @@
 //! A run of a scene: advance it, then ask the answer anything.
 //!
 //! [`Session`] computes, [`History`] answers: motion, contacts, events and energy at any time, from the paths and states
-//! that the run left, never from samples.
+//! that the run left, never from samples. History's own questions are about time, bodies, contacts and energy; those about elastic girders,
+//! about bearings, devices, soil and piers, and about seats are asked of its views [`Sections`], [`Connections`] and [`Seats`].
 
 mod acting;
 pub mod connections;
@@ -34,6 +35,7 @@ pub use connections::device_readings::DeviceReading;
 pub use connections::hysteresis::Loop;
 pub use connections::link::LinkNow;
 pub use connections::piers::{BaseReading, PierNow, PierReading};
+pub use connections::view::Connections;
 pub use energy::balance::Balance;
 pub use energy::entries::Ledger;
 pub use error_estimate::ErrorEstimate;
@@ -42,16 +44,18 @@ pub use law_sense::{Dropped, TooDeep};
 pub use overlap::{Unjoined, unjoined};
 pub use quantity::Quantity;
 pub use report::{
-    Cause, ContactNow, ContactState, Event, EventKind, Motion, Overlap, Pounding, PoundingHit, RunDifference, SolidId,
-    Stop, Touch, Uplift, Upright,
+    Cause, ContactNow, ContactState, Event, EventKind, GirderExtreme, LargestMotion, Motion, Overlap, Pounding,
+    PoundingHit, RunDifference, SolidId, Stop, Touch, Uplift, Upright,
 };
 pub use seats::lost_supports::{Carrying, LostSupport};
+pub use seats::view::Seats;
 pub use sections::degree_check::DegreeCheck;
 pub use sections::field::SectionField;
 pub use sections::quantity::OfSection;
 pub use sections::readings::{ElasticHit, FlexibleReading, NEGLIGIBLE, Neglected};
+pub use sections::view::Sections;
 pub use session::{Reached, Session};
-pub use summary::Summary;
+pub use summary::{ContactTimes, Summary};
 pub use unit::Unit;
 
 pub use crate::dynamics::impact2d::{Hit, LastingInterval, Record, Row, State, Transition};

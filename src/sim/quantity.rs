@@ -7,7 +7,7 @@ use glam::DVec3;
 
 pub use super::energy::quantity::OfEnergy;
 pub use super::sections::quantity::OfSection;
-use super::{ContactNow, ContactState, History, Unit, energy, readings, seats, sections};
+use super::{ContactNow, ContactState, History, Unit, energy, readings};
 use crate::geometry::End;
 use crate::scene::Kind;
 
@@ -201,7 +201,7 @@ impl Quantity {
             }
             let seats = End::BOTH.into_iter().filter(|end| has_seat(history, i, *end));
             all.extend(seats.map(|end| (format!("{name}{}.seat", end.label()), Self::Seat(i, end))));
-            let sections = sections::quantity::named(history, i).into_iter();
+            let sections = history.sections().quantities(i).into_iter();
             all.extend(sections.map(|(of, station, what)| (format!("{name}.{of}"), Self::Section(i, station, what))));
         }
         let listed = history.listed_pairs();
@@ -290,8 +290,8 @@ impl Quantity {
                     OfCorner::Drift => way.truncate().length(),
                 }
             }
-            Self::Seat(i, end) if i < model.bodies.len() => seats::remaining(history, i, end, t),
-            Self::Pier(i, what) => history.pier(i, t).map_or(0.0, |now| {
+            Self::Seat(i, end) if i < model.bodies.len() => history.seats().remaining(i, end, t),
+            Self::Pier(i, what) => history.connections().pier(i, t).map_or(0.0, |now| {
                 let along = |vector: DVec3, axis: usize| vector.dot(history.scene().pier(i).axes.col(axis.min(1)));
                 match what {
                     OfPier::Drift => now.displacement.truncate().length(),
@@ -300,7 +300,7 @@ impl Quantity {
                     OfPier::ShearAlong(axis) => along(now.shear, axis),
                 }
             }),
-            Self::Section(i, station, what) => sections::quantity::at(history, i, station, what, t),
+            Self::Section(i, station, what) => history.sections().quantity(i, station, what, t),
             Self::Pair(i, what) if i < model.pairs.len() => match what {
                 OfPair::Gap => readings::gap(history, i, t),
                 OfPair::Total => history.resultant(i, t).length(),
@@ -314,14 +314,14 @@ impl Quantity {
                 history.contact_at(i, t).map_or(0.0, |now| of_contact(&now, what))
             }
             Self::Bearing(girder, number, what) => {
-                let along = || history.bearing_loop(girder, number, t);
+                let along = || history.connections().bearing_loop(girder, number, t);
                 match what {
                     OfBearing::Deformation(axis) => along().map_or(0.0, |now| now.deformation[axis.min(1)]),
                     OfBearing::Force(axis) => along().map_or(0.0, |now| now.resistance[axis.min(1)]),
-                    OfBearing::Load => history.bearing_load(girder, number, t),
+                    OfBearing::Load => history.seats().bearing_load(girder, number, t),
                 }
             }
-            Self::Link(number, what) => history.link(number, t).map_or(0.0, |now| match what {
+            Self::Link(number, what) => history.connections().link(number, t).map_or(0.0, |now| match what {
                 OfLink::Deformation => now.along.deformation[0],
                 OfLink::Force => now.along.resistance[0],
             }),

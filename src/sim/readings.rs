@@ -149,11 +149,11 @@ pub fn reading(history: &History, girder: usize) -> Reading {
     Reading {
         rotation,
         drift: [0, 1, 2, 3].map(drift),
-        seats: seats::of_girder(history, girder),
+        seats: history.seats().of_girder(girder),
         gap: gaps.reduce(|a, b| if b.value < a.value { b } else { a }),
         force: hardest.map(|touch| Extreme { value: touch.peak_force, t: touch.peak_time }),
-        bearings: history.bearings_reading(girder),
-        tipped: history.tipped(girder),
+        bearings: history.connections().bearings_reading(girder),
+        tipped: history.seats().tipped(girder),
     }
 }
 
@@ -219,8 +219,8 @@ fn of_girder(history: &History, girder: usize, name: &str, all: &mut Vec<Passed>
         watch(Limit::Drift, None, (most, 1.0), &farthest);
     }
     for end in End::BOTH {
-        if let Some(least) = limits.remaining_seat.filter(|_| seats::length(history, girder, end).is_some()) {
-            watch(Limit::RemainingSeat, Some(end), (least, -1.0), &|t| seats::remaining(history, girder, end, t));
+        if let Some(least) = limits.remaining_seat.filter(|_| history.seats().length(girder, end).is_some()) {
+            watch(Limit::RemainingSeat, Some(end), (least, -1.0), &|t| history.seats().remaining(girder, end, t));
         }
     }
 }
@@ -230,9 +230,10 @@ fn of_bearings(history: &History, girder: usize, limit: f64) -> Vec<Passed> {
     let body = &history.model().girders()[girder];
     let times = touches::looks(history, girder);
     let passed = |number: usize| {
-        let times: Vec<f64> = times.iter().copied().filter(|&t| t <= history.bearing_lost_at(girder, number)).collect();
+        let times: Vec<f64> =
+            times.iter().copied().filter(|&t| t <= history.seats().bearing_lost_at(girder, number)).collect();
         let size = |t: f64| {
-            let [along, across] = history.bearing_loop(girder, number, t)?.deformation;
+            let [along, across] = history.connections().bearing_loop(girder, number, t)?.deformation;
             Some(along.hypot(across))
         };
         let size = |t: f64| size(t).unwrap_or(0.0);
@@ -246,7 +247,7 @@ fn of_bearings(history: &History, girder: usize, limit: f64) -> Vec<Passed> {
 /// A pier whose drift passes a limit.
 fn of_pier(history: &History, pier: usize, limit: f64) -> Option<Passed> {
     let times = touches::looks(history, history.model().piers[pier].body);
-    let drift = |t: f64| history.pier(pier, t).map_or(0.0, |now| now.displacement.truncate().length());
+    let drift = |t: f64| history.connections().pier(pier, t).map_or(0.0, |now| now.displacement.truncate().length());
     let t = first(&times, history.end(), &|t| drift(t) - limit)?;
     let whose = history.scene().piers[pier].name.clone();
     Some(Passed { limit: Limit::PierDrift, whose, end: None, t, reached: largest(&times, &drift).value })

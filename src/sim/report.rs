@@ -188,6 +188,41 @@ pub struct Extreme {
     pub t: f64,
 }
 
+/// Largest value of a girder over a run, of all girders.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct GirderExtreme {
+    /// Number of the girder, the first one of equals.
+    pub girder: usize,
+    /// Value and its time.
+    pub extreme: Extreme,
+}
+
+impl GirderExtreme {
+    /// The larger of two values, the first one of equals.
+    fn larger(self, other: Self) -> Self {
+        if other.extreme.value > self.extreme.value { other } else { self }
+    }
+}
+
+/// Largest motions of all girders over a run.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct LargestMotion {
+    /// Displacement of G from where it was placed \[m\].
+    pub displacement: GirderExtreme,
+    /// Rotation |θ| \[rad\].
+    pub rotation: GirderExtreme,
+}
+
+impl LargestMotion {
+    /// The larger of two displacements and of two rotations, the first one of equals.
+    pub(super) fn larger(self, other: Self) -> Self {
+        Self {
+            displacement: self.displacement.larger(other.displacement),
+            rotation: self.rotation.larger(other.rotation),
+        }
+    }
+}
+
 /// The hits of two bodies.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Pounding {

@@ -200,14 +200,6 @@ impl Session {
         }
     }
 
-    /// Runs a scene to the end of its duration, without asking anybody.
-    ///
-    /// # Errors
-    /// Every complaint about the scene.
-    pub fn run(scene: &Scene) -> Result<History, SceneErrors> {
-        Ok(Self::new(scene)?.complete())
-    }
-
     /// Computes to the end of the duration.
     pub(super) fn complete(mut self) -> History {
         self.work(self.scene.duration);
@@ -224,7 +216,7 @@ impl History {
     /// # Errors
     /// Every complaint about the scene, each naming field, value and remedy.
     pub fn of(scene: &Scene) -> Result<Self, SceneErrors> {
-        Session::run(scene)
+        Ok(Session::new(scene)?.complete())
     }
 }
 

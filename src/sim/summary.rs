@@ -2,8 +2,8 @@
 
 use rayon::prelude::*;
 
-use super::report::Extreme;
-use super::{History, Motion, peaks, touches};
+use super::report::{GirderExtreme, LargestMotion};
+use super::{History, Touch, peaks, touches};
 
 /// The headline numbers of a run.
 #[derive(Clone, Debug, PartialEq, serde::Serialize)]
@@ -36,16 +36,25 @@ pub struct Summary {
     pub slip_time: f64,
 }
 
+/// Times that contacts are closed, summed over contacts.
+#[derive(Clone, Copy, Debug, Default, PartialEq)]
+pub struct ContactTimes {
+    /// In stick \[s\].
+    pub stick: f64,
+    /// In slip \[s\].
+    pub slip: f64,
+}
+
 impl History {
     /// Headline numbers.
     pub fn summary(&self) -> Summary {
-        let touches = self.touches();
+        let (touches, times) = (self.touches(), self.contact_times());
         let hardest = self.hardest();
         let total = self.hardest_pounding().map(|(_, most)| most);
-        let [max_displacement, max_rotation] = self.largest_motion();
+        let motion = self.largest_motion();
         Summary {
-            max_displacement,
-            max_rotation,
+            max_displacement: motion.map_or(0.0, |motion| motion.displacement.extreme.value),
+            max_rotation: motion.map_or(0.0, |motion| motion.rotation.extreme.value),
             peak_force: self.largest_force(),
             peak_total: total.map_or(0.0, |most| most.value),
             peak_total_time: total.map(|most| most.t),
@@ -54,8 +63,8 @@ impl History {
             peak_time: self.strongest().map(|touch| touch.peak_time),
             touches: touches.len(),
             hits: self.hits(),
-            stick_time: self.contact_times()[0],
-            slip_time: self.contact_times()[1],
+            stick_time: times.stick,
+            slip_time: times.slip,
         }
     }
 
@@ -74,69 +83,29 @@ impl History {
         touches::hits(self.touches())
     }
 
-    /// Contact time in stick and in slip, summed over contacts \[s\].
-    pub fn contact_times(&self) -> [f64; 2] {
-        self.touches().iter().fold([0.0; 2], |[stick, slip], touch| [stick + touch.stick, slip + touch.slip])
-    }
-
-    /// Largest displacement of any girder's G from where it was placed \[m\].
-    pub fn largest_displacement(&self) -> f64 {
-        self.largest(displacement)
-    }
-
-    /// Largest |θ| of any girder \[rad\].
-    pub fn largest_rotation(&self) -> f64 {
-        self.largest(rotation)
-    }
-
-    /// The girder that moves farthest, and when \[m\].
-    pub fn farthest(&self) -> Option<(usize, Extreme)> {
-        self.extreme(displacement)
-    }
-
-    /// The girder that turns most, and when \[rad\].
-    pub fn most_turned(&self) -> Option<(usize, Extreme)> {
-        self.extreme(rotation)
-    }
-
-    /// The largest value over girders and time, with its girder and its time.
-    fn extreme(&self, value: fn(&Motion) -> f64) -> Option<(usize, Extreme)> {
-        let of = |body| (body, peaks::largest(&touches::looks(self, body), &|t| value(&self.motion(body, t))));
-        let all = (0..self.model().girders().len()).map(of);
-        all.reduce(|a, b| if b.1.value > a.1.value { b } else { a })
-    }
-
-    /// Largest value over girders and time, looked for at a rate that the fastest bearing cannot outrun.
-    fn largest(&self, value: fn(&Motion) -> f64) -> f64 {
-        let of = |body| peaks::largest(&touches::looks(self, body), &|t| value(&self.motion(body, t))).value;
-        (0..self.model().girders().len()).into_par_iter().map(of).reduce(|| 0.0, f64::max)
-    }
-
-    /// [`largest_displacement`](Self::largest_displacement) and [`largest_rotation`](Self::largest_rotation), each motion computed once.
-    fn largest_motion(&self) -> [f64; 2] {
-        let of = |body| {
-            let times = touches::looks(self, body);
-            let (moved, turned): (Vec<f64>, Vec<f64>) = times
-                .iter()
-                .map(|&t| self.motion(body, t))
-                .map(|motion| (displacement(&motion), rotation(&motion)))
-                .unzip();
-            let most = |seen: &[f64], value: fn(&Motion) -> f64| {
-                peaks::largest_seen(&times, seen, &|t| value(&self.motion(body, t))).value
-            };
-            [most(&moved, displacement), most(&turned, rotation)]
+    /// Contact times in stick and in slip, summed over contacts.
+    pub fn contact_times(&self) -> ContactTimes {
+        let add = |sum: ContactTimes, touch: &Touch| ContactTimes {
+            stick: sum.stick + touch.stick,
+            slip: sum.slip + touch.slip,
         };
-        let larger = |a: [f64; 2], b: [f64; 2]| [a[0].max(b[0]), a[1].max(b[1])];
-        (0..self.model().girders().len()).into_par_iter().map(of).reduce(|| [0.0; 2], larger)
+        self.touches().iter().fold(ContactTimes::default(), add)
     }
-}
 
-/// Displacement of G from where it was placed \[m\].
-fn displacement(motion: &Motion) -> f64 {
-    motion.displacement.length()
-}
-
-/// |θ| \[rad\].
-fn rotation(motion: &Motion) -> f64 {
-    motion.theta.abs()
+    /// Largest motions of all girders over the run; `None` of a scene without girders.
+    pub fn largest_motion(&self) -> Option<LargestMotion> {
+        *self.found.largest_motion.get_or_init(|| {
+            let of_girder = |girder: usize| {
+                let values = |t| {
+                    let motion = self.motion(girder, t);
+                    [motion.displacement.length(), motion.theta.abs()]
+                };
+                let [displacement, rotation] = peaks::largest_of_each(&touches::looks(self, girder), &values)
+                    .map(|extreme| GirderExtreme { girder, extreme });
+                LargestMotion { displacement, rotation }
+            };
+            let all: Vec<LargestMotion> = (0..self.model().girders().len()).into_par_iter().map(of_girder).collect();
+            all.into_iter().reduce(LargestMotion::larger)
+        })
+    }
 }

@@ -61,7 +61,8 @@ fn of_contact(history: &History, contact: usize) -> Vec<Touch> {
     let states: Vec<(f64, Contact)> = history.trajectories.log(contact).states().collect();
     let site = &history.model().sites[contact];
     let (pair, bodies) = (site.pair, [site.node_body, site.face_body]);
-    let sound = bodies.into_iter().flatten().map(|body| history.sound_until(body)).fold(history.end(), f64::min);
+    let sound =
+        bodies.into_iter().flatten().map(|body| history.seats().sound_until(body)).fold(history.end(), f64::min);
     let mut touches: Vec<Touch> = Vec::new();
     let mut open = true;
     for (i, (from, state)) in states.iter().enumerate().filter(|(_, (t, _))| *t <= sound) {
@@ -161,7 +162,7 @@ pub(super) fn hits(touches: &[Touch]) -> usize {
 /// Times at which a body's extremes are looked for: every step of an integrator several times, flights at a rate that
 /// neither its bearings nor the ground can outrun; none after it has fallen.
 pub(super) fn looks(history: &History, body: usize) -> Vec<f64> {
-    let (rate, last) = (flight_rate(history, body), history.sound_until(body));
+    let (rate, last) = (flight_rate(history, body), history.seats().sound_until(body));
     let mut times = Vec::new();
     for span in history.trajectories.path(body).spans().take_while(|span| span.from < last) {
         let (from, until) = (span.from, span.until.min(last));

@@ -190,7 +190,8 @@ impl Trajectories {
         Motion { theta: self.counted_angle(girder, t).unwrap_or(motion.theta), ..motion }
     }
 
-    /// Motion at `t` of a rigid girder that an end of this one would be the end of: of a rigid girder its own.
+    /// Motion of an end of a girder at `t`, clamped to what was computed, as of a rigid girder that has this end: place and displacement are
+    /// those of its G. The same for both ends of a rigid girder.
     pub(super) fn end_motion(&self, girder: usize, end: End, t: f64) -> Motion {
         match self.model.bodies[girder].section(end) {
             0 => self.motion(girder, t),

@@ -40,15 +40,15 @@ pub struct Waves {
 impl Waves {
     /// Of a run; `None` where the girder does not bend.
     pub fn of(history: &History, wanted: &Wanted) -> Option<Self> {
-        let flexible = history.flexible(wanted.girder)?;
+        let flexible = history.sections().flexible(wanted.girder)?;
         let transit = flexible.beam.transit_time();
-        let hit = history.elastic_hit(wanted.girder);
+        let hit = history.sections().elastic_hit(wanted.girder);
         let [start, end] = hit_span(history, wanted.girder).unwrap_or([0.0, history.end()]);
         let from = wanted.span[0].unwrap_or(start).clamp(0.0, history.end());
         // An end that is not asked for makes the axis round.
         let length = wanted.span[1].map_or_else(|| round_up(end - from), |until| until - from);
         let span = [from, (from + length).min(history.end())];
-        let field = history.section_field(wanted.girder, wanted.what, span, COUNTS)?;
+        let field = history.sections().field(wanted.girder, wanted.what, span, COUNTS)?;
         let girder = history.scene().girders[wanted.girder].name.clone();
         Some(Self { field, girder, what: wanted.what, transit, hit: hit.map(|hit| hit.t) })
     }
@@ -95,15 +95,15 @@ impl Waves {
 
 /// From shortly before the hardest hit of a girder that bends until its wave has run some times \[s\]; `None` where nothing hits it.
 pub fn hit_span(history: &History, girder: usize) -> Option<[f64; 2]> {
-    let transit = history.flexible(girder)?.beam.transit_time();
-    let hit = history.elastic_hit(girder)?;
+    let transit = history.sections().flexible(girder)?.beam.transit_time();
+    let hit = history.sections().elastic_hit(girder)?;
     let end = (hit.t + hit.contact_time + AFTER * transit).min(history.end());
     Some([(hit.t - BEFORE * transit).max(0.0), end])
 }
 
 /// When the force of the hardest hit of a girder that bends is largest \[s\]; `None` where nothing hits it.
 pub fn hit_peak(history: &History, girder: usize) -> Option<f64> {
-    let hit = history.elastic_hit(girder)?;
+    let hit = history.sections().elastic_hit(girder)?;
     let own = history.poundings().iter().filter(|of| history.model().pairs[of.pair].bodies.contains(&Some(girder)));
     let within = own.flat_map(|of| &of.hits).filter(|one| one.start <= hit.t + hit.contact_time && one.end >= hit.t);
     within.map(|one| one.peak).reduce(|a, b| if b.value > a.value { b } else { a }).map(|peak| peak.t)

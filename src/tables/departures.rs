@@ -137,7 +137,7 @@ pub(super) fn passed(history: &History) -> Vec<PassedReport> {
 
 pub(super) fn lost(history: &History) -> Vec<LostReport> {
     let report = |lost: LostSupport| LostReport { bearing: lost.name, t: lost.t, place: lost.place.to_array() };
-    history.lost_supports(history.end()).into_iter().map(report).collect()
+    history.seats().lost_supports(history.end()).into_iter().map(report).collect()
 }
 
 /// Bearings that stopped carrying, the earliest first.

@@ -55,7 +55,7 @@ pub(super) fn reports(history: &History) -> Vec<DeviceReport> {
             broke_at,
         }
     };
-    history.devices().into_iter().map(report).collect()
+    history.connections().devices().into_iter().map(report).collect()
 }
 
 /// The table: one row a change of phase, in order of time, the first phase of each link among them; nothing of the springs of a column,
@@ -66,7 +66,7 @@ pub(super) fn reports(history: &History) -> Vec<DeviceReport> {
 /// # Errors
 /// What the writer says.
 pub fn devices(history: &History, out: &mut dyn Write) -> std::io::Result<()> {
-    let model = history.model();
+    let (model, connections) = (history.model(), history.connections());
     // A bearing on a pier that yields has two links of one name, a linear one beside its hysteresis: its changes are those of the other.
     let mut named: BTreeMap<&str, usize> = BTreeMap::new();
     model.links.iter().for_each(|link| *named.entry(&link.name).or_default() += 1);
@@ -74,11 +74,11 @@ pub fn devices(history: &History, out: &mut dyn Write) -> std::io::Result<()> {
     let links = (0..model.links.len()).filter(|link| !model.piers.iter().any(|pier| pier.column.contains(link)));
     let links = links.filter(|link| !is_part(link));
     let mut changes: Vec<(f64, usize, usize)> = links
-        .flat_map(|link| history.link_phases(link).iter().enumerate().map(move |(n, (t, _))| (*t, link, n)))
+        .flat_map(|link| connections.link_phases(link).iter().enumerate().map(move |(n, (t, _))| (*t, link, n)))
         .collect();
     changes.sort_by(|a, b| a.0.total_cmp(&b.0).then(a.1.cmp(&b.1)).then(a.2.cmp(&b.2)));
     let row = |(t, link, change): (f64, usize, usize)| {
-        let now = history.link_in(link, history.link_phases(link)[change].1, t)?;
+        let now = connections.link_in(link, connections.link_phases(link)[change].1, t)?;
         let [fx, fy, fz] = xyz(now.reaction);
         let (name, state) = (model.links[link].name.clone(), Language::English.within(|| now.state.to_string()));
         // A bearing whose travel has no end has no distance to it.

@@ -62,7 +62,7 @@ pub struct FlexibleRun {
 /// Of all girders that the scene calls elastic.
 pub(super) fn of(history: &History) -> Vec<FlexibleReport> {
     let model = history.model();
-    let readings = history.flexible_readings();
+    let readings = history.sections().readings();
     let one = |(number, flexible): (usize, &Option<crate::dynamics::model::flexible::Flexible>)| {
         let flexible = flexible.as_ref()?;
         let reading = readings.iter().find(|reading| reading.girder == number);

@@ -48,7 +48,7 @@ pub struct TableOptions {
     pub sample_hz: f64,
     /// [`History::estimate_error`], when it was asked for.
     pub estimated_error: Option<ErrorEstimate>,
-    /// [`History::check_degree`], when it was asked for.
+    /// [`crate::sim::Sections::check_degree`], when it was asked for.
     pub degree_check: Option<DegreeCheck>,
     /// How long the run took to compute, when it was timed \[s\].
     pub run_time: Option<f64>,

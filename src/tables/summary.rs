@@ -162,7 +162,7 @@ impl Report {
     /// Gathers the facts of an answer.
     pub fn of(history: &History, options: &TableOptions) -> Self {
         let (scene, ledger, balance) = (history.scene(), history.ledger(history.end()), history.balance());
-        let (upright, numbers) = (history.uprights(), history.summary());
+        let (upright, numbers) = (history.seats().uprights(), history.summary());
         let max_tilt = upright.iter().map(|girder| girder.tilt.value).reduce(f64::max);
         let radius = history.farthest_corner();
         let turned = numbers.max_rotation.max(max_tilt.unwrap_or(0.0));

@@ -127,7 +127,7 @@ pub(super) fn bearings(history: &History) -> Vec<BearingsReport> {
             force_t: force.t,
         }
     };
-    history.bearing_readings().into_iter().map(report).collect()
+    history.connections().bearing_readings().into_iter().map(report).collect()
 }
 
 /// What the run did to the soil behind every backwall that moves.
@@ -136,7 +136,7 @@ pub fn backfill(history: &History) -> Vec<BackfillReport> {
         let abutment = history.scene().abutments[abutment].name.clone();
         BackfillReport { abutment, push, t, force, ultimate, height, remaining_gap }
     };
-    history.backfill().into_iter().map(report).collect()
+    history.connections().backfill().into_iter().map(report).collect()
 }
 
 /// What the run did to every pier.
@@ -156,7 +156,7 @@ pub fn piers(history: &History) -> Vec<PierReport> {
             residual_drift: base.map(|base| base.residual),
             second_order,
         };
-    history.piers().into_iter().map(report).collect()
+    history.connections().piers().into_iter().map(report).collect()
 }
 
 #[cfg(test)]

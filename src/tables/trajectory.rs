@@ -20,7 +20,7 @@ const SPATIAL: [&str; 8] = ["z", "qx", "qy", "qz", "qw", "vz", "wx", "wy"];
 pub fn trajectory(history: &History, sample_hz: f64, out: &mut dyn Write) -> std::io::Result<()> {
     let spatial = history.scene().kind == Kind::Spatial;
     let bodies = &history.model().bodies;
-    let losses: Vec<f64> = history.lost_supports(history.end()).iter().map(|lost| lost.t).collect();
+    let losses: Vec<f64> = history.seats().lost_supports(history.end()).iter().map(|lost| lost.t).collect();
     let rows = sample_times(history.end(), sample_hz).map(|t| {
         let mut row = vec![number(t)];
         for girder in 0..bodies.len() {

@@ -5,7 +5,6 @@ use serde::Serialize;
 use crate::language::Language;
 use crate::scene::Girder;
 use crate::sim::History;
-use crate::sim::seats::verdict;
 
 /// Whether a girder stays on its seats.
 #[derive(Clone, Debug, PartialEq, Serialize)]
@@ -26,7 +25,7 @@ pub struct VerdictReport {
 /// Of the girders that have seats, or tip.
 pub(super) fn of(history: &History) -> Vec<VerdictReport> {
     let report = |(number, girder): (usize, &Girder)| {
-        let verdict = verdict::verdict(history, number)?;
+        let verdict = history.seats().verdict(number)?;
         let (words, told) = (Language::English.within(|| verdict.words()), verdict.words());
         Some(VerdictReport { girder: girder.name.clone(), stays: verdict.stays(), t: verdict.t(), words, told })
     };

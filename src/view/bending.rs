@@ -38,7 +38,8 @@ pub struct Bending {
 impl Bent {
     /// Of a run; without a factor the largest deflection is drawn as 3 % of the girder's length. `None` where no girder bends.
     pub fn of(history: &History, Bending { factor, force }: Bending) -> Option<Self> {
-        let girders = (0..history.scene().girders.len()).filter(|&girder| history.flexible(girder).is_some());
+        let girders =
+            (0..history.scene().girders.len()).filter(|&girder| history.sections().flexible(girder).is_some());
         let girders: Vec<usize> = girders.collect();
         let _ = girders.first()?;
         let most = |of: &dyn Fn(usize) -> f64| girders.iter().map(|&girder| of(girder)).fold(0.0, f64::max);
@@ -57,19 +58,19 @@ fn round_factor(factor: f64) -> f64 {
 
 /// Times at which a girder is looked at: all over the run, and closely in its hardest hit.
 fn spans(history: &History, girder: usize) -> Vec<[f64; 2]> {
-    let hit = history.elastic_hit(girder);
+    let hit = history.sections().elastic_hit(girder);
     let close = hit.map(|hit| [hit.t, (hit.t + 2.0 * hit.contact_time).min(history.end())]);
     std::iter::once([0.0, history.end()]).chain(close).collect()
 }
 
 fn largest_force(history: &History, girder: usize, force: OfSection) -> f64 {
-    let of = |span| history.section_field(girder, force, span, [LOOKS, STATIONS]);
+    let of = |span| history.sections().field(girder, force, span, [LOOKS, STATIONS]);
     spans(history, girder).into_iter().filter_map(of).map(|field: SectionField| field.largest()).fold(0.0, f64::max)
 }
 
 /// Largest deflection that is drawn larger, over what it is to be drawn as.
 fn largest_part(history: &History, girder: usize) -> f64 {
-    let Some(length) = history.flexible(girder).map(|flexible| flexible.beam.length) else { return 0.0 };
+    let Some(length) = history.sections().flexible(girder).map(|flexible| flexible.beam.length) else { return 0.0 };
     let fixed = ends_that_face(history, girder);
     let mut most = 0.0f64;
     for [from, until] in spans(history, girder) {
@@ -111,8 +112,8 @@ pub(super) struct Shape {
 
 impl Shape {
     pub(super) fn of(history: &History, girder: usize, fixed: [bool; 2], t: f64) -> Self {
-        let length = history.flexible(girder).map_or(1.0, |flexible| flexible.beam.length);
-        let ends = [-0.5, 0.5].map(|part| history.deformation(girder, part * length, t));
+        let length = history.sections().flexible(girder).map_or(1.0, |flexible| flexible.beam.length);
+        let ends = [-0.5, 0.5].map(|part| history.sections().deformation(girder, part * length, t));
         Self { girder, t, length, ends, fixed }
     }
 
@@ -131,7 +132,7 @@ impl Shape {
 
     /// What is.
     fn beyond(&self, history: &History, s: f64) -> Fields {
-        history.deformation(self.girder, s, self.t) + self.carried(s) * -1.0
+        history.sections().deformation(self.girder, s, self.t) + self.carried(s) * -1.0
     }
 
     /// What is drawn.

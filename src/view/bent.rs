@@ -30,7 +30,7 @@ pub(super) fn slices(
     selected: bool,
 ) -> Option<Slices> {
     let (bent, history) = (input.bent?, input.history?);
-    let _ = history.flexible(number)?;
+    let _ = history.sections().flexible(number)?;
     let t = if input.t.is_finite() { input.t.clamp(0.0, history.end()) } else { 0.0 };
     let shape = Shape::of(history, number, ends_that_face(history, number), t);
     let rims: Vec<Rim> = (0..=SLICES)
@@ -98,11 +98,11 @@ fn outline(rims: &[Rim]) -> Vec<[DVec3; 2]> {
 
 /// Colour of each slice.
 fn colors(history: &History, girder: usize, (t, length): (f64, f64), bent: Bent, palette: &Palette) -> Vec<Rgba> {
-    let Some(((force, most), equilibrium)) = bent.colored.zip(history.equilibrium(girder, t)) else {
+    let Some(((force, most), equilibrium)) = bent.colored.zip(history.sections().equilibrium(girder, t)) else {
         return vec![palette.girder; SLICES];
     };
     let middle = |i: usize| length * ((i as f64 + 0.5) / SLICES as f64 - 0.5);
-    let value = |i: usize| history.of_section(girder, &equilibrium.at(middle(i)), force);
+    let value = |i: usize| history.sections().component(girder, &equilibrium.at(middle(i)), force);
     (0..SLICES).map(|i| of_value(force.is_signed(), value(i) / most)).collect()
 }
 

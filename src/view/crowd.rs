@@ -66,12 +66,6 @@ impl Crowd {
             cell(min.y, self.rows - 1)..=cell(max.y, self.rows - 1),
         ]
     }
-
-    /// The areas, in the order in which they were taken.
-    #[cfg(test)]
-    pub(super) fn areas(&self) -> &[Area] {
-        &self.areas
-    }
 }
 
 /// The cell of a coordinate, held within the picture.
@@ -99,7 +93,7 @@ mod tests {
             // Many of them beside the picture, some larger than a cell.
             let middle = Vec2::new(random(seed) * 900.0 - 130.0, random(seed) * 600.0 - 120.0);
             let area = Area::about(middle, Vec2::new(random(seed) * 60.0, random(seed) * 20.0));
-            let all: f32 = crowd.areas().iter().map(|a| a.overlap(&area)).sum();
+            let all: f32 = crowd.areas.iter().map(|a| a.overlap(&area)).sum();
             assert_eq!(crowd.covered(&area, f32::INFINITY), Some(all), "to the last bit");
             let most = 300.0;
             assert_eq!(crowd.covered(&area, most), Some(all).filter(|sum| *sum <= most), "up to a bound");

@@ -299,6 +299,7 @@ pub(super) fn axes(input: &ViewInput<'_>, palette: &Palette) -> (Vec<Mark>, Area
     let ppp = input.pixels_per_point;
     let reach = 34.0 * ppp;
     let origin = Vec2::new(62.0 * ppp, input.size[1] as f32 - 62.0 * ppp);
+    let triad = Triad { origin, reach, ppp };
     let basis = input.camera.basis();
     let directions = [glam::DVec3::X, glam::DVec3::Y, glam::DVec3::Z];
     let mut axes: Vec<_> = directions.iter().zip(palette.axes).zip(["x", "y", "z"]).collect();
@@ -307,22 +308,24 @@ pub(super) fn axes(input: &ViewInput<'_>, palette: &Palette) -> (Vec<Mark>, Area
     let mut marks = Vec::new();
     for ((direction, color), name) in axes {
         let flat = Vec2::new(direction.dot(basis.right) as f32, -direction.dot(basis.up) as f32);
-        axis_marks(origin, flat, reach, color, name, ppp, palette, &mut marks);
+        axis_marks(&triad, flat, color, name, palette, &mut marks);
     }
     (marks, Area::about(origin, Vec2::splat(reach + 16.0 * ppp)))
 }
 
-#[expect(clippy::too_many_arguments, reason = "one call, and every value is a plain one")]
-fn axis_marks(
+/// World axes in the picture, seen from one point.
+struct Triad {
+    /// Point that they start at \[pixels\].
     origin: Vec2,
-    flat: Vec2,
+    /// Length of an axis that is square to the line of sight \[pixels\].
     reach: f32,
-    color: Rgba,
-    name: &str,
+    /// Pixels per point.
     ppp: f32,
-    palette: &Palette,
-    out: &mut Vec<Mark>,
-) {
+}
+
+/// Adds the arrow and the name of an axis with this direction in the picture \[–\].
+fn axis_marks(triad: &Triad, flat: Vec2, color: Rgba, name: &str, palette: &Palette, out: &mut Vec<Mark>) {
+    let Triad { origin, reach, ppp } = *triad;
     let length = flat.length();
     if length < 0.08 {
         // Straight at the eye or away from it.

@@ -10,7 +10,6 @@ use crate::geometry::{End, Prism};
 use crate::scene::facing::{self, Side};
 use crate::scene::{FrictionLaw, Girder, Motion as GroundMotion, Scene, placed};
 use crate::sim::seats::seat_on::SeatOn;
-use crate::sim::seats::{Ledge, corners_at};
 use crate::sim::{Carrying, ContactNow, History, Hit, LinkNow, Motion, SolidId, State};
 
 /// Impulses that fade at once, at most: the latest.
@@ -178,11 +177,11 @@ impl Moment {
                 .collect(),
             opened: just_opened(history, t, linger(scene), &contacts),
             contacts,
-            carrying: (0..model.girders().len()).map(|girder| history.carrying(girder, t)).collect(),
+            carrying: (0..model.girders().len()).map(|girder| history.seats().carrying(girder, t)).collect(),
             feet: history.ground_under_bearings(t),
             walls: walls::at(scene, Some((history, t))),
             piers: piers::at(scene, Some((history, t))),
-            devices: history.links(t),
+            devices: history.connections().links(t),
             overlaps: overlaps(history, t),
             seats: seats(history, t),
             laws: match history.impact() {
@@ -225,7 +224,7 @@ impl Moment {
 /// Motion of the end sections of all girders, where one of them bends.
 fn ends(history: &History, t: f64) -> Vec<[Motion; 2]> {
     let girders = 0..history.model().girders().len();
-    if !girders.clone().any(|girder| history.flexible(girder).is_some()) {
+    if !girders.clone().any(|girder| history.sections().flexible(girder).is_some()) {
         return Vec::new();
     }
     girders.map(|girder| End::BOTH.map(|end| history.end_motion(girder, end, t))).collect()
@@ -242,8 +241,8 @@ fn overlaps(history: &History, t: f64) -> Vec<OverlapNow> {
 fn seats(history: &History, t: f64) -> Vec<SeatNow> {
     let ends = (0..history.model().girders().len()).flat_map(|girder| End::BOTH.map(|end| (girder, end)));
     ends.filter_map(|(girder, end)| {
-        let ledge = Ledge::of(history, girder, end)?;
-        let remaining = corners_at(history, girder, &ledge, t).map(|[_, remaining]| remaining);
+        let ledge = history.seats().ledge(girder, end)?;
+        let remaining = history.seats().corners_at(girder, &ledge, t).map(|[_, remaining]| remaining);
         let body = &history.model().bodies[girder];
         let back = ledge.normal * ledge.placed();
         let edge = Prism::end_corners(end).map(|corner| body.home + body.axes * body.prism.corners()[corner] - back);

@@ -33,7 +33,7 @@ pub struct Pier {
 /// The piers of a scene, as placed or at `t` of a run.
 pub(super) fn at(scene: &Scene, run: Option<(&History, f64)>) -> Vec<Pier> {
     let pier = |number: usize| {
-        let now = run.and_then(|(history, t)| history.pier(number, t));
+        let now = run.and_then(|(history, t)| history.connections().pier(number, t));
         let [displacement, foot] = now.map_or([DVec3::ZERO; 2], |now| [now.place, now.place - now.displacement]);
         let theta = now.map_or(0.0, |now| now.theta);
         Pier { resolved: scene.pier(number), displacement, foot, theta, pad: pad(scene) }

@@ -65,7 +65,9 @@ fn factors(input: &ViewInput<'_>) -> String {
     let one_digit = |factor: f64| (factor * 10.0).round() / 10.0;
     let motion = (input.exaggeration != 1.0 && input.exaggeration.is_finite())
         .then(|| Text::new("view-motion-times").with(&values!["factor" => one_digit(input.exaggeration).to_string()]));
-    let bends = |history: &History| (0..history.scene().girders.len()).any(|girder| history.flexible(girder).is_some());
+    let bends = |history: &History| {
+        (0..history.scene().girders.len()).any(|girder| history.sections().flexible(girder).is_some())
+    };
     let bent = input.bent.filter(|_| input.history.is_some_and(bends));
     let deformation =
         bent.map(|bent| Text::new("view-bent-times").with(&values!["factor" => one_digit(bent.factor).to_string()]));

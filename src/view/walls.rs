@@ -34,7 +34,7 @@ pub struct Soil {
 /// The backwalls of a scene by abutment, as placed or at `t` of a run; `None` for those that stand.
 pub(super) fn at(scene: &Scene, run: Option<(&History, f64)>) -> Vec<Option<Wall>> {
     let wall = |(number, abutment): (usize, &Abutment)| {
-        let now = run.and_then(|(history, t)| history.wall(number, t));
+        let now = run.and_then(|(history, t)| history.connections().wall(number, t));
         let front = now.and_then(|now| now.soil).map_or(DVec3::ZERO, |soil| soil.front);
         let soil = abutment.soil(scene).map(|soil| Soil { behind: soil.thickness, front });
         let displacement = now.map_or(DVec3::ZERO, |now| now.displacement);

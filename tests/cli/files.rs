@@ -4,7 +4,7 @@ use std::fs;
 use std::path::Path;
 
 use girderbench::dynamics::Model;
-use girderbench::files::{SceneSource, check_folder, load_scene, save_scene, write_atomic, write_set};
+use girderbench::files::{FileSet, SceneSource, WriteError, check_folder, load_scene, save_scene, write_atomic};
 use girderbench::scene::{Heading, Motion, Scene, presets};
 
 fn folder() -> tempfile::TempDir {
@@ -56,11 +56,18 @@ fn a_file_that_cannot_be_written_is_named_and_leaves_no_trace() {
     assert_eq!(count_in(folder.path()), 1, "only the folder in the way");
 }
 
+/// Writes files of these names that get their names together.
+fn write_all(folder: &Path, names: &[&str]) -> Result<(), WriteError> {
+    let mut set = FileSet::default();
+    names.iter().try_for_each(|name| set.add(&folder.join(name), b"1"))?;
+    set.finish()
+}
+
 #[test]
 fn a_set_of_files_makes_its_folder() {
     let folder = folder();
     let inner = folder.path().join("deep").join("er");
-    write_set(&inner, &[("a.csv", b"1"), ("b.csv", b"2")]).expect("written");
+    write_all(&inner, &["a.csv", "b.csv"]).expect("written");
     assert_eq!(count_in(&inner), 2, "both and nothing else");
 }
 
@@ -69,7 +76,7 @@ fn where_a_folder_has_the_name_of_one_file_none_is_written() {
     let folder = folder();
     let place = folder.path().join("out");
     std::fs::create_dir_all(place.join("b.csv")).expect("a folder");
-    let error = write_set(&place, &[("a.csv", "1"), ("b.csv", "2"), ("c.csv", "3")]).expect_err("b.csv is a folder");
+    let error = write_all(&place, &["a.csv", "b.csv", "c.csv"]).expect_err("b.csv is a folder");
     assert!(error.to_string().contains("a folder stands there"), "{error}");
     assert_eq!(std::fs::read_dir(&place).expect("there").count(), 1, "the folder alone");
 }

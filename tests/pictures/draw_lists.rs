@@ -5,7 +5,7 @@
 use girderbench::geometry::End;
 use girderbench::scene::facing::Side;
 use girderbench::scene::{ModelKind, Overlays, Scene, ViewPreset, presets};
-use girderbench::sim::{ContactState, History, OfSection, SolidId, seats};
+use girderbench::sim::{ContactState, History, OfSection, SolidId};
 use girderbench::view::list::{ArrowKind, Mark};
 use girderbench::view::moment::OverlapNow;
 use girderbench::view::{
@@ -541,7 +541,7 @@ fn an_end_off_its_seat_is_drawn_with_the_edge_that_it_left() {
     scene.duration = 2.0;
     let drawn = |scene: &Scene| {
         let history = History::of(scene).expect("runs");
-        let seat = seats::of_girder(&history, 0).first().copied();
+        let seat = history.seats().of_girder(0).first().copied();
         let t = seat.map_or(1.0, |seat| seat.least().t);
         let camera = Camera::preset(ViewPreset::Iso, Bounds::of_scene(scene), ASPECT);
         let list = draw_list(&input(scene, Some(&history), t, &camera));
@@ -577,7 +577,7 @@ fn a_girder_that_bends_keeps_the_end_that_faces_something_where_it_is() {
     assert!((a - a_50).length() < 1e-5 && (b - b_50).length() < 1e-5, "corners before the wall are where they are");
     assert!((far - far_50).length() > 0.02, "the other end is drawn farther off: {far} and {far_50}");
     // Corners of the end by the run itself.
-    let place = history.section_place(0, End::Plus, t);
+    let place = history.sections().end_displacement(0, End::Plus, t);
     let centre = 0.5 * (a + b);
     let placed = DVec3::new(15.0, 0.0, 0.0) + place;
     assert!((centre.as_dvec3().truncate() - placed.truncate()).length() < 1e-5, "{centre} against {placed}");

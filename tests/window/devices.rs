@@ -96,12 +96,20 @@ fn the_state_of_a_device_is_told_and_its_loop_is_a_plot() {
     settle(&mut harness);
     let history = &harness.state().replay.runner.answer().expect("run").history;
     let device = history.model().devices[0].clone();
-    let phases = history.link_phases(device.links.start).to_vec();
+    let phases = history.connections().link_phases(device.links.start).to_vec();
     let squeezed = phases.iter().find(|(t, _)| *t > 0.0).expect("the girder reaches it").0;
     assert!(harness.query_all_by_label_contains("squeezed").count() > 0, "in the list of states");
     harness.state_mut().apply(TimeCommand::Seek(squeezed + 1e-3));
     settle(&mut harness);
-    let now = harness.state().replay.runner.answer().expect("run").history.link(device.links.start, squeezed + 1e-3);
+    let now = harness
+        .state()
+        .replay
+        .runner
+        .answer()
+        .expect("run")
+        .history
+        .connections()
+        .link(device.links.start, squeezed + 1e-3);
     assert!(now.is_some_and(|now| now.acts && now.force.length() > 0.0), "its force acts");
     reach(&mut harness, "Add plot");
     press(&mut harness, "Add plot");

@@ -176,7 +176,7 @@ fn what_the_paper_saw() {
 
 /// Least that remains of any seat, in whole millimetres as the words say it.
 fn seat_left(history: &History) -> String {
-    let all = girderbench::sim::seats::of_girder(history, 0);
+    let all = history.seats().of_girder(0);
     let least = all.iter().map(|seat| seat.least().value).fold(f64::INFINITY, f64::min);
     let mm = (1e3 * least).abs();
     if least < 0.0 { format!("{mm:.0} mm beyond the edge") } else { format!("{mm:.0} mm of seat are left") }
@@ -189,20 +189,22 @@ fn what_holds_a_skewed_deck_on_its_seat() {
         let history = run(lesson, number);
         says(lesson, number, &turn(&history));
         says(lesson, number, &seat_left(&history));
-        let seats = girderbench::sim::seats::of_girder(&history, 0);
+        let seats = history.seats().of_girder(0);
         let least = seats.iter().map(girderbench::sim::seats::Seat::least).min_by(|a, b| a.value.total_cmp(&b.value));
         let shown = number.map_or(Some(lesson.at), |number| lesson.tries[number].at);
         let off = shown.zip(least).map(|(at, least)| (at - least.t).abs());
         assert!(off.is_some_and(|off| off < 0.01), "{number:?}: seen when least is left, {off:?} s from it");
     }
     let own = run(lesson, None);
-    let seats = girderbench::sim::seats::of_girder(&own, 0);
+    let seats = own.seats().of_girder(0);
     says(lesson, None, &format!("{:.2} m square", seats[0].ledge.placed()));
-    let phases = |history: &History| (0..history.model().links.len()).all(|link| history.link_phases(link).len() <= 1);
+    let phases = |history: &History| {
+        (0..history.model().links.len()).all(|link| history.connections().link_phases(link).len() <= 1)
+    };
     assert!(phases(&own), "cable and keys do nothing yet");
     let hits = |number| run(lesson, number).summary().hits;
     says(lesson, Some(0), &format!("{} hits instead of {}", hits(Some(0)), hits(None)));
-    let yields = |number| run(lesson, number).link_phases(0).iter().any(|(_, phase)| phase.branch == 2);
+    let yields = |number| run(lesson, number).connections().link_phases(0).iter().any(|(_, phase)| phase.branch == 2);
     assert!(yields(Some(0)), "the tight cable yields");
 }
 
@@ -228,12 +230,12 @@ fn how_long_a_hit_lasts() {
         says(lesson, number, &format!("{returned:.3} of their speed"));
     }
     let own = run(lesson, None);
-    let beam = own.flexible(0).expect("it bends").beam;
+    let beam = own.sections().flexible(0).expect("it bends").beam;
     says(lesson, None, &format!("to the far end and back in {:.1} ms", 2e3 * beam.transit_time()));
-    let ringing = |number, girder| run(lesson, number).elastic_hit(girder).expect("a hit").ringing / 1e3;
+    let ringing = |number, girder| run(lesson, number).sections().elastic_hit(girder).expect("a hit").ringing / 1e3;
     says(lesson, None, &format!("{:.1} kJ are left ringing in each", ringing(None, 1)));
     says(lesson, Some(3), &format!("{:.1} kJ are left ringing in the long one", ringing(Some(3), 0)));
-    assert!(run(lesson, Some(0)).flexible(0).is_none(), "rigid decks");
+    assert!(run(lesson, Some(0)).sections().flexible(0).is_none(), "rigid decks");
 }
 
 /// Whether a corner begins its touch in stick.

@@ -65,7 +65,7 @@ fn values_are_read_where_the_mouse_points_and_at_the_time_shown_else() {
 fn values_zoom_by_the_wheel_over_their_axis_and_with_alt_and_come_back() {
     let mut harness = open(presets::OPENING);
     let axis = harness.get_by_label("Values of Rotation").rect();
-    let range = |harness: &Window| harness.state().plot_values("Rotation");
+    let range = |harness: &Window| harness.state().plots.values("Rotation");
     assert_eq!(range(&harness), None, "all of them");
     wheel(&mut harness, axis.center(), 120.0, Modifiers::NONE);
     let near = range(&harness).expect("a part");
@@ -167,7 +167,7 @@ fn a_wave_is_read_over_time_and_station_where_a_deck_bends() {
     let answer = harness.state().replay.runner.answer().expect("run").clone();
     let history = &answer.history;
     let [from, until] = harness.state().replay.playback.window.expect("the window of the hit");
-    let hit = history.elastic_hit(0).expect("a hit");
+    let hit = history.sections().elastic_hit(0).expect("a hit");
     assert!(from < hit.t && until > hit.t + hit.contact_time, "[{from}, {until}] holds the hit at {}", hit.t);
     let (_, most) = history.hardest_pounding().expect("one hit of one girder");
     assert_eq!(harness.state().replay.playback.clock.t, most.t, "where its force is largest");
@@ -179,7 +179,7 @@ fn a_wave_is_read_over_time_and_station_where_a_deck_bends() {
     let said = named.accesskit_node().value().or(named.accesskit_node().label()).unwrap_or_default();
     let value: f64 = said.split(' ').next().and_then(|n| n.replace('−', "-").parse().ok()).expect("a number");
     // Half a point beside the middle of the chart, at most, and three digits.
-    let axial = |station: f64, t: f64| history.section_forces(0, station, t).axial / 1e6;
+    let axial = |station: f64, t: f64| history.sections().forces(0, station, t).axial / 1e6;
     let (t, step) = (from.midpoint(until), (until - from) / f64::from(chart.width()));
     let near = [-1.0, 1.0].map(|way| [axial(way * 30.0 / f64::from(chart.height()), t), axial(0.0, t + way * step)]);
     let spread = near.iter().flatten().map(|other| (other - axial(0.0, t)).abs()).fold(0.0, f64::max);

@@ -237,7 +237,7 @@ fn a_verdict_and_every_reading_lead_to_their_moment_and_their_place() {
     harness.state_mut().apply(SelectCommand::Only(Some(Target::Girder(0))));
     settle(&mut harness);
     let answer = harness.state().replay.runner.answer().expect("run").clone();
-    let verdict = girderbench::sim::seats::verdict::verdict(&answer.history, 0).expect("seats");
+    let verdict = answer.history.seats().verdict(0).expect("seats");
     let words = format!("deck {}", verdict.words());
     assert!(words.contains("stays on its seats: at worst"), "{words}");
     reach(&mut harness, &words);
@@ -253,8 +253,8 @@ fn a_verdict_and_every_reading_lead_to_their_moment_and_their_place() {
     // Figures of the status line, one by one.
     for (words, t) in [
         ("pair peak ", answer.summary.peak_total_time.expect("a hit")),
-        ("moves ", answer.history.farthest().expect("it moves").1.t),
-        ("turns ", answer.history.most_turned().expect("it turns").1.t),
+        ("moves ", answer.history.largest_motion().expect("it moves").displacement.extreme.t),
+        ("turns ", answer.history.largest_motion().expect("it turns").rotation.extreme.t),
         ("hits ", answer.history.touches()[0].start),
     ] {
         let label = figure(&harness, words);

@@ -123,16 +123,14 @@ impl Workbench {
     fn apply_map(&mut self, command: MapCommand) {
         let (scene, folder) = (self.files.document.scene(), self.files.folder());
         if let Some(edit) = self.maps.apply(command, scene, folder) {
-            let done = self.files.document.edit(edit, None);
-            self.after(done);
+            self.edit(edit);
         }
     }
 
     fn apply_angles(&mut self, command: AngleCommand) {
         let (scene, folder) = (self.files.document.scene(), self.files.folder());
         if let Some(edit) = self.angles.apply(command, scene, folder) {
-            let done = self.files.document.edit(edit, None);
-            self.after(done);
+            self.edit(edit);
         }
     }
 

@@ -143,7 +143,7 @@ impl Workbench {
     }
 
     /// Changes the scene in one step.
-    fn edit(&mut self, edit: Edit) {
+    pub(super) fn edit(&mut self, edit: Edit) {
         let done = self.files.document.edit(edit, None);
         self.after(done);
     }

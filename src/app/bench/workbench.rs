@@ -40,7 +40,7 @@ pub struct Workbench {
     /// Histories and response spectrum of the ground motion.
     pub shaking: Shaking,
     /// Which values of the plots are shown.
-    pub(in crate::app) plots: PlotViews,
+    pub plots: PlotViews,
     /// Dialogs, exports and films on threads.
     pub tasks: Tasks,
     /// The window itself: its dialogs, its notice, its end.
@@ -128,11 +128,6 @@ impl Workbench {
             end: self.replay.end(),
             samples: &self.samples,
         }
-    }
-
-    /// The values that are shown of a chart over time, in its unit; all of them when none.
-    pub fn plot_values(&self, chart: &str) -> Option<[f64; 2]> {
-        self.plots.values(chart)
     }
 
     /// Keeps unsaved work now: something else is about to be opened, or the window ends otherwise than by being closed.

@@ -80,6 +80,17 @@ struct Before {
     gap: f64,
 }
 
+/// Girder and gap that the numbers of a new device are chosen by.
+#[derive(Clone, Copy)]
+struct Room {
+    /// Length of the girder \[m\].
+    length: f64,
+    /// Weight of the girder \[N\].
+    weight: f64,
+    /// Gap before its end \[m\].
+    gap: f64,
+}
+
 /// A new device of a kind at the girder that is selected, the one at the abutment or on the pier that is, or the first; none without
 /// a girder. It goes to what is selected beside the girder, else to the end with the fewest of its kind.
 pub(super) fn new_device(scene: &Scene, kind: DeviceKind, selected: &[Target]) -> Option<Device> {
@@ -102,17 +113,17 @@ pub(super) fn new_device(scene: &Scene, kind: DeviceKind, selected: &[Target]) -
     let name = free_name(scene, kind.label());
     let own = |world: DVec3| point_on(scene, Some(&body.name), world).map(|at| tidy(at.into()));
     let other = |world: DVec3| point_on(scene, before.to.as_deref(), world).map(|at| tidy(at.into()));
-    let (length, weight) = (body.length, body.mass * gravity(scene));
-    let inside = along(-FROM_END * length);
-    let beyond = along(before.gap + 2.0 * FROM_END * length);
+    let room = Room { length: body.length, weight: body.mass * gravity(scene), gap: before.gap };
+    let inside = along(-FROM_END * room.length);
+    let beyond = along(room.gap + 2.0 * FROM_END * room.length);
     let shared = (name, body.name.clone(), before.to.clone());
     Some(match kind {
-        DeviceKind::Restrainer => cable(shared, own(inside)?, other(beyond)?, (length, weight)),
-        DeviceKind::Bumper => bumper(shared, own(along(0.0))?, other(along(before.gap))?, (length, weight, before.gap)),
+        DeviceKind::Restrainer => cable(shared, own(inside)?, other(beyond)?, room),
+        DeviceKind::Bumper => bumper(shared, own(along(0.0))?, other(along(room.gap))?, room),
         DeviceKind::Damper => damper(shared, own(inside)?, other(beyond)?, body),
         DeviceKind::Stopper => {
-            let here = along(-2.0 * FROM_END * length);
-            stopper((shared.0, shared.1), own(here)?, (length, weight))
+            let here = along(-2.0 * FROM_END * room.length);
+            stopper((shared.0, shared.1), own(here)?, room)
         }
     })
 }
@@ -183,7 +194,8 @@ fn two(value: f64) -> f64 {
 
 type Shared = (String, String, Option<String>);
 
-fn cable((name, girder, to): Shared, at: [f64; 3], to_at: [f64; 3], (length, weight): (f64, f64)) -> Device {
+fn cable((name, girder, to): Shared, at: [f64; 3], to_at: [f64; 3], room: Room) -> Device {
+    let Room { length, weight, .. } = room;
     let (force, stiffness) = (two(STRENGTH[0] * weight), two(STRENGTH[0] * weight / (YIELD * length)));
     Device::Restrainer(Restrainer {
         name,
@@ -202,8 +214,9 @@ fn cable((name, girder, to): Shared, at: [f64; 3], to_at: [f64; 3], (length, wei
 }
 
 /// It begins half-way through the gap, and stops a push of half the weight in the other half.
-fn bumper((name, girder, to): Shared, at: [f64; 3], to_at: [f64; 3], (length, weight, gap): (f64, f64, f64)) -> Device {
-    let room = if gap > 0.0 { gap } else { YIELD * length };
+fn bumper((name, girder, to): Shared, at: [f64; 3], to_at: [f64; 3], room: Room) -> Device {
+    let Room { length, weight, gap } = room;
+    let way = if gap > 0.0 { gap } else { YIELD * length };
     let normal = to.is_none().then_some([-1.0, 0.0, 0.0]);
     Device::Bumper(Bumper {
         name,
@@ -212,8 +225,8 @@ fn bumper((name, girder, to): Shared, at: [f64; 3], to_at: [f64; 3], (length, we
         at,
         to_at: Some(to_at),
         normal,
-        gap: Some(two(0.5 * room)),
-        stiffness: Some(two(weight / room)),
+        gap: Some(two(0.5 * way)),
+        stiffness: Some(two(weight / way)),
         table: None,
         damping: 0.0,
     })
@@ -243,7 +256,8 @@ fn damper((name, girder, to): Shared, at: [f64; 3], to_at: [f64; 3], body: &Gird
 }
 
 /// A key in the ground at either side, across the girder.
-fn stopper((name, girder): (String, String), at: [f64; 3], (length, weight): (f64, f64)) -> Device {
+fn stopper((name, girder): (String, String), at: [f64; 3], room: Room) -> Device {
+    let Room { length, weight, .. } = room;
     let force = two(STRENGTH[1] * weight);
     Device::Stopper(Stopper {
         name,

@@ -3,7 +3,7 @@
 use egui::{ComboBox, Response, Ui};
 
 use super::frame::{self, SIGN, complain, reset_sign};
-use super::place::{CLICK, Change, Place};
+use super::place::{CLICK, Change, Named, Place};
 use super::slider::line;
 use crate::app::text;
 use crate::scene::keys;
@@ -15,7 +15,7 @@ pub(in crate::app) type Choice<'a, T> = &'a [(T, &'a str)];
 pub(in crate::app) fn choice<T: Copy + PartialEq + Default>(
     ui: &mut Ui,
     place: Place<'_>,
-    names: (&str, &str),
+    names: Named<'_>,
     value: &mut T,
     options: Choice<'_, T>,
 ) -> Option<Change> {
@@ -26,13 +26,14 @@ pub(in crate::app) fn choice<T: Copy + PartialEq + Default>(
 pub(super) fn choice_by<T: Copy + PartialEq>(
     ui: &mut Ui,
     place: Place<'_>,
-    (key, label): (&str, &str),
+    named: Named<'_>,
     value: &mut T,
     options: Choice<'_, T>,
     default: T,
 ) -> Option<Change> {
+    let Named { key, label } = named;
     let (before, complaint) = (*value, place.complaint(key));
-    let name = ui.label(frame::named(ui, place, (key, label)));
+    let name = ui.label(frame::named(ui, place, named));
     ui.horizontal(|ui| {
         ui.spacing_mut().item_spacing.x = 2.0;
         list(ui, (&place.path(key), label), (value, default), options, 79.0).labelled_by(name.id);
@@ -53,7 +54,7 @@ pub(super) fn choice_by<T: Copy + PartialEq>(
 pub(in crate::app) fn choice_line<T: Copy + PartialEq + Default>(
     ui: &mut Ui,
     place: Place<'_>,
-    names: (&str, &str),
+    names: Named<'_>,
     value: &mut T,
     options: Choice<'_, T>,
 ) -> Option<Change> {
@@ -64,13 +65,14 @@ pub(in crate::app) fn choice_line<T: Copy + PartialEq + Default>(
 pub(super) fn choice_line_by<T: Copy + PartialEq>(
     ui: &mut Ui,
     place: Place<'_>,
-    (key, label): (&str, &str),
+    named: Named<'_>,
     value: &mut T,
     options: Choice<'_, T>,
     default: T,
 ) -> Option<Change> {
+    let Named { key, label } = named;
     let (before, complaint) = (*value, place.complaint(key));
-    let name = frame::named(ui, place, (key, label));
+    let name = frame::named(ui, place, named);
     let path = place.path(key);
     let differs = (before != default).then(|| word(default, options));
     let (_, pressed) = line(ui, name, (label, differs), |ui| {

@@ -2,15 +2,14 @@
 
 use egui::{Id, Ui};
 
-use super::place::{Change, Place};
+use super::place::{Change, Named, Place};
 use crate::app::unit::Unit;
 use crate::scene::keys::{self, Key};
 
 /// A field that is about to be shown.
 pub(super) struct Field<'a> {
     pub(super) place: Place<'a>,
-    pub(super) key: &'a str,
-    pub(super) label: &'a str,
+    pub(super) names: Named<'a>,
     pub(super) unit: Unit,
     pub(super) known: Option<&'static Key>,
     /// Tells it from other fields of the same key.
@@ -27,9 +26,9 @@ pub(super) enum Done {
 }
 
 impl<'a> Field<'a> {
-    pub(super) fn new(ui: &Ui, place: Place<'a>, (key, label): (&'a str, &'a str), unit: Unit) -> Self {
-        let known = keys::of_place(&place.path(key)).map(|(_, key)| key);
-        Self { place, key, label, unit, known, scope: ui.scope_id() }
+    pub(super) fn new(ui: &Ui, place: Place<'a>, names: Named<'a>, unit: Unit) -> Self {
+        let known = keys::of_place(&place.path(names.key)).map(|(_, key)| key);
+        Self { place, names, unit, known, scope: ui.scope_id() }
     }
 
     pub(super) fn range(&self) -> keys::Range {

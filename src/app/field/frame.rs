@@ -3,7 +3,7 @@
 use egui::{Button, Response, RichText, Ui, vec2};
 
 use super::entry::Field;
-use super::place::Place;
+use super::place::{Named, Place};
 use crate::app::style::icons::{self, Icon};
 use crate::app::style::theme::Palette;
 use crate::app::text;
@@ -26,7 +26,7 @@ pub(super) struct Own {
 impl Field<'_> {
     /// What the field says of itself.
     pub(super) fn hint(&self, own: &Own) -> String {
-        hint(self.known, self.unit, own) + &assumed_hint(self.place, self.key)
+        hint(self.known, self.unit, own) + &assumed_hint(self.place, self.names.key)
     }
 }
 
@@ -61,7 +61,7 @@ pub(super) fn in_lines(key: Option<&Key>, allowed: &str, default: &str) -> Strin
 }
 
 /// Tells the mouse, a screen reader and whoever looks for it which key a widget is the field of.
-pub(in crate::app) fn tag(ui: &Ui, response: &Response, place: Place<'_>, (key, label): (&str, &str)) -> Response {
+pub(in crate::app) fn tag(ui: &Ui, response: &Response, place: Place<'_>, Named { key, label }: Named<'_>) -> Response {
     let path = place.path(key);
     let known = keys::of_place(&path).map(|(_, key)| key);
     let words = known.and_then(|key| match key.fallback {
@@ -121,7 +121,7 @@ pub(super) fn menu(response: &Response, own: &Own) -> bool {
 
 /// The name of a value: in italics where it was not given, with a sign where those that are selected have several, in the colour of
 /// problems where it is wrong.
-pub(super) fn named(ui: &Ui, place: Place<'_>, (key, label): (&str, &str)) -> RichText {
+pub(super) fn named(ui: &Ui, place: Place<'_>, Named { key, label }: Named<'_>) -> RichText {
     let text = if place.differs(key) { RichText::new(format!("{label} ≠")) } else { RichText::new(label) };
     let text = if place.is_assumed(key) { text.italics() } else { text };
     if place.complaint(key).is_some() { text.color(Palette::of(ui).problem).strong() } else { text }
@@ -136,11 +136,11 @@ pub(in crate::app) fn complain(ui: &mut Ui, complaint: &str) {
 /// A button that makes, removes or chooses what stands under a key. Whether it was pressed.
 pub(in crate::app) fn act(ui: &mut Ui, place: Place<'_>, key: &str, label: &str) -> bool {
     let response = ui.small_button(label);
-    mark(&response, place, (key, label));
+    mark(&response, place, Named { key, label });
     response.clicked()
 }
 
 /// Only tells whoever looks for it which key a widget is for: its own hover text says more.
-pub(in crate::app) fn mark(response: &Response, place: Place<'_>, (key, label): (&str, &str)) {
+pub(in crate::app) fn mark(response: &Response, place: Place<'_>, Named { key, label }: Named<'_>) {
     response.ctx.accesskit_node_builder(response.id, |node| node.set_author_id(format!("{}/{label}", place.path(key))));
 }

@@ -7,7 +7,7 @@ use egui::{DragValue, Id, Response, Ui, vec2};
 use super::entry::{Done, Field};
 use super::frame::{self, Own, SIGN, complain, reset_sign};
 use super::parse::{self, read};
-use super::place::{CLICK, Change, Place, change};
+use super::place::{CLICK, Change, Named, Place, change};
 use crate::app::style::theme::Palette;
 use crate::app::text;
 use crate::app::unit::Unit;
@@ -20,7 +20,7 @@ const WIDTH: f32 = 96.0;
 pub(in crate::app) fn number(
     ui: &mut Ui,
     place: Place<'_>,
-    names: (&str, &str),
+    names: Named<'_>,
     value: &mut f64,
     unit: Unit,
 ) -> Option<Change> {
@@ -43,7 +43,7 @@ pub(in crate::app) fn number(
 pub(in crate::app) fn optional(
     ui: &mut Ui,
     place: Place<'_>,
-    names: (&str, &str),
+    names: Named<'_>,
     (value, reckoned): (&mut Option<f64>, f64),
     unit: Unit,
 ) -> Option<Change> {
@@ -56,7 +56,7 @@ pub(in crate::app) fn optional(
 pub(in crate::app) fn laid_over(
     ui: &mut Ui,
     place: Place<'_>,
-    names: (&str, &str),
+    names: Named<'_>,
     (value, under): (&mut Option<f64>, f64),
     unit: Unit,
 ) -> Option<Change> {
@@ -71,13 +71,13 @@ pub(in crate::app) fn laid_over(
 pub(in crate::app) fn switched(
     ui: &mut Ui,
     place: Place<'_>,
-    names: (&str, &str),
+    names: Named<'_>,
     (value, first): (&mut Option<f64>, f64),
     unit: Unit,
 ) -> Option<Change> {
     let field = Field::new(ui, place, names, unit);
     let mut on = value.is_some();
-    let name = frame::named(ui, place, (field.key, field.label));
+    let name = frame::named(ui, place, names);
     let switch = ui.checkbox(&mut on, name);
     if frame::tag(ui, &switch, place, names).changed() {
         *value = on.then_some(first);
@@ -126,7 +126,7 @@ impl Field<'_> {
 
     /// The row; `given` numbers are written plainly, reckoned ones quietly.
     fn row(&self, ui: &mut Ui, value: f64, own: &Own, given: bool) -> Option<Done> {
-        let name = ui.label(frame::named(ui, self.place, (self.key, self.label))).id;
+        let name = ui.label(frame::named(ui, self.place, self.names)).id;
         self.behind(ui, name, value, own, given)
     }
 
@@ -138,14 +138,14 @@ impl Field<'_> {
                 let (response, shown, typed) = self.drag(ui, value, given);
                 let response = response.labelled_by(name);
                 let menu = frame::menu(&response, own);
-                let sign = reset_sign(ui, self.label, own.words.as_deref().filter(|_| own.differs));
+                let sign = reset_sign(ui, self.names.label, own.words.as_deref().filter(|_| own.differs));
                 let done =
                     if menu || sign { Some(Done::Reset) } else { self.done(ui, &response, (value, shown), own, typed) };
                 (done, refusal(ui, self.refused()))
             })
             .inner;
         ui.end_row();
-        for words in refusal.into_iter().chain(self.place.complaint(self.key)) {
+        for words in refusal.into_iter().chain(self.place.complaint(self.names.key)) {
             complain(ui, &words);
             ui.end_row();
         }
@@ -154,7 +154,7 @@ impl Field<'_> {
 
     /// Under what a refusal is remembered; a slider and its number are two widgets, of which one or the other answers.
     pub(super) fn refused(&self) -> Id {
-        self.scope.with(("refused", self.place.path(self.key), self.label))
+        self.scope.with(("refused", self.place.path(self.names.key), self.names.label))
     }
 
     fn drag(&self, ui: &mut Ui, value: f64, given: bool) -> (Response, f64, Typed) {
@@ -191,8 +191,8 @@ impl Field<'_> {
         typed: Typed,
     ) -> Option<Done> {
         let taken = change(ui, response);
-        let path = self.place.path(self.key);
-        frame::say(ui, response, &path, self.label, || self.hint(own));
+        let path = self.place.path(self.names.key);
+        frame::say(ui, response, &path, self.names.label, || self.hint(own));
         let wanted = shown / self.unit.factor;
         match typed.into_inner() {
             Some(Ok(Some(number))) => {

@@ -47,6 +47,15 @@ impl<'a> Place<'a> {
     }
 }
 
+/// Key of a value in the scene file, and its name in the window.
+#[derive(Clone, Copy)]
+pub(in crate::app) struct Named<'a> {
+    /// Key in its table; empty where the value is none of a scene's.
+    pub key: &'a str,
+    /// Name in the language of the user.
+    pub label: &'a str,
+}
+
 /// What the hand did to a field.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub(in crate::app) struct Change {

@@ -5,7 +5,7 @@ use egui::{Response, RichText, Slider, Ui};
 use super::entry::{Done, Field};
 use super::frame::{self, Own, SIGN, complain, reset_sign};
 use super::number::{Typed, reader, refusal};
-use super::place::{CLICK, Change, Place};
+use super::place::{CLICK, Change, Named, Place};
 use crate::app::unit::Unit;
 use crate::scene::keys::Key;
 
@@ -25,7 +25,7 @@ pub(in crate::app) type Bounds = std::ops::RangeInclusive<f64>;
 pub(in crate::app) fn slider(
     ui: &mut Ui,
     place: Place<'_>,
-    names: (&str, &str),
+    names: Named<'_>,
     value: &mut f64,
     unit: Unit,
     bounds: Bounds,
@@ -49,7 +49,7 @@ pub(in crate::app) fn slider(
 pub(in crate::app) fn slider_of(
     ui: &mut Ui,
     place: Place<'_>,
-    names: (&str, &str),
+    names: Named<'_>,
     (value, reckoned): (&mut Option<f64>, f64),
     unit: Unit,
     bounds: Bounds,
@@ -70,7 +70,7 @@ pub(in crate::app) fn slider_of(
 
 impl Field<'_> {
     fn slide(&self, ui: &mut Ui, value: f64, bounds: Bounds, own: &Own) -> Option<Done> {
-        let complaint = self.place.complaint(self.key);
+        let complaint = self.place.complaint(self.names.key);
         let (unit, typed) = (self.unit, Typed::default());
         let mut shown = value * unit.factor;
         let number = number_width(ui, format!("{}{}", unit.written(shown), unit.suffix));
@@ -81,9 +81,9 @@ impl Field<'_> {
             .custom_parser(reader(&typed, unit))
             .clamping(egui::SliderClamping::Never)
             .update_while_editing(false);
-        let name = frame::named(ui, self.place, (self.key, self.label));
+        let name = frame::named(ui, self.place, self.names);
         let differs = own.words.as_deref().filter(|_| own.differs);
-        let (response, pressed) = line(ui, name, (self.label, differs), |ui| slider_in(ui, slider, (number, "")));
+        let (response, pressed) = line(ui, name, (self.names.label, differs), |ui| slider_in(ui, slider, (number, "")));
         let menu = frame::menu(&response, own);
         let done =
             if menu || pressed { Some(Done::Reset) } else { self.done(ui, &response, (value, shown), own, typed) };

@@ -6,7 +6,7 @@ use egui::Ui;
 use super::choice::{choice_by, choice_line_by};
 use super::frame::tag;
 use super::number::{laid_over, number, optional, switched};
-use super::place::{CLICK, Change, Place};
+use super::place::{CLICK, Change, Named, Place};
 use super::slider::{Bounds, slider, slider_of};
 use crate::app::text;
 use crate::app::unit::{Size, Unit, unit_of};
@@ -97,7 +97,7 @@ pub(in crate::app) fn slider_between(
 ) -> Option<Change> {
     let (_, key) = keys::of_place(&look.place.path(key))?;
     let unit = look.unit(key, *value);
-    slider(ui, look.place, (key.name, &look.label(key)), value, unit, bounds)
+    slider(ui, look.place, Named { key: key.name, label: &look.label(key) }, value, unit, bounds)
 }
 
 /// The row of one number.
@@ -141,7 +141,7 @@ fn row(ui: &mut Ui, look: &Look<'_>, key: &'static Key, slot: Slot<'_>) -> Optio
         return None;
     }
     let (place, label) = (look.place, look.label(key));
-    let names = (key.name, label.as_str());
+    let names = Named { key: key.name, label: &label };
     match slot {
         Slot::Number(value) => {
             let unit = look.unit(key, *value);
@@ -156,7 +156,8 @@ fn row(ui: &mut Ui, look: &Look<'_>, key: &'static Key, slot: Slot<'_>) -> Optio
                 // One number may be the same where another one differs.
                 let differs = place.differs(&format!("{}[{i}]", key.name));
                 let place = Place { differing: if differs { place.differing } else { &[] }, ..place };
-                change = number(ui, place, (key.name, &format!("{label} {axis}")), value, unit).or(change);
+                change = number(ui, place, Named { key: key.name, label: &format!("{label} {axis}") }, value, unit)
+                    .or(change);
             }
             change
         }
@@ -183,7 +184,7 @@ fn optional_row(
     label: &str,
     value: &mut Option<f64>,
 ) -> Option<Change> {
-    let (place, names, unit) = (look.place, (key.name, label), look.unit_of_optional(key, *value));
+    let (place, names, unit) = (look.place, Named { key: key.name, label }, look.unit_of_optional(key, *value));
     // What another key says in its place is reckoned, or off.
     let otherwise = value.is_none() && !matches!(look.without, Without::Under(_));
     if let (Fallback::Needed(_), false) = (key.fallback, otherwise) {
@@ -205,7 +206,7 @@ fn panel_row(ui: &mut Ui, look: &Look<'_>, key: &'static Key, slot: Slot<'_>) ->
         return None;
     }
     let (place, label) = (look.place, look.label(key));
-    let names = (key.name, label.as_str());
+    let names = Named { key: key.name, label: &label };
     let bounds = key.slider.map(|[from, to]| Bounds::new(from, to));
     match (slot, bounds) {
         (Slot::Number(value), Some(bounds)) => {

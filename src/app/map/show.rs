@@ -5,7 +5,7 @@ use egui::{ComboBox, Grid, Id, RichText, Ui, Window, vec2};
 use super::maps::Maps;
 use super::{field, offer, progress};
 use crate::app::command::{Command, MapAxis, MapCommand, MapDraft};
-use crate::app::field::{Place, narrowed, number};
+use crate::app::field::{Named, Place, narrowed, number};
 use crate::app::style::theme::Palette;
 use crate::app::text;
 use crate::language::Text;
@@ -96,7 +96,7 @@ fn key(ui: &mut Ui, scene: &Scene, axis: &mut MapAxis, [name, from, to, log]: [&
         Grid::new(words)
             .num_columns(2)
             .spacing([4.0, 0.0])
-            .show(ui, |ui| number(ui, place, ("", words), &mut shown, unit));
+            .show(ui, |ui| number(ui, place, Named { key: "", label: words }, &mut shown, unit));
         *value = shown;
     }
     ui.checkbox(&mut axis.is_log, text::MAP_LOG).on_hover_text(log);

@@ -4,7 +4,9 @@ use egui::{CollapsingHeader, Grid, RichText, TextEdit, Ui};
 
 use super::record_of::{units, weak};
 use crate::app::command::{Command, FileCommand, Wish};
-use crate::app::field::{CLICK, Change, Look, Place, Without, act, choice, complain, number, rows, switched, tag};
+use crate::app::field::{
+    CLICK, Change, Look, Named, Place, Without, act, choice, complain, number, rows, switched, tag,
+};
 use crate::app::text;
 use crate::app::unit::{DEGREES, SECONDS};
 use crate::files::formats_in_words;
@@ -66,8 +68,11 @@ pub(super) fn show(
 fn azimuth_of_x(ui: &mut Ui, place: Place<'_>, record: &mut RecordMotion) -> Option<Change> {
     let mut azimuth = record.x_azimuth_deg.unwrap_or(0.0);
     let grid = Grid::new("azimuth of x").num_columns(2).spacing([8.0, 3.0]);
-    let change =
-        grid.show(ui, |ui| number(ui, place, ("x_azimuth_deg", text::X_AZIMUTH.as_str()), &mut azimuth, DEGREES)).inner;
+    let change = grid
+        .show(ui, |ui| {
+            number(ui, place, Named { key: "x_azimuth_deg", label: text::X_AZIMUTH.as_str() }, &mut azimuth, DEGREES)
+        })
+        .inner;
     change.inspect(|_| record.x_azimuth_deg = Some(azimuth))
 }
 
@@ -112,11 +117,11 @@ fn one(
             let named = |key: &str| text::of_whom(key, &whose);
             let numbers = rows(ui, &look, component, &["file", "channel", "unit", "samples_m_s2", "dt_s", "vertical"]);
             let points = named(text::POINTS.as_str());
-            let way = choice(ui, place, ("vertical", &points), &mut component.vertical, &ways());
+            let way = choice(ui, place, Named { key: "vertical", label: &points }, &mut component.vertical, &ways());
             let (unit, dt) = (named(text::RECORD_UNIT.as_str()), named(text::INTERVAL.as_str()));
-            let dt = ("dt_s", dt.as_str());
+            let dt = Named { key: "dt_s", label: &dt };
             let stated = if beside {
-                let unit = choice(ui, place, ("unit", &unit), &mut component.unit, &units());
+                let unit = choice(ui, place, Named { key: "unit", label: &unit }, &mut component.unit, &units());
                 unit.or(switched(ui, place, dt, (&mut component.dt, 0.01), SECONDS))
             } else {
                 let mut interval = component.dt.unwrap_or(0.01);
@@ -124,7 +129,13 @@ fn one(
             };
             let channel = channels.filter(|all| all.len() > 1).and_then(|all| {
                 let options: Vec<(Option<usize>, &str)> = (1..).map(Some).zip(all.iter().map(String::as_str)).collect();
-                choice(ui, place, ("channel", &named(text::CHANNEL.as_str())), &mut component.channel, &options)
+                choice(
+                    ui,
+                    place,
+                    Named { key: "channel", label: &named(text::CHANNEL.as_str()) },
+                    &mut component.channel,
+                    &options,
+                )
             });
             numbers.or(way).or(stated).or(channel)
         })
@@ -151,7 +162,7 @@ fn file_row(ui: &mut Ui, place: Place<'_>, (file, ground, n): (&str, GroundId, u
         let wide = (ui.available_width() - 74.0).max(40.0);
         let edit = TextEdit::singleline(&mut draft).hint_text(text::RECORD_IN_SCENE).desired_width(wide);
         let response = ui.add(edit).labelled_by(name.id);
-        let response = tag(ui, &response, place, ("file", &label));
+        let response = tag(ui, &response, place, Named { key: "file", label: &label });
         if response.has_focus() {
             ui.data_mut(|d| d.insert_temp(draft_id, draft));
         } else {

@@ -5,7 +5,7 @@ use egui::{Grid, RichText, TextEdit, Ui};
 use super::{components, grounds, record_of, samples, target, wave};
 use crate::app::command::{AngleCommand, Command, EditCommand, FileCommand, QuakeCommand, Wish};
 use crate::app::field::{
-    CLICK, Change, Form, Look, Place, Without, act, choice_line, complain, optional_at, slider_at, sliders, tag,
+    CLICK, Change, Form, Look, Named, Place, Without, act, choice_line, complain, optional_at, slider_at, sliders, tag,
 };
 use crate::app::{edits, text};
 use crate::files::formats_in_words;
@@ -120,7 +120,7 @@ fn kind(ui: &mut Ui, place: Place<'_>, motion: &mut Motion) -> Option<Change> {
         Motion::Synthetic(_) => Kind::Synthetic,
         Motion::Sweep(_) => Kind::Sweep,
     };
-    let change = choice_line(ui, place, ("kind", text::GROUND.as_str()), &mut kind, &kinds())?;
+    let change = choice_line(ui, place, Named { key: "kind", label: text::GROUND.as_str() }, &mut kind, &kinds())?;
     let angle_deg = motion.angle_deg();
     *motion = match kind {
         Kind::Still => Motion::None,
@@ -163,7 +163,13 @@ fn still(ui: &mut Ui, motion: &mut Motion) -> Option<Change> {
 fn sine_rows(ui: &mut Ui, look: &Look<'_>, sine: &mut SineMotion) -> Option<Change> {
     let mut metric = sine.amplitude.is_some();
     let moved = sliders(ui, look, sine, &VERTICAL).or(vertical_rows(ui, look, sine, metric));
-    let said = choice_line(ui, look.place, ("amplitude_m_s2", text::AMPLITUDE_IN.as_str()), &mut metric, &UNITS);
+    let said = choice_line(
+        ui,
+        look.place,
+        Named { key: "amplitude_m_s2", label: text::AMPLITUDE_IN.as_str() },
+        &mut metric,
+        &UNITS,
+    );
     if said.is_some() {
         let a = sine.amplitude_si();
         let said = |a: f64| if metric { (Some(a), None) } else { (None, Some(a / STANDARD_GRAVITY)) };
@@ -221,7 +227,7 @@ fn file_row(ui: &mut Ui, place: Place<'_>, (ground, record): (GroundId, &RecordM
         let wide = (ui.available_width() - 74.0).max(40.0);
         let edit = TextEdit::singleline(&mut draft).hint_text(text::RECORD_IN_SCENE).desired_width(wide);
         let response = ui.add(edit).labelled_by(name.id);
-        let response = tag(ui, &response, place, ("file", text::RECORD_FILE.as_str()));
+        let response = tag(ui, &response, place, Named { key: "file", label: text::RECORD_FILE.as_str() });
         if response.has_focus() {
             ui.data_mut(|d| d.insert_temp(draft_id, draft));
         } else {

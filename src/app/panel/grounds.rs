@@ -3,7 +3,7 @@
 use egui::{ComboBox, Id, TextEdit, Ui};
 
 use crate::app::command::{Command, EditCommand};
-use crate::app::field::{CLICK, Change, Form, Place, tag};
+use crate::app::field::{CLICK, Change, Form, Named, Place, tag};
 use crate::app::{edits, text};
 use crate::scene::edit::Edit;
 use crate::scene::{GroundId, Scene};
@@ -75,7 +75,7 @@ fn name(ui: &mut Ui, form: Form<'_>, number: usize, out: &mut Vec<Command>) {
     let mut draft = ui.data(|d| d.get_temp::<String>(draft_id)).unwrap_or_else(|| ground.name.clone());
     let response = ui.add(TextEdit::singleline(&mut draft).desired_width(96.0)).labelled_by(label.id);
     let table = format!("ground[{number}]");
-    let response = tag(ui, &response, form.place(&table), ("name", text::GROUND_NAME.as_str()));
+    let response = tag(ui, &response, form.place(&table), Named { key: "name", label: text::GROUND_NAME.as_str() });
     if response.has_focus() {
         ui.data_mut(|d| d.insert_temp(draft_id, draft));
         return;
@@ -104,7 +104,7 @@ pub(in crate::app) fn row(ui: &mut Ui, place: Place<'_>, scene: &Scene, on: &mut
             }
         }
     });
-    tag(ui, &combo.response.labelled_by(name.id), place, ("ground", text::GROUND_UNDER.as_str()));
+    tag(ui, &combo.response.labelled_by(name.id), place, Named { key: "ground", label: text::GROUND_UNDER.as_str() });
     ui.end_row();
     if *on == before { None } else { CLICK }
 }

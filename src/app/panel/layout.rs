@@ -21,7 +21,8 @@ use crate::app::style::letters;
 use crate::app::style::theme::{self, Palette, greyed};
 use crate::app::text;
 use crate::app::time::replay::Replay;
-use crate::app::time::{timeline, transport};
+use crate::app::time::timeline;
+use crate::app::time::transport::{self, PlotsButton};
 use crate::app::viewport::show;
 use crate::files::is_record;
 use crate::scene::{GroundId, Scene};
@@ -158,11 +159,11 @@ fn panels(bench: &Workbench, ui: &mut Ui, out: &mut Vec<Command>) {
     if folded.has(Pane::Plots) {
         Panel::bottom("time alone")
             .resizable(false)
-            .show(ui, |ui| time_rows(scene, replay, ui, (Some(true), 0.0), out));
+            .show(ui, |ui| time_rows(scene, replay, ui, PlotsButton::Folded, 0.0, out));
     } else {
         let time = Panel::bottom("time").resizable(true).default_size(room * 0.37).min_size(180.0).max_size(room * 0.7);
         time.show(ui, |ui| {
-            time_rows(scene, replay, ui, (Some(false), plots::legend_width(ui)), out);
+            time_rows(scene, replay, ui, PlotsButton::Open, plots::legend_width(ui), out);
             greyed(ui, replay.runner.shows_older(), |ui| plots::show(ui, &plots, out));
         });
     }
@@ -236,14 +237,13 @@ fn lecture_panels(bench: &Workbench, ui: &mut Ui, out: &mut Vec<Command>) {
         });
     });
     let time = Panel::bottom("lecture time").resizable(false);
-    time.show(ui, |ui| time_rows(document.scene(), &bench.replay, ui, (None, 0.0), out));
+    time.show(ui, |ui| time_rows(document.scene(), &bench.replay, ui, PlotsButton::Absent, 0.0, out));
     lesson(bench, ui, folded(bench, ui), out);
 }
 
-/// The row of buttons, with one for the plots that says whether they are folded, and the timeline under it, so far from the
-/// right edge as the plots are.
-fn time_rows(scene: &Scene, replay: &Replay, ui: &mut Ui, (plots, right): (Option<bool>, f32), out: &mut Vec<Command>) {
-    transport::show(ui, &replay.playback, (&scene.motion, plots), out);
+/// The row of buttons, and the timeline under it, which ends `right` before the right edge as the plots do \[points\].
+fn time_rows(scene: &Scene, replay: &Replay, ui: &mut Ui, plots: PlotsButton, right: f32, out: &mut Vec<Command>) {
+    transport::show(ui, &replay.playback, &scene.motion, plots, out);
     let shown = timeline::Shown {
         playback: &replay.playback,
         end: replay.end(),

@@ -3,7 +3,7 @@
 use egui::{Id, TextEdit, Ui};
 
 use crate::app::command::{Command, EditCommand};
-use crate::app::field::{Place, tag};
+use crate::app::field::{Named, Place, tag};
 use crate::app::text;
 use crate::view::Target;
 
@@ -13,7 +13,7 @@ pub(in crate::app) fn show(ui: &mut Ui, place: Place<'_>, target: Target, name: 
     let draft_id = Id::unique(("name draft", target));
     let mut draft = ui.data(|d| d.get_temp::<String>(draft_id)).unwrap_or_else(|| name.to_owned());
     let response = ui.add(TextEdit::singleline(&mut draft).desired_width(104.0)).labelled_by(label.id);
-    let response = tag(ui, &response, place, ("name", text::NAME.as_str()));
+    let response = tag(ui, &response, place, Named { key: "name", label: text::NAME.as_str() });
     if response.has_focus() {
         ui.data_mut(|d| d.insert_temp(draft_id, draft));
     } else {

@@ -4,7 +4,7 @@ use egui::{Button, RichText, Ui};
 
 use crate::app::command::{Command, Pane, PlaceCommand, SelectCommand, ViewCommand};
 use crate::app::edits::{Document, Selection};
-use crate::app::field::{Place, mark};
+use crate::app::field::{Named, Place, mark};
 use crate::app::panel::fold;
 use crate::app::{text, unit};
 use crate::scene::DeviceKind;
@@ -74,7 +74,7 @@ fn adders(ui: &mut Ui, any: bool, out: &mut Vec<Command>) {
 /// A button that adds what stands under a key of the file.
 fn adder(ui: &mut Ui, (key, words, keys): (&str, &str, &str), command: PlaceCommand, out: &mut Vec<Command>) {
     let add = ui.small_button(words).on_hover_text(keys);
-    mark(&add, Place::apart(""), (key, words));
+    mark(&add, Place::apart(""), Named { key, label: words });
     if add.clicked() {
         out.push(command.into());
     }

@@ -3,7 +3,7 @@
 use egui::{Slider, Ui};
 
 use crate::app::command::{Command, EditCommand, ViewCommand};
-use crate::app::field::{Form, choice_line, slider_row, tag};
+use crate::app::field::{Form, Named, choice_line, slider_row, tag};
 use crate::app::panel::view_menu;
 use crate::app::text;
 use crate::app::viewport::display::Display;
@@ -20,7 +20,7 @@ pub(in crate::app) fn show(ui: &mut Ui, form: Form<'_>, display: &Display, out: 
         for (i, layer) in Overlays::ALL.iter().enumerate() {
             let name = Text::new(layer.label).as_str();
             let response = ui.checkbox((layer.switch)(&mut overlays), name);
-            changed |= tag(ui, &response, layers, (layer.key, name)).changed();
+            changed |= tag(ui, &response, layers, Named { key: layer.key, label: name }).changed();
             if i % 2 == 1 {
                 ui.end_row();
             }
@@ -47,7 +47,9 @@ fn views() -> [(ViewPreset, &'static str); 4] {
 fn first_view(ui: &mut Ui, form: Form<'_>, out: &mut Vec<Command>) {
     let place = form.place("view");
     let mut view = ViewSettings { ..form.scene.view.clone() };
-    if choice_line(ui, place, ("camera", text::FIRST_VIEW.as_str()), &mut view.camera, &views()).is_some() {
+    if choice_line(ui, place, Named { key: "camera", label: text::FIRST_VIEW.as_str() }, &mut view.camera, &views())
+        .is_some()
+    {
         out.push(EditCommand::Change { edit: Edit::View(view), gesture: None }.into());
     }
 }
@@ -66,7 +68,7 @@ fn force_scale(ui: &mut Ui, form: Form<'_>, display: &Display, out: &mut Vec<Com
         .show_value(false);
     let place = form.place("view");
     let response = slider_row(ui, text::FORCE_SCALE.into(), slider, &words);
-    if tag(ui, &response, place, ("force_scale_n_per_m", text::FORCE_SCALE.as_str())).changed() {
+    if tag(ui, &response, place, Named { key: "force_scale_n_per_m", label: text::FORCE_SCALE.as_str() }).changed() {
         out.push(ViewCommand::ForceScale(Some(scale)).into());
     }
 }

@@ -3,7 +3,7 @@
 use egui::{CollapsingHeader, Grid, Label, RichText, Ui};
 
 use crate::app::command::{Command, FileCommand};
-use crate::app::field::{Change, Look, Place, Without, choice, choice_line, rows, switched};
+use crate::app::field::{Change, Look, Named, Place, Without, choice, choice_line, rows, switched};
 use crate::app::text;
 use crate::app::unit::SECONDS;
 use crate::scene::keys::{Fallback, Key};
@@ -34,7 +34,7 @@ pub(super) fn channel(ui: &mut Ui, place: Place<'_>, record: &mut RecordMotion) 
     }
     let names: Vec<String> = (1..).zip(&loaded.channels).map(|(n, channel)| format!("{n} {}", channel.name)).collect();
     let options: Vec<(Option<usize>, &str)> = (1..).map(Some).zip(names.iter().map(String::as_str)).collect();
-    choice_line(ui, place, ("channel", text::CHANNEL.as_str()), &mut record.channel, &options)
+    choice_line(ui, place, Named { key: "channel", label: text::CHANNEL.as_str() }, &mut record.channel, &options)
 }
 
 /// What is stated beside a file that does not state it itself: its unit, its interval. Then it is read anew.
@@ -50,8 +50,14 @@ pub(super) fn beside(
     let mut new = record.clone();
     let grid = Grid::new("beside").num_columns(2).spacing([8.0, 3.0]);
     let changed = grid.show(ui, |ui| {
-        let unit = choice(ui, place, ("unit", text::RECORD_UNIT.as_str()), &mut new.unit, &units());
-        unit.or(switched(ui, place, ("dt_s", text::INTERVAL.as_str()), (&mut new.dt, 0.01), SECONDS))
+        let unit = choice(ui, place, Named { key: "unit", label: text::RECORD_UNIT.as_str() }, &mut new.unit, &units());
+        unit.or(switched(
+            ui,
+            place,
+            Named { key: "dt_s", label: text::INTERVAL.as_str() },
+            (&mut new.dt, 0.01),
+            SECONDS,
+        ))
     });
     if changed.inner.is_some() {
         out.push(FileCommand::Shake(ground, Box::new(new)).into());

@@ -15,7 +15,6 @@ use crate::language::Text;
 use crate::scene::{DeviceId, Girder};
 use crate::sim::quantity::{OfPair, Quantity};
 use crate::sim::readings::{Extreme, Reading};
-use crate::sim::seats::verdict::of_reading;
 use crate::sim::{BearingsReading, ContactNow, History, Touch};
 use crate::view::contact_state;
 
@@ -46,7 +45,7 @@ pub(in crate::app) fn show_girder(
     let run =
         answer.map(|a| &a.history).filter(|run| run.scene().girders.get(i).is_some_and(|g| g.name == girder.name));
     if let Some(run) = run {
-        rows.extend(quantities(&run.bearing_quantities(i)));
+        rows.extend(quantities(&run.connections().bearing_quantities(i)));
     }
     rows.push((text::CONDITION.as_str(), format!("{} {}", text::short(number), text::turns_or_not(number))));
     table(ui, "computed", rows);
@@ -61,7 +60,7 @@ pub(in crate::app) fn show_girder(
 
 /// Whether the girder stays on its seats, in a sentence that leads to the moment that decides it.
 fn verdict(ui: &mut Ui, (girder, name): (usize, &str), (answer, reading): (&Answer, &Reading), out: &mut Vec<Command>) {
-    let Some(verdict) = of_reading(&answer.history, girder, &reading.seats, reading.tipped) else {
+    let Some(verdict) = answer.history.seats().verdict_of(girder, &reading.seats, reading.tipped) else {
         ui.add(egui::Label::new(RichText::new(text::NO_SEATS).weak()).wrap());
         return;
     };
@@ -193,7 +192,7 @@ pub(in crate::app) fn show_device(ui: &mut Ui, answer: Option<&Answer>, id: Devi
     ui.add_space(4.0);
     ui.label(RichText::new(text::COMPUTED).strong());
     for number in device.links.clone() {
-        let Some(now) = history.link(number, t) else { continue };
+        let Some(now) = history.connections().link(number, t) else { continue };
         let name = &history.model().links[number].name;
         ui.label(RichText::new(name).weak());
         let mut rows = vec![
@@ -213,7 +212,7 @@ pub(in crate::app) fn show_device(ui: &mut Ui, answer: Option<&Answer>, id: Devi
 
 /// When a device changes its state.
 fn phases(ui: &mut Ui, history: &History, number: usize, t: f64, out: &mut Vec<Command>) {
-    let (all, law) = (history.link_phases(number), &history.model().links[number].device);
+    let (all, law) = (history.connections().link_phases(number), &history.model().links[number].device);
     for (n, (from, phase)) in all.iter().enumerate().take(MOST_TOUCHES) {
         let until = all.get(n + 1).map_or(f64::INFINITY, |next| next.0);
         let words = text::phase(*from, &law.state(phase));

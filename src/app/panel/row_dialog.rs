@@ -4,7 +4,7 @@ use egui::{Id, Modal, RichText, Ui};
 
 use crate::app::command::{Command, PlaceCommand, RowDraft, WindowCommand};
 use crate::app::edits::MOST_SPANS;
-use crate::app::field::{Place, number};
+use crate::app::field::{Named, Place, number};
 use crate::app::text;
 use crate::app::unit::{PURE, Unit, length_unit};
 use crate::scene::Girder;
@@ -19,8 +19,14 @@ pub(in crate::app) fn show(ui: &mut Ui, draft: RowDraft, girder: &Girder, out: &
         let place = Place::apart("");
         egui::Grid::new("row").num_columns(2).show(ui, |ui| {
             let whole = Unit { speed: 0.05, ..PURE };
-            number(ui, place, ("", text::ROW_SPANS.as_str()), &mut spans, whole);
-            number(ui, place, ("", text::ROW_GAP.as_str()), &mut new.gap, length_unit(girder.length));
+            number(ui, place, Named { key: "", label: text::ROW_SPANS.as_str() }, &mut spans, whole);
+            number(
+                ui,
+                place,
+                Named { key: "", label: text::ROW_GAP.as_str() },
+                &mut new.gap,
+                length_unit(girder.length),
+            );
         });
         new = RowDraft { spans: whole(spans), gap: new.gap.max(0.0) };
         if new != draft {

@@ -2,7 +2,7 @@
 
 use egui::{RichText, TextEdit, Ui};
 
-use crate::app::field::{Place, complain, tag};
+use crate::app::field::{Named, Place, complain, tag};
 use crate::app::text;
 
 /// Most samples that are written out to be edited by hand.
@@ -19,7 +19,7 @@ pub(super) fn show(ui: &mut Ui, place: Place<'_>, label: &str, list: &[f64]) -> 
     let mut draft = ui.data(|d| d.get_temp::<String>(draft_id)).unwrap_or_else(written);
     let edit = TextEdit::multiline(&mut draft).desired_rows(3).desired_width(f32::INFINITY);
     let response = ui.add(edit);
-    let response = tag(ui, &response, place, ("samples_m_s2", label));
+    let response = tag(ui, &response, place, Named { key: "samples_m_s2", label });
     response.widget_info(|| egui::WidgetInfo::labeled(egui::Role::MultilineTextInput, true, label));
     let words = || draft.split(|c: char| c.is_whitespace() || c == ';').filter(|word| !word.is_empty());
     let wrong = words().find(|word| word.parse::<f64>().is_err()).map(str::to_owned);

@@ -6,7 +6,7 @@ use egui::{Color32, Pos2, Rect, Sense, Stroke, Ui, Vec2, pos2};
 use crate::app::style::theme::Palette;
 use crate::app::text;
 use crate::sim::History;
-use crate::sim::seats::{OrbitPoint, Seat, corners_at};
+use crate::sim::seats::{OrbitPoint, Seat};
 
 /// Height of a picture \[points\].
 const HEIGHT: f32 = 130.0;
@@ -48,7 +48,7 @@ impl Panel {
 
 /// Shows both corners of an end over their seat; the time shown is `t` \[s\].
 pub(super) fn show(ui: &mut Ui, history: &History, (girder, seat): (usize, &Seat), orbit: &[OrbitPoint], t: f64) {
-    let now = corners_at(history, girder, &seat.ledge, t);
+    let now = history.seats().corners_at(girder, &seat.ledge, t);
     ui.horizontal(|ui| {
         let width = 0.5 * (ui.available_width() - ui.spacing().item_spacing.x);
         for (which, (corner, here)) in seat.corners.iter().zip(now).enumerate() {

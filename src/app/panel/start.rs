@@ -9,7 +9,7 @@ use crate::app::command::{BridgeDraft, Command, FileCommand, LearnCommand, Windo
 use crate::app::disk::recent;
 use crate::app::disk::scene_files::SceneFiles;
 use crate::app::edits;
-use crate::app::field::{Place, number};
+use crate::app::field::{Named, Place, number};
 use crate::app::learn::lessons::lessons;
 use crate::app::panel::plan_icon;
 use crate::app::style::theme::Palette;
@@ -49,10 +49,16 @@ fn bridge(ui: &mut Ui, draft: BridgeDraft, out: &mut Vec<Command>) {
     let place = Place::apart("");
     Grid::new("bridge").num_columns(2).show(ui, |ui| {
         let metres = length_unit(100.0);
-        number(ui, place, ("", text::START_SPAN.as_str()), &mut new.span, metres);
-        number(ui, place, ("", text::START_WIDTH.as_str()), &mut new.width, metres);
-        number(ui, place, ("", text::START_SKEW.as_str()), &mut new.skew_deg, DEGREES);
-        number(ui, place, ("", text::START_SPANS.as_str()), &mut spans, Unit { speed: 0.05, ..PURE });
+        number(ui, place, Named { key: "", label: text::START_SPAN.as_str() }, &mut new.span, metres);
+        number(ui, place, Named { key: "", label: text::START_WIDTH.as_str() }, &mut new.width, metres);
+        number(ui, place, Named { key: "", label: text::START_SKEW.as_str() }, &mut new.skew_deg, DEGREES);
+        number(
+            ui,
+            place,
+            Named { key: "", label: text::START_SPANS.as_str() },
+            &mut spans,
+            Unit { speed: 0.05, ..PURE },
+        );
     });
     let ranges = RichText::new(text::ranges(edits::RANGES, edits::MOST_BRIDGE_SPANS)).weak();
     ui.add(egui::Label::new(ranges).wrap());

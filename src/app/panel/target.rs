@@ -2,7 +2,7 @@
 
 use egui::{CollapsingHeader, Grid, RichText, Ui};
 
-use crate::app::field::{CLICK, Change, Place, act, number};
+use crate::app::field::{CLICK, Change, Named, Place, act, number};
 use crate::app::text;
 use crate::app::unit::{GRAVITIES, SECONDS};
 use crate::scene::{STANDARD_GRAVITY, SyntheticMotion};
@@ -30,8 +30,8 @@ fn target(ui: &mut Ui, place: Place<'_>, quake: &mut SyntheticMotion) -> Option<
     Grid::new("target").num_columns(2).spacing([8.0, 3.0]).show(ui, |ui| {
         for (n, [period, acceleration]) in points.iter_mut().enumerate() {
             let [name, psa, remove] = text::target(n + 1);
-            change = change.or(number(ui, place, ("target_psa_g", &name), period, SECONDS));
-            change = change.or(number(ui, place, ("target_psa_g", &psa), acceleration, GRAVITIES));
+            change = change.or(number(ui, place, Named { key: "target_psa_g", label: &name }, period, SECONDS));
+            change = change.or(number(ui, place, Named { key: "target_psa_g", label: &psa }, acceleration, GRAVITIES));
             ui.label("");
             if ui.small_button(remove).clicked() {
                 gone = Some(n);

@@ -8,7 +8,7 @@ use egui_plot::{FilledArea, Plot, PlotBounds, PlotUi, VLine};
 
 use crate::app::command::{Command, PlotCommand};
 use crate::app::plot::charts::{Chart, Drawn};
-use crate::app::plot::value_axis::{Ticks, ValueAxis, WHEEL, fitting};
+use crate::app::plot::value_axis::{AxisUnit, Ticks, ValueAxis, WHEEL, fitting};
 use crate::app::plot::{dashes, legend, resolution};
 use crate::app::style::theme::Palette;
 use crate::app::text;
@@ -48,7 +48,7 @@ pub(super) fn draw(
     }
     interact(ui, chart, over, &axis, out);
     let most = axis.range.map(|end| if chart.log { 10f64.powf(end) } else { end.abs() });
-    let (factor, unit) = fitting(chart.unit, most[0].max(most[1]));
+    let AxisUnit { factor, name: unit } = fitting(chart.unit, most[0].max(most[1]));
     let marks = axis.ticks();
     numbers(ui, over, (&axis, &marks, factor, &unit), palette);
     curves(ui, chart, over, &axis, palette);

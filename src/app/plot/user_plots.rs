@@ -3,7 +3,7 @@
 use egui::{ComboBox, Id, RichText, Ui};
 
 use crate::app::command::{Command, EditCommand, FileCommand, WindowCommand, Wish};
-use crate::app::field::{Place, mark, narrowed, tag};
+use crate::app::field::{Named, Place, mark, narrowed, tag};
 use crate::app::plot::plot_files;
 use crate::app::plot::source::Source;
 use crate::app::text;
@@ -43,7 +43,7 @@ pub(in crate::app) fn show(ui: &mut Ui, source: &Source<'_>, out: &mut Vec<Comma
                 }
             });
             let place = Place::apart("view");
-            mark(&adding.response, place, ("plot", text::ADD_PANEL.as_str()));
+            mark(&adding.response, place, Named { key: "plot", label: text::ADD_PANEL.as_str() });
         });
         ui.menu_button(text::EXPORT_PLOTS, |ui| {
             if ui.button(text::COPY_PLOTS).clicked() {
@@ -126,7 +126,7 @@ fn one(ui: &mut Ui, i: usize, plot: &mut PlotSettings, names: &[(String, Quantit
         let curves =
             narrowed(ui, text::ADD_CURVE, (Id::unique(("more", i)), 170.0), |ui, part| choose(ui, part, alike));
         plot.y.extend(curves.inner.filter(|name| !plot.y.contains(name)));
-        mark(&curves.response, place, ("y", text::ADD_CURVE.as_str()));
+        mark(&curves.response, place, Named { key: "y", label: text::ADD_CURVE.as_str() });
         let other = (Id::unique(("other", i)), 170.0);
         if let Some(name) = narrowed(ui, text::CHANGE_CURVE, other, |ui, part| choose(ui, part, names.iter())).inner {
             plot.y = vec![name];
@@ -151,10 +151,10 @@ fn shows(ui: &mut Ui, i: usize, plot: &mut PlotSettings) {
                     ui.selectable_value(&mut plot.shows, *shows, words(*shows));
                 }
             });
-        tag(ui, &combo.response.labelled_by(label.id), place, ("shows", text::SHOWS.as_str()));
+        tag(ui, &combo.response.labelled_by(label.id), place, Named { key: "shows", label: text::SHOWS.as_str() });
     });
     let response = ui.checkbox(&mut plot.log, text::LOG);
-    tag(ui, &response, place, ("log", text::LOG.as_str()));
+    tag(ui, &response, place, Named { key: "log", label: text::LOG.as_str() });
 }
 
 fn against(ui: &mut Ui, i: usize, plot: &mut PlotSettings, names: &[(String, Quantity)]) {
@@ -169,7 +169,7 @@ fn against(ui: &mut Ui, i: usize, plot: &mut PlotSettings, names: &[(String, Qua
                 ui.selectable_value(&mut plot.x, Some(name.clone()), name);
             }
         });
-        mark(&combo.response.labelled_by(label.id), place, ("x", text::AGAINST.as_str()));
+        mark(&combo.response.labelled_by(label.id), place, Named { key: "x", label: text::AGAINST.as_str() });
     });
 }
 

@@ -188,20 +188,29 @@ pub(super) fn range(values: impl Iterator<Item = f64>, log: bool) -> [f64; 2] {
     [low - margin, high + margin]
 }
 
-/// The unit in which numbers of this magnitude read well, and the factor to it: thousands of newtons are kN, what is far from 1
-/// is counted in powers of ten.
-pub(super) fn fitting(unit: &str, most: f64) -> (f64, String) {
-    let prefixed = |factor: f64, prefix: &str| (factor, format!("{prefix}{unit}"));
+/// Unit that an axis counts in.
+#[derive(Clone, Debug, PartialEq)]
+pub(super) struct AxisUnit {
+    /// Numbers on the axis per value in the unit of the quantity \[–\].
+    pub(super) factor: f64,
+    /// Name, `kN`.
+    pub(super) name: String,
+}
+
+/// Unit in which numbers of this magnitude read well: thousands of newtons are kN, what is far from 1 is counted in powers of ten.
+pub(super) fn fitting(unit: &str, most: f64) -> AxisUnit {
+    let plain = || AxisUnit { factor: 1.0, name: unit.to_owned() };
+    let prefixed = |factor: f64, prefix: &str| AxisUnit { factor, name: format!("{prefix}{unit}") };
     let base = unit.split('·').next().unwrap_or(unit);
     match most {
-        m if !(m.is_finite() && m > 0.0) => (1.0, unit.to_owned()),
+        m if !(m.is_finite() && m > 0.0) => plain(),
         m if matches!(base, "N" | "J") && m >= 1e6 => prefixed(1e-6, "M"),
         m if matches!(base, "N" | "J") && m >= 1e4 => prefixed(1e-3, "k"),
-        m if (1e-2..1e5).contains(&m) => (1.0, unit.to_owned()),
+        m if (1e-2..1e5).contains(&m) => plain(),
         m => {
             let power = 3.0 * (m.log10() / 3.0).floor();
             // egui's font has no raised minus.
-            (10f64.powf(-power), format!("1e{power:.0} {unit}"))
+            AxisUnit { factor: 10f64.powf(-power), name: format!("1e{power:.0} {unit}") }
         }
     }
 }
@@ -266,7 +275,7 @@ mod tests {
         let cases =
             [("N", 1.73e7, 1e-6, "MN"), ("J", 2e4, 1e-3, "kJ"), ("mm", 12.0, 1.0, "mm"), ("°", 3e-5, 1e6, "1e-6 °")];
         for (unit, most, factor, wanted) in cases {
-            let (found, words) = fitting(unit, most);
+            let AxisUnit { factor: found, name: words } = fitting(unit, most);
             assert!((found / factor - 1.0).abs() < 1e-12 && words == wanted, "{most} {unit}: {found} {words}");
         }
     }

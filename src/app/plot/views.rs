@@ -6,7 +6,7 @@ use crate::app::command::PlotCommand;
 
 /// Values shown of charts, by their names; of others all.
 #[derive(Clone, Debug, Default, PartialEq)]
-pub(in crate::app) struct PlotViews {
+pub struct PlotViews {
     values: BTreeMap<String, [f64; 2]>,
 }
 
@@ -23,8 +23,8 @@ impl PlotViews {
         }
     }
 
-    /// The values that are shown of a chart; all of them when none.
-    pub(in crate::app) fn values(&self, name: &str) -> Option<[f64; 2]> {
+    /// Values that are shown of a chart over time, least and greatest, in its unit; all of them when `None`.
+    pub fn values(&self, name: &str) -> Option<[f64; 2]> {
         self.values.get(name).copied()
     }
 }

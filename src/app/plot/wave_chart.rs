@@ -11,7 +11,7 @@ use egui::{
 use crate::app::command::{Command, TimeCommand};
 use crate::app::plot::chart_view::{self, Over};
 use crate::app::plot::source::Source;
-use crate::app::plot::value_axis::{ValueAxis, fitting};
+use crate::app::plot::value_axis::{AxisUnit, ValueAxis, fitting};
 use crate::app::plot::wave_picture::{COLUMN, Key, colors};
 use crate::app::style::theme::Palette;
 use crate::app::text;
@@ -27,20 +27,20 @@ const BAR: f32 = 10.0;
 
 /// Whether there is such a chart: the girder in question bends.
 pub(super) fn is_shown(source: &Source<'_>) -> bool {
-    source.answer.is_some_and(|answer| answer.history.flexible(source.girder).is_some())
+    source.answer.is_some_and(|answer| answer.history.sections().flexible(source.girder).is_some())
 }
 
 /// Draws it.
 pub(super) fn draw(ui: &mut Ui, source: &Source<'_>, over: &Over<'_>, palette: &Palette, out: &mut Vec<Command>) {
     let Some(answer) = source.answer else { return };
     let history = &answer.history;
-    let Some(beam) = history.flexible(source.girder).map(|flexible| &flexible.beam) else { return };
+    let Some(beam) = history.sections().flexible(source.girder).map(|flexible| &flexible.beam) else { return };
     let what = source.section_force;
     let whole = chart_view::field(over);
     let title = text::wave_chart(&section_force(what), &history.scene().girders[source.girder].name);
     let half = 0.5 * beam.length;
     let axis = ValueAxis { range: [-half, half], edges: [whole.top(), whole.bottom()], log: false };
-    let (factor, unit) = fitting("m", half);
+    let AxisUnit { factor, name: unit } = fitting("m", half);
     chart_view::numbers(ui, over, (&axis, &axis.ticks(), factor, &unit), palette);
     let per_column = over.axis.per_point() * f64::from(COLUMN);
     if per_column * COLUMNS_OF_A_TRANSIT > beam.transit_time() {
@@ -76,7 +76,8 @@ pub(super) fn draw(ui: &mut Ui, source: &Source<'_>, over: &Over<'_>, palette: &
     let said = pointed.map(|at| {
         let station = axis.value(at.y).clamp(-half, half);
         let t = over.axis.t(at.x).clamp(window[0], window[1]);
-        let force = history.of_section(source.girder, &history.section_forces(source.girder, station, t), what);
+        let force =
+            history.sections().component(source.girder, &history.sections().forces(source.girder, station, t), what);
         let (unit, size) = what.unit();
         text::at_station(&format!("{} {unit}", text::short(force / size)), station)
     });

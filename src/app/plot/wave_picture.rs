@@ -45,7 +45,7 @@ impl WaveCache {
         }
         #[expect(clippy::cast_possible_truncation, clippy::cast_sign_loss, reason = "columns on a screen")]
         let columns = (key.field.width() / COLUMN).clamp(2.0, 2000.0) as usize;
-        let values = answer.history.section_field(key.girder, key.what, key.window, [columns, STATIONS])?;
+        let values = answer.history.sections().field(key.girder, key.what, key.window, [columns, STATIONS])?;
         let most = values.largest().max(f64::MIN_POSITIVE);
         let range = [if key.what.is_signed() { -most } else { 0.0 }, most];
         let mesh = Arc::new(mesh(&values, key.field, colors(key.what), range));

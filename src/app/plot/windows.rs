@@ -9,7 +9,7 @@ use crate::app::plot::charts::look;
 use crate::app::plot::resolution;
 use crate::app::plot::sampled::Sampled;
 use crate::app::plot::source::Source;
-use crate::app::plot::value_axis::{WHEEL, fitting, grid_marks};
+use crate::app::plot::value_axis::{AxisUnit, WHEEL, fitting, grid_marks};
 use crate::app::style::theme::Palette;
 use crate::app::text;
 use crate::scene::edit::Edit;
@@ -43,16 +43,15 @@ fn one(ui: &Ui, source: &Source<'_>, number: usize, panel: &Sampled) -> bool {
     let window = Window::new(text::panel(number + 1)).id(id).default_pos(at).default_size(SIZE).open(&mut open);
     window.show(ui, |ui| {
         ui.set_opacity(ink);
-        let palette = Palette::of(ui);
         if !panel.missing.is_empty() {
             ui.add(Label::new(RichText::new(text::missing(&panel.missing)).weak()).wrap());
         }
         let most = panel.curves.iter().flat_map(|(_, curve)| curve).fold(0.0, |most: f64, p| most.max(p[1].abs()));
         let unit = fitting(panel.unit, most);
-        names(ui, panel, &unit.1);
+        names(ui, panel, &unit.name);
         let height = (ui.available_height() - 20.0).max(90.0);
         let here = source.own_at(number, source.playback.clock.t);
-        draw(ui, (id, height, unit.clone()), panel, &here, &palette);
+        draw(ui, id, height, unit, panel, &here);
         ui.vertical_centered(|ui| ui.label(RichText::new(panel.x.as_deref().unwrap_or_default()).small()));
     });
     open
@@ -77,11 +76,13 @@ fn is_new(ui: &Ui, id: Id) -> bool {
 
 fn draw(
     ui: &mut Ui,
-    (id, height, (factor, unit)): (Id, f32, (f64, String)),
+    id: Id,
+    height: f32,
+    AxisUnit { factor, name: unit }: AxisUnit,
     panel: &Sampled,
     here: &[[f64; 2]],
-    palette: &Palette,
 ) {
+    let palette = Palette::of(ui);
     let (log, factors) = (panel.log, [1.0, factor]);
     let titles = [panel.x.clone().unwrap_or_default(), panel.y.replacen(panel.unit, &unit, 1)];
     let scaled = move |p: &[f64; 2]| [0, 1].map(|n| if log[n] { p[n].abs().log10() } else { p[n] });

@@ -113,7 +113,7 @@ impl Shaking {
 /// The own periods of every girder on its bearings, along its axes and in rotation; none where a girder flies.
 pub(super) fn own_periods(history: &History) -> Vec<OwnPeriod> {
     let of = |(girder, body): (usize, &crate::dynamics::Body)| {
-        let omega = history.bearing_quantities(girder).omega;
+        let omega = history.connections().bearing_quantities(girder).omega;
         let named = omega.into_iter().zip(["x", "y", "θ"]);
         let own = named.filter(|(omega, _)| *omega > 0.0 && omega.is_finite());
         own.map(|(omega, axis)| OwnPeriod {

@@ -13,6 +13,8 @@ use crate::app::text;
 use crate::plot::chart::Panel;
 use crate::study::ground::Component;
 
+/// Width of a panel \[points\].
+const WIDTH: f32 = 360.0;
 /// Height of the window's plots together \[points\].
 const HEIGHT: f32 = 400.0;
 /// Height of an axis with numbers and a name \[points\].
@@ -72,7 +74,7 @@ fn histories(ui: &mut Ui, component: &Component, t: f64, out: &mut Vec<Command>)
     for (number, panel) in component.histories.iter().enumerate() {
         let last = number + 1 == component.histories.len();
         let axis = if last { text::QUAKE_TIME.as_str() } else { "" };
-        let shown = plot(ui, ("history", number), (360.0, axis), panel, number, |plot| {
+        let shown = plot(ui, "history", number, axis, panel, |plot| {
             plot.vline(VLine::new("", t).allow_hover(false).width(1.0));
             plot.pointer_coordinate().filter(|_| plot.response().clicked())
         });
@@ -91,7 +93,7 @@ fn spectra(ui: &mut Ui, component: &Component, own: &[OwnPeriod]) {
         let longest =
             panel.curves.iter().filter_map(|curve| curve.points.last()).fold(0.0, |most: f64, p| most.max(p[0]));
         let highest = panel.curves.iter().flat_map(|c| &c.points).fold(0.0, |most: f64, p| most.max(p[1]));
-        plot(ui, ("spectrum", number), (360.0, axis), panel, number, |plot| {
+        plot(ui, "spectrum", number, axis, panel, |plot| {
             for (row, OwnPeriod { name, period }) in distinct(own).iter().take(MOST_PERIODS).enumerate() {
                 if *period > longest {
                     continue;
@@ -135,13 +137,14 @@ fn value_at(panel: &Panel, x: f64) -> f64 {
     }
 }
 
-/// A panel with what is drawn upon it.
+/// Panel of this number among those of a kind, `what`, in the colour of its number, with the name of its level axis and what is drawn upon
+/// it.
 fn plot<R>(
     ui: &mut Ui,
-    (what, number): (&str, usize),
-    (width, axis): (f32, &'static str),
+    what: &str,
+    number: usize,
+    axis: &'static str,
     panel: &Panel,
-    color: usize,
     upon: impl FnOnce(&mut PlotUi<'_>) -> Option<R>,
 ) -> Option<R> {
     let palette = Palette::of(ui);
@@ -151,14 +154,14 @@ fn plot<R>(
     // Below the numbers the axis' name.
     let x = AxisHints::new_x().label(axis).formatter(|mark, _| text::short(mark.value));
     let x = if axis.is_empty() { x } else { x.min_thickness(NAMED_AXIS) };
-    let plot = Plot::new(Id::unique(("quake", what, number))).height(height).width(width).show_x(false).show_y(false);
+    let plot = Plot::new(Id::unique(("quake", what, number))).height(height).width(WIDTH).show_x(false).show_y(false);
     let plot = plot.allow_scroll(false).allow_drag(false).allow_zoom(false).allow_boxed_zoom(false);
     let plot = plot.custom_y_axes(vec![y]).custom_x_axes(vec![x]).grid_color(palette.line);
     let plot = plot.y_grid_spacer(move |grid| grid_marks(grid.bounds, height, false)).grid_spacing(6.0..=14.0);
-    let plot = plot.x_grid_spacer(move |grid| grid_marks(grid.bounds, width / LEVEL, false));
+    let plot = plot.x_grid_spacer(move |grid| grid_marks(grid.bounds, WIDTH / LEVEL, false));
     plot.show(ui, |plot| {
         for curve in &panel.curves {
-            let line = line("", curve.points.clone()).stroke(Stroke::new(1.2, OWN[color]));
+            let line = line("", curve.points.clone()).stroke(Stroke::new(1.2, OWN[number]));
             plot.line(line.allow_hover(false));
         }
         upon(plot)

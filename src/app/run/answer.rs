@@ -3,6 +3,7 @@
 use std::sync::{Mutex, OnceLock, PoisonError};
 use std::time::Duration;
 
+use crate::app::command::Way;
 use crate::codes::{self, SeatDemands};
 use crate::language::Message;
 use crate::scene::Kind;
@@ -10,8 +11,8 @@ use crate::scene::difference::Values;
 use crate::scene::domain::{self, Departure};
 use crate::sim::moving_ground::{MovedSupport, moved_supports};
 use crate::sim::readings::{self, Extreme, Passed, Reading};
-use crate::sim::seats::verdict::{self, Verdict};
-use crate::sim::seats::{self, OrbitPoint};
+use crate::sim::seats::OrbitPoint;
+use crate::sim::seats::verdict::Verdict;
 use crate::sim::{
     Balance, ContactState, DeviceReading, Dropped, ErrorEstimate, EventKind, History, Hit, Overlap, Quantity,
     RunDifference, Summary, TooDeep,
@@ -182,7 +183,7 @@ impl Answer {
     /// Whether the run goes on as if ends were carried that have come off their seats: no bearing is lost over an edge in it.
     pub fn goes_on_as_carried(&self) -> bool {
         let off = |(_, verdict): &(usize, Verdict)| matches!(verdict, Verdict::CornerOff { .. } | Verdict::Lost { .. });
-        self.falls().iter().any(off) && self.history.lost_supports(self.history.end()).is_empty()
+        self.falls().iter().any(off) && self.history.seats().lost_supports(self.history.end()).is_empty()
     }
 
     /// Girders that come off their seats, lose a support or tip, with their verdicts, the earliest first, among the first
@@ -193,8 +194,7 @@ impl Answer {
             // Whether a girder tips is found for all of them together: of a long row in space that would hold up a frame.
             let few_in_space = self.history.scene().kind == Kind::Spatial && girders.len() <= MOST_VERDICTS;
             let could = girders.filter(|(_, girder)| few_in_space || girder.seat.plus.or(girder.seat.minus).is_some());
-            let verdicts =
-                could.take(MOST_VERDICTS).filter_map(|(i, _)| Some((i, verdict::verdict(&self.history, i)?)));
+            let verdicts = could.take(MOST_VERDICTS).filter_map(|(i, _)| Some((i, self.history.seats().verdict(i)?)));
             let mut falls: Vec<(usize, Verdict)> = verdicts.filter(|(_, verdict)| !verdict.stays()).collect();
             falls.sort_by(|(_, a), (_, b)| a.t().total_cmp(&b.t()));
             falls
@@ -220,13 +220,13 @@ impl Answer {
         let number = self.device_names().position(|known| known == name)?;
         let all =
             self.found.devices.get_or_init(|| self.history.model().devices.iter().map(|_| OnceLock::new()).collect());
-        all.get(number)?.get_or_init(|| self.history.device_reading(number)).as_ref()
+        all.get(number)?.get_or_init(|| self.history.connections().device_reading(number)).as_ref()
     }
 
     /// Every seat with what codes require of it and the orbit of its corners; found when first asked for.
     pub fn seats(&self) -> &[SeatAnswer] {
         let of = |demands: SeatDemands| {
-            let orbit = seats::orbit(&self.history, demands.girder, &demands.seat, ORBIT_INTERVALS);
+            let orbit = self.history.seats().orbit(demands.girder, &demands.seat, ORBIT_INTERVALS);
             SeatAnswer { demands, orbit }
         };
         self.found.seats.get_or_init(|| codes::of(&self.history).into_iter().map(of).collect())
@@ -283,16 +283,19 @@ impl Answer {
         let _ = self.found.error.set(error);
     }
 
-    /// Time of the next event after `t`, or of the one before (`forward` false) \[s\].
-    pub fn neighbour_event(&self, t: f64, forward: bool) -> Option<f64> {
+    /// Time of the next event after `t`, or of the one before \[s\].
+    pub(in crate::app) fn neighbour_event(&self, t: f64, way: Way) -> Option<f64> {
         // A look-up lands on the event itself: it must not find the same one again.
         let step = 1e-9 * self.history.end().max(1.0);
-        if forward {
-            let next = self.event_times.partition_point(|&e| e <= t + step);
-            self.event_times.get(next).copied()
-        } else {
-            let next = self.event_times.partition_point(|&e| e < t - step);
-            next.checked_sub(1).map(|i| self.event_times[i])
+        match way {
+            Way::Forward => {
+                let next = self.event_times.partition_point(|&e| e <= t + step);
+                self.event_times.get(next).copied()
+            }
+            Way::Back => {
+                let next = self.event_times.partition_point(|&e| e < t - step);
+                next.checked_sub(1).map(|i| self.event_times[i])
+            }
         }
     }
 

@@ -7,7 +7,7 @@ use crate::sim::quantity::{OfPair, Quantity};
 use crate::sim::readings::Extreme;
 use crate::sim::readings::Passed;
 use crate::sim::seats::verdict::Verdict;
-use crate::sim::{DeviceReading, Dropped, History, Touch};
+use crate::sim::{DeviceReading, Dropped, GirderExtreme, History, Touch};
 use crate::view::Target;
 
 /// A moment of a run, and what is to be looked at then.
@@ -28,6 +28,11 @@ impl Spot {
     /// A girder, from above.
     pub(in crate::app) fn girder(girder: usize, t: f64) -> Self {
         Self { t, select: Some(Target::Girder(girder)), look: Look::Girder(girder) }
+    }
+
+    /// The girder of a largest value, at its time.
+    fn of_girder(largest: GirderExtreme) -> Self {
+        Self::girder(largest.girder, largest.extreme.t)
     }
 
     /// A corner of a girder, by both numbers.
@@ -55,12 +60,12 @@ impl Spot {
 
     /// Where what moves farthest is then.
     pub(in crate::app) fn farthest(history: &History) -> Option<Self> {
-        history.farthest().map(|(girder, e)| Self::girder(girder, e.t))
+        history.largest_motion().map(|largest| Self::of_girder(largest.displacement))
     }
 
     /// Where what turns most is turned most.
     pub(in crate::app) fn most_turned(history: &History) -> Option<Self> {
-        history.most_turned().map(|(girder, e)| Self::girder(girder, e.t))
+        history.largest_motion().map(|largest| Self::of_girder(largest.rotation))
     }
 
     /// The largest force between two bodies, at the contact that has most of it; the hardest touch where all are impulses.

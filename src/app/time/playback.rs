@@ -1,6 +1,6 @@
 //! What time of the answer is shown, and which stretch of it timeline and plots show.
 
-use crate::app::command::{TimeCommand, Way};
+use crate::app::command::TimeCommand;
 use crate::app::run::answer::Answer;
 use crate::app::time::clock::Clock;
 
@@ -24,7 +24,7 @@ impl Playback {
             TimeCommand::TogglePlay => self.toggle(end),
             TimeCommand::Step(steps) => self.seek(t + steps * STEP * self.clock.speed, end),
             TimeCommand::StepEvent(way) => {
-                if let Some(event) = answer.and_then(|a| a.neighbour_event(t, way == Way::Forward)) {
+                if let Some(event) = answer.and_then(|a| a.neighbour_event(t, way)) {
                     self.clock.playing = false;
                     self.seek(event, end);
                 }

@@ -12,11 +12,23 @@ use crate::scene::Motion;
 /// Width of a row with everything in it \[points\]; in a narrower one, how it is played goes into a menu.
 const WIDE: f32 = 800.0;
 
-/// Shows the row; time is also counted in periods of the motion. `plots` says whether the plots are folded, where there are any.
+/// Button for the plots at the right end of the row.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub(in crate::app) enum PlotsButton {
+    /// None: there are no plots.
+    Absent,
+    /// One that opens the plots, which are folded.
+    Folded,
+    /// One that folds the plots, which are open.
+    Open,
+}
+
+/// Shows the row; time is also counted in periods of the motion.
 pub(in crate::app) fn show(
     ui: &mut Ui,
     playback: &Playback,
-    (motion, plots): (&Motion, Option<bool>),
+    motion: &Motion,
+    plots: PlotsButton,
     out: &mut Vec<Command>,
 ) {
     let clock = &playback.clock;
@@ -33,8 +45,10 @@ pub(in crate::app) fn show(
             ui.menu_button(text::PLAYING, |ui| how(ui, clock, out));
         }
         ui.with_layout(egui::Layout::right_to_left(egui::Align::Center), |ui| {
-            if let Some(folded) = plots {
-                plots_button(ui, folded, out);
+            match plots {
+                PlotsButton::Absent => {}
+                PlotsButton::Folded => plots_button(ui, true, out),
+                PlotsButton::Open => plots_button(ui, false, out),
             }
             whole(ui, playback, wide, out);
         });

@@ -4,7 +4,7 @@ use glam::DVec3;
 
 use crate::dynamics::model::compiled_model::Backwall;
 use crate::scene::ResolvedBackfill;
-use crate::sim::History;
+use crate::sim::connections::view::Connections;
 
 /// Part of the greatest push that a gap is by rounding alone \[–\]: a difference of two numbers of its size.
 const ROUNDED: f64 = 1e-12;
@@ -27,7 +27,7 @@ pub struct SoilNow {
     pub force: f64,
 }
 
-/// What a run did to the soil behind one abutment.
+/// Largest push of the soil behind one abutment over a run.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct BackfillReading {
     /// Number of the abutment in the scene.
@@ -46,11 +46,11 @@ pub struct BackfillReading {
     pub remaining_gap: f64,
 }
 
-impl History {
+impl Connections<'_> {
     /// The backwall of an abutment at `t`, clamped to what was computed; `None` for one that stands.
-    pub fn wall(&self, abutment: usize, t: f64) -> Option<WallNow> {
-        let Backwall { body, soil, inward } = (*self.model().walls.get(abutment)?)?;
-        let displacement = self.motion(body, t).displacement;
+    pub fn wall(self, abutment: usize, t: f64) -> Option<WallNow> {
+        let Backwall { body, soil, inward } = (*self.history.model().walls.get(abutment)?)?;
+        let displacement = self.history.motion(body, t).displacement;
         let Some(soil) = soil else {
             return Some(WallNow { displacement, soil: None });
         };
@@ -60,24 +60,25 @@ impl History {
         Some(WallNow { displacement, soil: Some(SoilNow { front, force: -soil.force.dot(inward) }) })
     }
 
-    /// What the run did to the soil behind every backwall that moves.
-    pub fn backfill(&self) -> Vec<BackfillReading> {
-        (0..self.model().walls.len()).filter_map(|abutment| self.backfill_of(abutment)).collect()
+    /// Readings of the soil behind every backwall that moves, in the order of the abutments.
+    pub fn backfill(self) -> Vec<BackfillReading> {
+        (0..self.history.model().walls.len()).filter_map(|abutment| self.backfill_of(abutment)).collect()
     }
 
-    fn backfill_of(&self, abutment: usize) -> Option<BackfillReading> {
-        let Backwall { body, soil, inward } = (*self.model().walls.get(abutment)?)?;
+    fn backfill_of(self, abutment: usize) -> Option<BackfillReading> {
+        let Backwall { body, soil, inward } = (*self.history.model().walls.get(abutment)?)?;
         let soil = soil?;
-        let ResolvedBackfill { ultimate, height, .. } = self.scene().abutments.get(abutment)?.soil(self.scene())?;
+        let ResolvedBackfill { ultimate, height, .. } =
+            self.history.scene().abutments.get(abutment)?.soil(self.history.scene())?;
         // Against the wall's own ground: the first of its coordinates.
-        let push_at = |t: f64| self.state(body, t)[0];
+        let push_at = |t: f64| self.history.state(body, t)[0];
         // The push on the envelope grows until the phase ends.
-        let ends = self.link_phases(soil).iter().map(|(t, _)| *t).chain([self.end()]);
+        let ends = self.link_phases(soil).iter().map(|(t, _)| *t).chain([self.history.end()]);
         let (t, push) = ends.map(|t| (t, push_at(t))).max_by(|a, b| a.1.total_cmp(&b.1))?;
-        let (then, now) = (self.link(soil, t)?, self.link(soil, self.end())?);
+        let (then, now) = (self.link(soil, t)?, self.link(soil, self.history.end())?);
         // F²/(2 K_ur) is stored: unloading by F/K_ur leaves the gap.
         let elastic = if now.acts { 2.0 * now.stored / now.force.length().max(f64::MIN_POSITIVE) } else { -now.gap };
-        let (push, gap) = (push.max(0.0), push_at(self.end()) - elastic);
+        let (push, gap) = (push.max(0.0), push_at(self.history.end()) - elastic);
         Some(BackfillReading {
             abutment,
             push,

@@ -2,8 +2,9 @@
 
 use rayon::prelude::*;
 
+use crate::sim::connections::view::Connections;
 use crate::sim::report::Extreme;
-use crate::sim::{History, Loop, peaks, touches};
+use crate::sim::{Loop, peaks, touches};
 
 /// The bearing of a girder that goes farthest, and the one that resists most, both in plan.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -21,26 +22,33 @@ fn sizes_of(now: Loop) -> [f64; 2] {
     [now.deformation, now.resistance].map(|axes| axes[0].hypot(axes[1]))
 }
 
-impl History {
-    /// What the run did to the bearings of every girder that has some, by the girder's number.
-    pub fn bearing_readings(&self) -> Vec<BearingsReading> {
-        (0..self.model().girders().len()).into_par_iter().filter_map(|girder| self.bearings_reading(girder)).collect()
+impl Connections<'_> {
+    /// Readings of the bearings of every girder that has some, in the order of the girders.
+    pub fn bearing_readings(self) -> Vec<BearingsReading> {
+        (0..self.history.model().girders().len())
+            .into_par_iter()
+            .filter_map(|girder| self.bearings_reading(girder))
+            .collect()
     }
 
-    /// What the run did to the bearings of this girder; `None` where it has none. A bearing without its support is none from then on.
-    pub fn bearings_reading(&self, girder: usize) -> Option<BearingsReading> {
-        let count = self.model().girders().get(girder)?.bearings.len();
+    /// Largest deformation and resistance of the bearings of a girder over the run; `None` where it has none. A bearing without its support is none from then on.
+    pub fn bearings_reading(self, girder: usize) -> Option<BearingsReading> {
+        let count = self.history.model().girders().get(girder)?.bearings.len();
         if count == 0 {
             return None;
         }
-        let until: Vec<f64> = (0..count).map(|number| self.bearing_lost_at(girder, number)).collect();
-        let times = touches::looks(self, girder);
+        let until: Vec<f64> = (0..count).map(|number| self.history.seats().bearing_lost_at(girder, number)).collect();
+        let times = touches::looks(self.history, girder);
         let mut seen = vec![[0.0; 2]; times.len() * count];
         for (all, &t) in seen.chunks_exact_mut(count).zip(&times) {
             // Of all bearings together the girder's pose is computed once.
-            let own = self.frame(girder, t);
+            let own = self.history.frame(girder, t);
             let frame = |body: usize, section: usize| {
-                if (body, section) == (girder, 0) { own } else { self.trajectories.section_frame(body, section, t) }
+                if (body, section) == (girder, 0) {
+                    own
+                } else {
+                    self.history.trajectories.section_frame(body, section, t)
+                }
             };
             for (number, sizes) in all.iter_mut().enumerate().filter(|(number, _)| t <= until[*number]) {
                 *sizes = self.bearing_loop_in((girder, number), t, &frame).map_or([0.0; 2], sizes_of);

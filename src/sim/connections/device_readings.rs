@@ -2,11 +2,12 @@
 
 use crate::dynamics::connection::Phase;
 use crate::dynamics::model::compiled_model::ModelDevice;
+use crate::sim::connections::view::Connections;
 use crate::sim::peaks::largest_of_each;
 use crate::sim::report::Extreme;
-use crate::sim::{History, LinkNow, touches};
+use crate::sim::{LinkNow, touches};
 
-/// What a run did to a device.
+/// Largest force, deformation and changes of a device over a run.
 #[derive(Clone, Debug, PartialEq)]
 pub struct DeviceReading {
     /// Its number in the model.
@@ -28,17 +29,17 @@ pub struct DeviceReading {
     pub broke_at: Option<f64>,
 }
 
-impl History {
-    /// What the run did to every device of the scene; nothing under the impact model, which knows none.
-    pub fn devices(&self) -> Vec<DeviceReading> {
-        let numbers = 0..self.model().devices.len();
+impl Connections<'_> {
+    /// Readings of every device of the scene; empty under the impact model, which has no devices.
+    pub fn devices(self) -> Vec<DeviceReading> {
+        let numbers = 0..self.history.model().devices.len();
         numbers.filter_map(|number| self.device_reading(number)).collect()
     }
 
-    /// What the run did to the device of this number in the model.
-    pub fn device_reading(&self, number: usize) -> Option<DeviceReading> {
-        let ModelDevice { links, .. } = self.model().devices.get(number)?;
-        self.trajectories.link_log(links.start)?;
+    /// Reading of the device of this number in the model; `None` where there is none, and under the impact model.
+    pub fn device_reading(self, number: usize) -> Option<DeviceReading> {
+        let ModelDevice { links, .. } = self.history.model().devices.get(number)?;
+        self.history.trajectories.link_log(links.start)?;
         let strength = links.clone().filter_map(|link| self.link(link, 0.0)?.strength).reduce(f64::min);
         let times = self.device_looks(links.clone());
         let [force, greatest, least] = largest_of_each(&times, &|t| {
@@ -48,7 +49,7 @@ impl History {
             [force, along, -along]
         });
         let phases = || links.clone().flat_map(|link| self.link_phases(link).iter().map(move |change| (link, change)));
-        let device = |link: usize| &self.model().links[link].device;
+        let device = |link: usize| &self.history.model().links[link].device;
         let begins: Vec<f64> = links
             .clone()
             .flat_map(|link| {
@@ -75,12 +76,12 @@ impl History {
     }
 
     /// Times at which extremes of a device are looked for: those of the bodies at its ends, and the changes of its phase.
-    fn device_looks(&self, links: std::ops::Range<usize>) -> Vec<f64> {
+    fn device_looks(self, links: std::ops::Range<usize>) -> Vec<f64> {
         let mut bodies: Vec<usize> =
-            self.model().links[links.clone()].iter().flat_map(|link| link.bodies).flatten().collect();
+            self.history.model().links[links.clone()].iter().flat_map(|link| link.bodies).flatten().collect();
         bodies.sort_unstable();
         bodies.dedup();
-        let mut times: Vec<f64> = bodies.into_iter().flat_map(|body| touches::looks(self, body)).collect();
+        let mut times: Vec<f64> = bodies.into_iter().flat_map(|body| touches::looks(self.history, body)).collect();
         times.extend(links.flat_map(|link| self.link_phases(link).iter().map(|(t, _)| *t)));
         times.sort_by(f64::total_cmp);
         times.dedup();

@@ -9,7 +9,7 @@ use crate::contact::Frame;
 use crate::dynamics::connection::{Connection, Kinematics, Separation};
 use crate::dynamics::model::bearing::Bearing;
 use crate::scene::Kind;
-use crate::sim::History;
+use crate::sim::connections::view::Connections;
 
 /// Deformation and resistance along two axes.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
@@ -21,7 +21,7 @@ pub struct Loop {
 }
 
 impl Loop {
-    /// Of a motion and the force on the first point, both in the axes of a connection. Between points apart the first axis is the
+    /// Deformation and resistance by a motion and the force on the first point, both in the axes of a connection. Between points apart the first axis is the
     /// line between them, and the deformation its elongation; the second is square to it.
     pub(in crate::sim) fn of(motion: &Separation, force: DVec3, follows_line: bool) -> Self {
         if !follows_line {
@@ -39,26 +39,29 @@ impl Loop {
     }
 }
 
-impl History {
-    /// A bearing of a girder at `t`, along the girder's axes as placed, its hysteretic part with it; nothing where there is none.
-    pub fn bearing_loop(&self, girder: usize, number: usize, t: f64) -> Option<Loop> {
-        let t = t.clamp(0.0, self.end());
-        self.model().girders().get(girder)?;
-        self.bearing_loop_in((girder, number), t, &|body, section| self.trajectories.section_frame(body, section, t))
+impl<'a> Connections<'a> {
+    /// Deformation and resistance of a bearing of a girder at `t`, along the girder's axes as placed, its hysteretic part with it; `None`
+    /// where there is no such bearing.
+    pub fn bearing_loop(self, girder: usize, number: usize, t: f64) -> Option<Loop> {
+        let t = t.clamp(0.0, self.history.end());
+        self.history.model().girders().get(girder)?;
+        self.bearing_loop_in((girder, number), t, &|body, section| {
+            self.history.trajectories.section_frame(body, section, t)
+        })
     }
 
-    /// The same by the poses of sections of bodies at `t`, within what was computed.
+    /// Deformation and resistance of a bearing by the poses of sections of bodies at `t`, within what was computed.
     pub(in crate::sim) fn bearing_loop_in(
-        &self,
+        self,
         (girder, number): (usize, usize),
         t: f64,
         frame: &dyn Fn(usize, usize) -> Frame,
     ) -> Option<Loop> {
-        let body = &self.model().bodies[girder];
+        let body = &self.history.model().bodies[girder];
         let bearing = body.bearings.get(number)?;
         let numbers = self.bearing_links(girder, number);
         let parts = || numbers.iter().filter_map(|link| self.link_acting(*link, t, frame));
-        if numbers.iter().any(|&link| self.model().links[link].bodies[1].is_some()) {
+        if numbers.iter().any(|&link| self.history.model().links[link].bodies[1].is_some()) {
             // Links between girder and pier are all of it.
             let sum = |sum: Loop, part: Loop| Loop {
                 deformation: part.deformation,
@@ -74,24 +77,25 @@ impl History {
 
     /// Motion of a bearing's point of its girder against the ground, along the girder's axes as placed, with the girder in a pose at `t`.
     pub(in crate::sim) fn bearing_motion(
-        &self,
+        self,
         (girder, bearing): (usize, &Bearing),
         (t, frame): (f64, &Frame),
     ) -> Separation {
-        let body = &self.model().bodies[girder];
-        let kinematics = if self.model().kind == Kind::Planar { Kinematics::Linear } else { Kinematics::Points };
+        let body = &self.history.model().bodies[girder];
+        let kinematics =
+            if self.history.model().kind == Kind::Planar { Kinematics::Linear } else { Kinematics::Points };
         let arm = body.axes * bearing.place;
         let ground = Frame::fixed(body.home + arm);
         let (mut motion, _) = kinematics.motion([frame, &ground], [arm, DVec3::ZERO], DVec3::ZERO, &body.axes);
-        let [bent, rate] = self.displaced(girder, bearing.place, t);
+        let [bent, rate] = self.history.sections().displaced(girder, bearing.place, t);
         motion.moved += bent;
         motion.rate += rate;
         motion
     }
 
     /// Numbers of the links that a girder's bearing has in the model.
-    pub(in crate::sim) fn bearing_links(&self, girder: usize, number: usize) -> &[usize] {
-        let supports = self.model().supports.get(girder);
+    pub(in crate::sim) fn bearing_links(self, girder: usize, number: usize) -> &'a [usize] {
+        let supports = self.history.model().supports.get(girder);
         supports.and_then(|supports| supports.get(number)).map_or(&[], Vec::as_slice)
     }
 }
@@ -100,6 +104,7 @@ impl History {
 mod tests {
     use super::*;
     use crate::scene::{overrides, presets};
+    use crate::sim::History;
 
     #[test]
     fn a_bearings_resistance_is_its_spring_and_dashpot_at_its_place() {
@@ -112,7 +117,7 @@ mod tests {
                 let arm = body.axes * bearing.place;
                 let moved = motion.displacement + DVec3::Z.cross(arm) * motion.theta;
                 let rate = motion.velocity + DVec3::Z.cross(arm) * motion.spin.z;
-                let now = history.bearing_loop(0, number, t).expect("it");
+                let now = history.connections().bearing_loop(0, number, t).expect("it");
                 for axis in 0..2 {
                     let wanted = bearing.stiffness[axis] * moved[axis] + bearing.damping[axis] * rate[axis];
                     let off = (now.resistance[axis] - wanted).abs();
@@ -120,7 +125,7 @@ mod tests {
                 }
             }
         }
-        assert_eq!(history.bearing_loop(0, 99, 0.1), None, "no such bearing");
+        assert_eq!(history.connections().bearing_loop(0, 99, 0.1), None, "no such bearing");
     }
 
     #[test]
@@ -130,7 +135,7 @@ mod tests {
                        yield_force_n = 1, yield_displacement_m = 0.002 }]";
         let sets = [bearing, "girder.deck.initial.velocity_m_s=[0, 0.3]", "duration_s=3", "abutment.wall.gap_m=10"];
         let history = History::of(&overrides::apply_all(&scene, &sets).expect("fits")).expect("runs");
-        let at = |i: u32| history.bearing_loop(0, 0, 3.0 * f64::from(i) / 60_000.0).expect("it");
+        let at = |i: u32| history.connections().bearing_loop(0, 0, 3.0 * f64::from(i) / 60_000.0).expect("it");
         let area: f64 = (0..60_000)
             .map(|i| {
                 let (a, b) = (at(i), at(i + 1));

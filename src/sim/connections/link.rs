@@ -6,7 +6,8 @@ use crate::contact::Frame;
 use crate::dynamics::connection::{Kinematics, Link, Phase, Separation};
 use crate::dynamics::model::wrench::Wrench;
 use crate::language::Text;
-use crate::sim::{History, Loop};
+use crate::sim::Loop;
+use crate::sim::connections::view::Connections;
 
 /// A device at one instant.
 #[derive(Clone, Debug, PartialEq)]
@@ -29,7 +30,7 @@ pub struct LinkNow {
     pub line: Vec<DVec3>,
     /// Force on the first point, world axes; the second feels its opposite \[N\].
     pub force: DVec3,
-    /// The same with the rest of the bearing that it is a part of, world axes \[N\].
+    /// Force on the first point with the rest of the bearing that it is a part of, world axes \[N\].
     pub reaction: DVec3,
     /// Distance to the beginning of its force; less the deformation while the force acts; of a bearing what is left of its travel, NaN
     /// where that has no end \[m\].
@@ -60,19 +61,19 @@ struct LinkMotion<'a> {
     arms: [DVec3; 2],
 }
 
-impl History {
+impl<'a> Connections<'a> {
     /// A device at `t`, clamped to what was computed; nothing where the model has no link of that number or the impact model
     /// computed the run.
-    pub fn link(&self, number: usize, t: f64) -> Option<LinkNow> {
-        let t = t.clamp(0.0, self.end());
+    pub fn link(self, number: usize, t: f64) -> Option<LinkNow> {
+        let t = t.clamp(0.0, self.history.end());
         let phase = self.link_phase(number, t)?;
         self.link_in(number, phase, t)
     }
 
-    /// The same in this phase of its log, where several begin at one instant.
-    pub fn link_in(&self, number: usize, phase: Phase, t: f64) -> Option<LinkNow> {
+    /// A device at `t` in this phase of its log, where several begin at one instant; `None` as of [`link`](Self::link).
+    pub fn link_in(self, number: usize, phase: Phase, t: f64) -> Option<LinkNow> {
         let LinkMotion { link, frames, motion, .. } =
-            self.link_motion_of(number, |body, section| self.trajectories.section_frame(body, section, t))?;
+            self.link_motion_of(number, |body, section| self.history.trajectories.section_frame(body, section, t))?;
         let device = &link.device;
         let (acts, gap) = (device.acts(&phase), device.distance_left(&phase, &motion));
         let ends = [0, 1].map(|i| frames[i].origin() + frames[i].turn(link.arms[i]));
@@ -107,7 +108,7 @@ impl History {
     /// Deformation and resistance of a device along its axes at `t`, and its force on the first point in world axes \[N\], by the poses of
     /// sections of bodies then.
     pub(in crate::sim) fn link_acting(
-        &self,
+        self,
         number: usize,
         t: f64,
         frame: &dyn Fn(usize, usize) -> Frame,
@@ -123,30 +124,30 @@ impl History {
     }
 
     /// Devices at `t`, in the order of their numbers.
-    pub fn links(&self, t: f64) -> Vec<LinkNow> {
-        (0..self.model().links.len()).filter_map(|link| self.link(link, t)).collect()
+    pub fn links(self, t: f64) -> Vec<LinkNow> {
+        (0..self.history.model().links.len()).filter_map(|link| self.link(link, t)).collect()
     }
 
     /// Changes of a device's phase in order of time: when \[s\], and the phase from then on.
-    pub fn link_phases(&self, number: usize) -> &[(f64, Phase)] {
-        self.trajectories.link_log(number).map_or(&[], |log| log.phases())
+    pub fn link_phases(self, number: usize) -> &'a [(f64, Phase)] {
+        self.history.trajectories.link_log(number).map_or(&[], |log| log.phases())
     }
 
-    fn link_phase(&self, number: usize, t: f64) -> Option<Phase> {
-        let device = &self.model().links.get(number)?.device;
-        self.trajectories.link_log(number)?.evolved_at(t, |phase| device.evolves(phase))
+    fn link_phase(self, number: usize, t: f64) -> Option<Phase> {
+        let device = &self.history.model().links.get(number)?.device;
+        self.history.trajectories.link_log(number)?.evolved_at(t, |phase| device.evolves(phase))
     }
 
-    fn link_motion(&self, number: usize, t: f64) -> Option<(&Link, Phase, Separation)> {
+    fn link_motion(self, number: usize, t: f64) -> Option<(&'a Link, Phase, Separation)> {
         let phase = self.link_phase(number, t)?;
         let LinkMotion { link, motion, .. } =
-            self.link_motion_of(number, |body, section| self.trajectories.section_frame(body, section, t))?;
+            self.link_motion_of(number, |body, section| self.history.trajectories.section_frame(body, section, t))?;
         Some((link, phase, motion))
     }
 
     /// A link as it moves, by the poses of sections of bodies.
-    fn link_motion_of(&self, number: usize, frame: impl Fn(usize, usize) -> Frame) -> Option<LinkMotion<'_>> {
-        let link = self.model().links.get(number)?;
+    fn link_motion_of(self, number: usize, frame: impl Fn(usize, usize) -> Frame) -> Option<LinkMotion<'a>> {
+        let link = self.history.model().links.get(number)?;
         let frames = link.frames(|end, section| link.bodies[end].map(|body| frame(body, section)));
         let (motion, arms) = link.motion([&frames[0], &frames[1]]);
         Some(LinkMotion { link, frames, motion, arms })
@@ -154,16 +155,16 @@ impl History {
 
     /// Adds the forces of devices on a body, which is in this state at `t`, to the wrenches on its sections, each about the origin of
     /// the section's frame.
-    pub(in crate::sim) fn push_links(&self, body: usize, (t, state): (f64, &[f64]), wrenches: &mut [Wrench]) {
+    pub(in crate::sim) fn push_links(self, body: usize, (t, state): (f64, &[f64]), wrenches: &mut [Wrench]) {
         let frame = |other: usize, section: usize| {
             if other == body {
-                self.model().bodies[body].frame(section, state)
+                self.history.model().bodies[body].frame(section, state)
             } else {
-                self.trajectories.section_frame(other, section, t)
+                self.history.trajectories.section_frame(other, section, t)
             }
         };
         let own = |(number, link): (usize, &Link)| link.bodies.contains(&Some(body)).then_some(number);
-        for number in self.model().links.iter().enumerate().filter_map(own) {
+        for number in self.history.model().links.iter().enumerate().filter_map(own) {
             let Some(LinkMotion { link, frames, motion, arms }) = self.link_motion_of(number, frame) else { continue };
             let Some(phase) = self.link_phase(number, t) else { continue };
             if !link.device.acts(&phase) {
@@ -179,13 +180,13 @@ impl History {
     }
 
     /// Stored energy of a device \[J\].
-    pub(in crate::sim) fn link_energy(&self, number: usize, t: f64) -> f64 {
+    pub(in crate::sim) fn link_energy(self, number: usize, t: f64) -> f64 {
         self.link_motion(number, t).map_or(0.0, |(link, phase, motion)| link.device.stored_energy(&phase, &motion))
     }
 
     /// Power that a device dissipates with its ends in these poses at `t` \[W\].
-    pub(in crate::sim) fn link_power(&self, number: usize, t: f64, frames: &[Frame; 2]) -> f64 {
-        let link = &self.model().links[number];
+    pub(in crate::sim) fn link_power(self, number: usize, t: f64, frames: &[Frame; 2]) -> f64 {
+        let link = &self.history.model().links[number];
         let acting = self.link_phase(number, t).filter(|phase| link.device.acts(phase));
         acting.map_or(0.0, |phase| link.device.dissipated_power(&phase, &link.motion([&frames[0], &frames[1]]).0))
     }

@@ -7,3 +7,4 @@ pub mod device_readings;
 pub mod hysteresis;
 pub mod link;
 pub mod piers;
+pub mod view;

@@ -4,8 +4,9 @@ use glam::{DVec2, DVec3};
 
 use crate::dynamics::model::compiled_model::Pier;
 use crate::scene::{BaseYield, ResolvedPier};
+use crate::sim::connections::view::Connections;
 use crate::sim::report::Extreme;
-use crate::sim::{History, peaks, touches};
+use crate::sim::{peaks, touches};
 
 /// A pier at one instant.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -20,7 +21,7 @@ pub struct PierNow {
     pub shear: DVec3,
 }
 
-/// What a run did to a pier.
+/// Largest drift, shear and moment of a pier over a run.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct PierReading {
     /// Its number in the scene.
@@ -36,14 +37,14 @@ pub struct PierReading {
     pub moment: Extreme,
     /// Largest |θ| of its cap \[rad\].
     pub turn: f64,
-    /// What yield did to its base; nothing where that does not yield.
+    /// Yielding of its base; `None` where that does not yield.
     pub base: Option<BaseReading>,
     /// Second-order moment `P Δ` of the weight on it in its largest drift, in parts of the moment of its largest base shear at its height;
     /// nothing of a pier without a given height. The model leaves this moment out \[–\].
     pub second_order: Option<f64>,
 }
 
-/// What yield did to the base of a pier.
+/// Ductility and residual drift of the base of a pier that yields.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct BaseReading {
     /// When it yielded for the first time \[s\].
@@ -54,11 +55,11 @@ pub struct BaseReading {
     pub residual: [f64; 2],
 }
 
-impl History {
+impl Connections<'_> {
     /// A pier at `t`, clamped to what was computed; `None` where the scene has no such pier.
-    pub fn pier(&self, number: usize, t: f64) -> Option<PierNow> {
-        let Pier { body, yielding, column: ref links } = *self.model().piers.get(number)?;
-        let (own, motion) = (&self.model().bodies[body], self.motion(body, t));
+    pub fn pier(self, number: usize, t: f64) -> Option<PierNow> {
+        let Pier { body, yielding, column: ref links } = *self.history.model().piers.get(number)?;
+        let (own, motion) = (&self.history.model().bodies[body], self.history.motion(body, t));
         let (place, rate) = (motion.displacement.with_z(motion.theta), motion.velocity.with_z(motion.spin.z));
         let column = (own.planar.stiffness * place + own.planar.damping * rate).with_z(0.0);
         // What yields, and the column on a foot that moves, act on the cap first.
@@ -70,22 +71,22 @@ impl History {
     }
 
     /// Displacement of a pier's foot against the ground of reference \[m\].
-    fn foot(&self, number: usize, t: f64) -> DVec3 {
-        let foot = self.model().piers[number].column.clone().next();
-        let foot = foot.and_then(|link| self.model().links[link].bodies[1]);
-        foot.map_or(DVec3::ZERO, |body| self.motion(body, t).displacement)
+    fn foot(self, number: usize, t: f64) -> DVec3 {
+        let foot = self.history.model().piers[number].column.clone().next();
+        let foot = foot.and_then(|link| self.history.model().links[link].bodies[1]);
+        foot.map_or(DVec3::ZERO, |body| self.history.motion(body, t).displacement)
     }
 
-    /// What the run did to every pier.
-    pub fn piers(&self) -> Vec<PierReading> {
-        (0..self.model().piers.len()).map(|number| self.pier_reading(number)).collect()
+    /// Readings of every pier, in the order of their numbers.
+    pub fn piers(self) -> Vec<PierReading> {
+        (0..self.history.model().piers.len()).map(|number| self.pier_reading(number)).collect()
     }
 
-    /// What the run did to the pier of this number in the model.
-    pub fn pier_reading(&self, number: usize) -> PierReading {
-        let Pier { body, yielding, .. } = self.model().piers[number];
-        let resolved: ResolvedPier = self.scene().pier(number);
-        let times = touches::looks(self, body);
+    /// Reading of the pier of this number in the model.
+    pub fn pier_reading(self, number: usize) -> PierReading {
+        let Pier { body, yielding, .. } = self.history.model().piers[number];
+        let resolved: ResolvedPier = self.history.scene().pier(number);
+        let times = touches::looks(self.history, body);
         let largest = |of: &dyn Fn(&PierNow) -> f64| {
             peaks::largest(&times, &|t| self.pier(number, t).map_or(0.0, |now| of(&now)))
         };
@@ -93,8 +94,8 @@ impl History {
         let shear = largest(&|now| plan(now.shear));
         let [along, across, _] = resolved.frequencies();
         let drift = largest(&|now| plan(now.displacement));
-        let height = self.scene().piers[number].height;
-        let push = self.scene().weight_on(number) * drift.value;
+        let height = self.history.scene().piers[number].height;
+        let push = self.history.scene().weight_on(number) * drift.value;
         PierReading {
             pier: number,
             periods: [along, across].map(|omega| std::f64::consts::TAU / omega),
@@ -110,9 +111,9 @@ impl History {
         }
     }
 
-    /// What yield did to the base of a pier, of which this link is the part that yields.
-    fn base_reading(&self, number: usize, (link, base): (usize, BaseYield), times: &[f64]) -> BaseReading {
-        let resolved = self.scene().pier(number);
+    /// Ductility and residual drift of the base of a pier, of which this link is the part that yields.
+    fn base_reading(self, number: usize, (link, base): (usize, BaseYield), times: &[f64]) -> BaseReading {
+        let resolved = self.history.scene().pier(number);
         let at_yield = [0, 1].map(|axis| base.force[axis] / resolved.stiffness[axis]);
         let drift = |t: f64| {
             let drift = self.pier(number, t).map_or(DVec3::ZERO, |now| now.displacement);
@@ -126,7 +127,8 @@ impl History {
             [most(&|u| u.x.abs()) / at_yield[0], most(&|u| u.y.abs()) / at_yield[1]]
         };
         // The force of the part that yields is (1 − α) F beyond α k u: u − F/k = (1 − α) u − z/k.
-        let (end, hysteretic) = (drift(self.end()), self.link(link, self.end()).map_or(DVec3::ZERO, |now| -now.force));
+        let (end, hysteretic) =
+            (drift(self.history.end()), self.link(link, self.history.end()).map_or(DVec3::ZERO, |now| -now.force));
         let hysteretic = resolved.axes.mul_transpose_vec3(hysteretic);
         BaseReading {
             yielded_at: self.link_phases(link).iter().find(|(_, phase)| phase.branch != 0).map(|(t, _)| *t),

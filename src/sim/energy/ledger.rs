@@ -121,7 +121,7 @@ impl PowerIntegrals {
         }
         for link in 0..history.model().links.len() {
             let entry = if self.bearings[link] { &mut ledger.bearing } else { &mut ledger.device };
-            *entry += history.link_energy(link, t);
+            *entry += history.connections().link_energy(link, t);
         }
         ledger
     }
@@ -235,7 +235,7 @@ fn device_accounts(history: &History) -> Vec<Account<2>> {
 /// Losses in links between these bodies while their forces act, and work of the ground that they are on where that moves as given, step
 /// by step.
 fn accounts_between(history: &History, bodies: [Option<usize>; 2], links: &[usize]) -> Vec<Account<2>> {
-    let phases = |link: usize| history.link_phases(link);
+    let phases = |link: usize| history.connections().link_phases(link);
     let mut borders = step_borders(history, bodies.into_iter().flatten(), 0.0, history.end());
     borders.extend(bodies.into_iter().flatten().flat_map(|body| borders_on_springs(history, body)));
     borders.extend(links.iter().flat_map(|&link| phases(link)).map(|(t, _)| t.clamp(0.0, history.end())));
@@ -320,7 +320,7 @@ fn device_works(history: &History, number: usize, poses: &mut Poses) -> [f64; 2]
     let places = [0, 1].map(|end| Some(poses.place(history, link.bodies[end]?, link.sections[end])));
     poses.nodes.sum(|node, t| {
         let frames = link.frames(|end, _| places[end].map(|place| poses.of[place].1[node]));
-        [history.link_power(number, t, &frames), given_device_power(history, number, t)]
+        [history.connections().link_power(number, t, &frames), given_device_power(history, number, t)]
     })
 }
 
@@ -365,6 +365,6 @@ fn given_device_power(history: &History, link: usize, t: f64) -> f64 {
         return 0.0;
     }
     let bodies = history.model().links[link].bodies;
-    let force = history.link(link, t).map_or(DVec3::ZERO, |now| now.force);
+    let force = history.connections().link(link, t).map_or(DVec3::ZERO, |now| now.force);
     given_power(history, [(bodies[0], force), (bodies[1], -force)], t)
 }

@@ -23,14 +23,13 @@ pub(super) fn of(history: &History, solids: &Solids, number: usize) -> AlignedBo
 mod tests {
     use super::*;
     use crate::scene::{Scene, presets};
-    use crate::sim::Session;
 
     /// Rounding of a corner's place \[m\].
     const ROUNDING: f64 = 1e-9;
 
     fn run(name: &str, duration: f64) -> History {
         let scene = Scene { duration, ..presets::load(name).expect("ships") };
-        Session::run(&scene).expect("a sound scene")
+        History::of(&scene).expect("a sound scene")
     }
 
     #[test]

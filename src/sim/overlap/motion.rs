@@ -45,7 +45,7 @@ pub(super) fn bound(history: &History, body: usize, radius: f64, t: f64) -> Boun
         StoredMotion::Start(_) | StoredMotion::Flight(_) => in_flight(history, body, number, t),
     };
     // The motion of sections of a girder that bends is not that of its G.
-    let acceleration = if history.flexible(body).is_some() {
+    let acceleration = if history.sections().flexible(body).is_some() {
         f64::INFINITY
     } else {
         bounds.acceleration + radius * bounds.acceleration_per_arm()
@@ -119,7 +119,7 @@ pub(super) fn reach(history: &History, body: usize, radius: f64) -> Reach {
     let swept = path.swept();
     let start = of_frame(&own.frame(0, &own.initial())).most(Reach::of(swept.reach, swept.chord, radius));
     let reach = (0..path.len()).map(within).fold(start, Reach::most);
-    if history.flexible(body).is_none() { reach } else { Reach { corner: f64::INFINITY, ..reach } }
+    if history.sections().flexible(body).is_none() { reach } else { Reach { corner: f64::INFINITY, ..reach } }
 }
 
 /// End of segment `number` of a body's path \[s\].

@@ -5,6 +5,6 @@ mod seat;
 pub mod seat_on;
 pub(super) mod uplift;
 pub mod verdict;
+pub mod view;
 
-pub use seat::{Departure, Ledge, OrbitPoint, Seat, SeatCorner, corners_at, of_girder, orbit, seated_share};
-pub(in crate::sim) use seat::{length, remaining};
+pub use seat::{Departure, Ledge, OrbitPoint, Seat, SeatCorner, seated_share};

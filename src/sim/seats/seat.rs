@@ -10,6 +10,7 @@ use crate::dynamics::locate::root::root;
 use crate::geometry::{End, Prism};
 use crate::sim::report::Extreme;
 use crate::sim::seats::seat_on::SeatOn;
+use crate::sim::seats::view::Seats;
 use crate::sim::{History, Motion, peaks, touches};
 
 /// Part of the range of a quantity within which a low point between looks is closed in on: between looks, 24 a period of the
@@ -33,45 +34,17 @@ pub struct Ledge {
     pub half_end: f64,
     /// By how much the seat is wider than the end at either side, along the edge; `None` where the scene does not give it \[m\].
     pub side: Option<f64>,
-    /// What it is fixed to.
+    /// Ground or pier that it is fixed to.
     pub on: SeatOn,
 }
 
 impl Ledge {
-    /// The seat of an end of a girder, where the scene gives one.
-    pub fn of(history: &History, girder: usize, end: End) -> Option<Self> {
-        let length = length(history, girder, end)?;
-        Some(Self {
-            length,
-            side: history.scene().girders[girder].seat.side,
-            ..Self::without_length(history, girder, end)
-        })
-    }
-
-    /// The front edge as of a seat of length 0: what remains of it is how far a corner has moved onto it.
-    pub(in crate::sim) fn without_length(history: &History, girder: usize, end: End) -> Self {
-        let body = &history.model().bodies[girder];
-        let [from, to] = Prism::end_corners(end).map(|corner| body.prism.plan_corners()[corner]);
-        let way = (to - from) / body.prism.end_length();
-        let normal = way.perp() * -end.sign();
-        Self {
-            end,
-            length: 0.0,
-            sine: way.y,
-            normal: body.axes * normal.extend(0.0),
-            along: body.axes * way.extend(0.0),
-            half_end: 0.5 * body.prism.end_length(),
-            side: None,
-            on: SeatOn::of(history, girder, end),
-        }
-    }
-
     /// Seat as placed, square to the edge: `seat · sin β` \[m\].
     pub fn placed(&self) -> f64 {
         self.length * self.sine
     }
 
-    /// What remains of it at a corner, square to the edge: `r_c = (X_c − E)·ν`; negative off it \[m\].
+    /// Remaining seat at a corner, square to the edge: `r_c = (X_c − E)·ν`; negative off it \[m\].
     pub fn remaining(&self, shift: DVec3) -> f64 {
         // By the displacement of the corner, not by its place: far from the origin the difference would round away.
         self.placed() + shift.dot(self.normal)
@@ -94,7 +67,7 @@ pub struct Departure {
     pub along: f64,
 }
 
-/// What remains at a corner of an end.
+/// Remaining seat at a corner of an end, the least and when it was 0.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct SeatCorner {
     /// Its number in plan.
@@ -116,7 +89,7 @@ impl SeatCorner {
     }
 }
 
-/// What remains of a seat.
+/// Remaining seat of an end over a run.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Seat {
     /// The seat.
@@ -136,7 +109,7 @@ impl Seat {
         if other.value < one.value { other } else { one }
     }
 
-    /// What was used of it, square to the edge: placed less least \[m\].
+    /// Used seat, square to the edge: placed less least \[m\].
     pub fn used(&self) -> f64 {
         self.ledge.placed() - self.least().value
     }
@@ -147,25 +120,86 @@ impl Seat {
     }
 }
 
-/// Length of the seat under an end along the axis, where the scene gives one \[m\].
-pub(in crate::sim) fn length(history: &History, girder: usize, end: End) -> Option<f64> {
-    history.scene().girders.get(girder)?.seat.length(end)
-}
+impl Seats<'_> {
+    /// Seat under an end of a girder; `None` where the scene gives none.
+    pub fn ledge(self, girder: usize, end: End) -> Option<Ledge> {
+        let length = self.length(girder, end)?;
+        let side = self.history.scene().girders[girder].seat.side;
+        Some(Ledge { length, side, ..self.front_edge(girder, end) })
+    }
 
-/// What remains of a seat at its worse corner, square to its edge; of a seat without length how far the end has moved off, negative
-/// \[m\].
-pub(in crate::sim) fn remaining(history: &History, girder: usize, end: End, t: f64) -> f64 {
-    let ledge = Ledge::of(history, girder, end).unwrap_or_else(|| Ledge::without_length(history, girder, end));
-    let over = Over::at(history, girder, &ledge, t);
-    let remaining = Prism::end_corners(end).map(|corner| ledge.remaining(over.shift(history, corner)));
-    remaining[0].min(remaining[1])
-}
+    /// Front edge as of a seat of length 0: what remains of it is how far a corner has moved onto it.
+    fn front_edge(self, girder: usize, end: End) -> Ledge {
+        let body = &self.history.model().bodies[girder];
+        let [from, to] = Prism::end_corners(end).map(|corner| body.prism.plan_corners()[corner]);
+        let way = (to - from) / body.prism.end_length();
+        let normal = way.perp() * -end.sign();
+        Ledge {
+            end,
+            length: 0.0,
+            sine: way.y,
+            normal: body.axes * normal.extend(0.0),
+            along: body.axes * way.extend(0.0),
+            half_end: 0.5 * body.prism.end_length(),
+            side: None,
+            on: SeatOn::of(self.history, girder, end),
+        }
+    }
 
-/// What remains at both corners of an end, square to the edge, and where they are along it, at a time \[m\].
-pub fn corners_at(history: &History, girder: usize, ledge: &Ledge, t: f64) -> [[f64; 2]; 2] {
-    let over = Over::at(history, girder, ledge, t);
-    let corners = Prism::end_corners(ledge.end).map(|corner| over.shift(history, corner));
-    [0, 1].map(|which| [ledge.place_along(which, corners[which]), ledge.remaining(corners[which])])
+    /// Length of the seat under an end along the axis \[m\]; `None` where the scene gives none.
+    pub(in crate::sim) fn length(self, girder: usize, end: End) -> Option<f64> {
+        self.history.scene().girders.get(girder)?.seat.length(end)
+    }
+
+    /// Remaining seat at the worse corner of an end, square to its edge \[m\]; of a seat without length how far the end has moved off,
+    /// negative.
+    pub(in crate::sim) fn remaining(self, girder: usize, end: End, t: f64) -> f64 {
+        let ledge = self.ledge(girder, end).unwrap_or_else(|| self.front_edge(girder, end));
+        let over = Over::at(self.history, girder, &ledge, t);
+        let remaining = Prism::end_corners(end).map(|corner| ledge.remaining(over.shift(self.history, corner)));
+        remaining[0].min(remaining[1])
+    }
+
+    /// Place along the edge of both corners of an end, and what remains there square to the edge, at a time \[m\].
+    pub fn corners_at(self, girder: usize, ledge: &Ledge, t: f64) -> [[f64; 2]; 2] {
+        let over = Over::at(self.history, girder, ledge, t);
+        let corners = Prism::end_corners(ledge.end).map(|corner| over.shift(self.history, corner));
+        [0, 1].map(|which| [ledge.place_along(which, corners[which]), ledge.remaining(corners[which])])
+    }
+
+    /// Way of both corners of an end over their seat: `count` intervals of equal time, and the instants where least remains and
+    /// where a corner comes off.
+    pub fn orbit(self, girder: usize, seat: &Seat, count: u32) -> Vec<OrbitPoint> {
+        let end = self.history.end();
+        let even = (0..=count).map(|i| end * f64::from(i) / f64::from(count.max(1)));
+        let marked = seat.corners.into_iter().flat_map(|corner| [Some(corner.least.t), corner.off.map(|off| off.t)]);
+        let mut times: Vec<f64> = even.chain(marked.flatten()).collect();
+        times.sort_by(f64::total_cmp);
+        times.into_iter().map(|t| OrbitPoint { t, corners: self.corners_at(girder, &seat.ledge, t) }).collect()
+    }
+
+    /// Seats of a girder, that of the `+x` end first.
+    pub fn of_girder(self, girder: usize) -> Vec<Seat> {
+        let ledges: Vec<Ledge> = End::BOTH.into_iter().filter_map(|end| self.ledge(girder, end)).collect();
+        if ledges.is_empty() {
+            return Vec::new();
+        }
+        let history = self.history;
+        let times = touches::looks(history, girder);
+        let looks = |end: End| {
+            let motions = times.iter().map(|&t| history.end_motion(girder, end, t)).collect();
+            Looks { history, girder, end, times: times.clone(), motions }
+        };
+        // The ends of a rigid girder move as one.
+        let rigid = history.model().bodies[girder].sections() == 1;
+        let mut seen: Option<Looks<'_>> = None;
+        let mut seats = Vec::with_capacity(ledges.len());
+        for ledge in ledges {
+            let known = seen.take().filter(|looks| rigid || looks.end == ledge.end);
+            seats.push(seen.insert(known.unwrap_or_else(|| looks(ledge.end))).seat(ledge));
+        }
+        seats
+    }
 }
 
 /// Both corners of an end over their seat at a time: along the edge from the middle of the end as placed, and what remains square
@@ -176,17 +210,6 @@ pub struct OrbitPoint {
     pub t: f64,
     /// `[along, remaining]` of either corner, in the order of [`Prism::end_corners`].
     pub corners: [[f64; 2]; 2],
-}
-
-/// The way of both corners of an end over their seat: `count` intervals of equal time, and the instants where least remains and
-/// where a corner comes off.
-pub fn orbit(history: &History, girder: usize, seat: &Seat, count: u32) -> Vec<OrbitPoint> {
-    let end = history.end();
-    let even = (0..=count).map(|i| end * f64::from(i) / f64::from(count.max(1)));
-    let marked = seat.corners.into_iter().flat_map(|corner| [Some(corner.least.t), corner.off.map(|off| off.t)]);
-    let mut times: Vec<f64> = even.chain(marked.flatten()).collect();
-    times.sort_by(f64::total_cmp);
-    times.into_iter().map(|t| OrbitPoint { t, corners: corners_at(history, girder, &seat.ledge, t) }).collect()
 }
 
 /// Share of an end that stands on its seat where this remains at its corners, 0 to 1: what remains is linear along the edge.
@@ -239,28 +262,6 @@ struct Looks<'a> {
     end: End,
     times: Vec<f64>,
     motions: Vec<Motion>,
-}
-
-/// The seats of a girder, the `+x` end first.
-pub fn of_girder(history: &History, girder: usize) -> Vec<Seat> {
-    let ledges: Vec<Ledge> = End::BOTH.into_iter().filter_map(|end| Ledge::of(history, girder, end)).collect();
-    if ledges.is_empty() {
-        return Vec::new();
-    }
-    let times = touches::looks(history, girder);
-    let looks = |end: End| {
-        let motions = times.iter().map(|&t| history.end_motion(girder, end, t)).collect();
-        Looks { history, girder, end, times: times.clone(), motions }
-    };
-    // The ends of a rigid girder move as one.
-    let rigid = history.model().bodies[girder].sections() == 1;
-    let mut seen: Option<Looks<'_>> = None;
-    let mut seats = Vec::with_capacity(ledges.len());
-    for ledge in ledges {
-        let known = seen.take().filter(|looks| rigid || looks.end == ledge.end);
-        seats.push(seen.insert(known.unwrap_or_else(|| looks(ledge.end))).seat(ledge));
-    }
-    seats
 }
 
 impl Looks<'_> {

@@ -7,7 +7,7 @@ use crate::motion::support::SupportMotion;
 use crate::scene::StandsOn;
 use crate::sim::History;
 
-/// What a seat is fixed to.
+/// Ground or pier that a seat is fixed to.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub enum SeatOn {
     /// The ground of reference.

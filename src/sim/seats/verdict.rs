@@ -3,12 +3,12 @@
 
 use crate::geometry::End;
 use crate::language::{Text, values};
-use crate::sim::History;
 use crate::sim::report::Extreme;
 use crate::sim::seats::uplift::TIPPED;
-use crate::sim::seats::{self, Seat};
+use crate::sim::seats::view::Seats;
+use crate::sim::seats::{Seat, SeatCorner};
 
-/// What a run says of the seats of a girder.
+/// Verdict on the seats of a girder.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub enum Verdict {
     /// Every corner stays over its seat.
@@ -77,16 +77,19 @@ pub enum Verdict {
     },
 }
 
-/// The verdict on a girder; none where the scene gives it no seats, unless it falls or tips.
-pub fn verdict(history: &History, girder: usize) -> Option<Verdict> {
-    of_reading(history, girder, &seats::of_girder(history, girder), history.tipped(girder))
-}
+impl Seats<'_> {
+    /// Verdict on a girder; `None` where the scene gives it no seats, unless it falls or tips.
+    pub fn verdict(self, girder: usize) -> Option<Verdict> {
+        self.verdict_of(girder, &self.of_girder(girder), self.tipped(girder))
+    }
 
-/// The same from the seats and the tilt of the girder that have been read already.
-pub fn of_reading(history: &History, girder: usize, seats: &[Seat], tipped: Option<(f64, f64)>) -> Option<Verdict> {
-    let bearing = history.first_lost_bearing(girder);
-    let falls = history.without_support(girder).zip(bearing).map(|(t, (_, first))| Verdict::Falls { t, first });
-    falls.or_else(|| of_seats(seats, bearing, tipped))
+    /// Verdict on a girder by its seats, and by the time and the largest tilt with which it has tipped \[s, rad\], which have been read
+    /// already.
+    pub fn verdict_of(self, girder: usize, seats: &[Seat], tipped: Option<(f64, f64)>) -> Option<Verdict> {
+        let bearing = self.first_lost_bearing(girder);
+        let falls = self.without_support(girder).zip(bearing).map(|(t, (_, first))| Verdict::Falls { t, first });
+        falls.or_else(|| of_seats(seats, bearing, tipped))
+    }
 }
 
 /// The verdict on the seats of one girder, of which a bearing has lost its support, number and time \[s\], or which has tipped, time and
@@ -130,7 +133,7 @@ fn stays(seats: &[Seat]) -> Option<Verdict> {
 }
 
 /// The corner of a seat with the least left.
-fn worst(seat: &Seat) -> seats::SeatCorner {
+fn worst(seat: &Seat) -> SeatCorner {
     let [one, other] = seat.corners;
     if other.least.value < one.least.value { other } else { one }
 }
@@ -227,18 +230,19 @@ fn length(metres: f64) -> String {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::scene::{Seat as Seats, presets};
+    use crate::scene::{self, presets};
+    use crate::sim::History;
 
     /// The opening scene with seats of this length under both ends \[m\].
     fn with_seats(length: f64, side: Option<f64>) -> History {
         let mut scene = presets::load(presets::OPENING).expect("ships");
-        scene.girders[0].seat = Seats { plus: Some(length), minus: Some(length), side };
+        scene.girders[0].seat = scene::Seat { plus: Some(length), minus: Some(length), side };
         History::of(&scene).expect("runs")
     }
 
     #[test]
     fn a_long_seat_keeps_its_girder_and_a_short_one_does_not() {
-        let kept = verdict(&with_seats(0.2, None), 0).expect("seats");
+        let kept = with_seats(0.2, None).seats().verdict(0).expect("seats");
         let Verdict::Stays { least, placed, .. } = kept else { panic!("{kept:?}") };
         assert!(least.value > 0.0 && least.value < placed, "a part of it: {kept:?}");
         assert!(
@@ -249,9 +253,9 @@ mod tests {
         // The seat that is left at the worst is the seat less what was used: as long as that it just does not hold.
         let used = placed - least.value;
         let short = with_seats(0.9 * used / (45.0f64.to_radians().sin()), None);
-        let off = verdict(&short, 0).expect("seats");
+        let off = short.seats().verdict(0).expect("seats");
         assert!(!off.stays() && off.words().starts_with("comes off its seat"), "{off:?}");
-        let seat = seats::of_girder(&short, 0);
+        let seat = short.seats().of_girder(0);
         let first = seat.iter().filter_map(Seat::off_at).fold(f64::INFINITY, f64::min);
         match off {
             Verdict::CornerOff { t, .. } => assert_eq!(t, first, "when the first corner does"),
@@ -262,7 +266,7 @@ mod tests {
 
     #[test]
     fn a_girder_that_loses_a_bearing_does_not_stay_though_its_corners_do() {
-        let seats = seats::of_girder(&with_seats(0.2, None), 0);
+        let seats = with_seats(0.2, None).seats().of_girder(0);
         let lost = of_seats(&seats, Some((2, 1.5)), None).expect("seats");
         assert_eq!((lost.stays(), lost.t()), (false, 1.5));
         assert!(lost.words().starts_with("loses a support: bearing 3 at 1.50 s; at worst "), "{}", lost.words());
@@ -271,13 +275,13 @@ mod tests {
     #[test]
     fn without_seats_there_is_no_verdict() {
         let history = History::of(&presets::load(presets::OPENING).expect("ships")).expect("runs");
-        assert_eq!(verdict(&history, 0), None, "none is given");
+        assert_eq!(history.seats().verdict(0), None, "none is given");
         assert_eq!(of_seats(&[], None, Some((1.0, 3.1))), Some(Verdict::Tipped { t: 1.0, tilt: 3.1 }), "but it tips");
     }
 
     #[test]
     fn a_corner_that_leaves_over_a_side_is_told_apart() {
-        let narrow = verdict(&with_seats(0.2, Some(1e-5)), 0).expect("seats");
+        let narrow = with_seats(0.2, Some(1e-5)).seats().verdict(0).expect("seats");
         assert!(narrow.words().contains("over the side"), "{}", narrow.words());
     }
 

@@ -7,6 +7,7 @@ use crate::scene::facing::SolidId;
 use crate::scene::{Degree, Scene};
 use crate::sim::energy::quadrature::integrate;
 use crate::sim::sections::largest::rounding;
+use crate::sim::sections::view::Sections;
 use crate::sim::{History, Touch};
 
 /// Instants at which places of the ends are compared.
@@ -56,27 +57,26 @@ pub struct DegreeCheck {
     pub moments: f64,
 }
 
-impl History {
+impl Sections<'_> {
     /// Runs the scene again with other degrees; nothing where no girder bends.
-    pub fn check_degree(&self) -> Option<DegreeCheck> {
+    pub fn check_degree(self) -> Option<DegreeCheck> {
         let (scene, degree) = self.of_other_degree()?;
-        let against = Self::of(&scene).ok()?;
-        match against.ends_before(self) {
-            None => Some(self.compare(degree, &against)),
+        let against = History::of(&scene).ok()?;
+        match against.ends_before(self.history) {
+            None => Some(self.compare(degree, against.sections())),
             // Largest values and impulses are compared of runs of one length.
             Some(until) => {
-                let mut scene = self.scene().clone();
+                let mut scene = self.history.scene().clone();
                 scene.duration = until;
-                let check = Self::of(&scene).ok()?.compare(degree, &against);
+                let check = History::of(&scene).ok()?.sections().compare(degree, against.sections());
                 Some(DegreeCheck { until: Some(until), ..check })
             }
         }
     }
 
     /// The differences from a run of another degree that is as long.
-    fn compare(&self, degree: [usize; 2], against: &Self) -> DegreeCheck {
-        let pairs = |of: fn(&Self) -> OfBodies| {
-            let (mut own, mut other) = (of(self), of(against));
+    fn compare(self, degree: [usize; 2], against: Sections<'_>) -> DegreeCheck {
+        let pairs = |mut own: OfBodies, mut other: OfBodies| {
             // A touch that is nothing beside the others is no force to be compared.
             let nothing = GRAZE * own.iter().chain(&other).map(|(_, value)| *value).fold(0.0, f64::max);
             let bodies: Vec<[SolidId; 2]> = own.iter().chain(&other).map(|(bodies, _)| *bodies).collect();
@@ -86,17 +86,17 @@ impl History {
         let mut check = DegreeCheck {
             degree,
             until: None,
-            force: pairs(Self::largest_forces),
-            impulse: pairs(Self::impulses),
+            force: pairs(self.largest_forces(), against.largest_forces()),
+            impulse: pairs(self.impulses(), against.impulses()),
             ends: self.ends_apart(against),
             section: 0.0,
             moments: 0.0,
         };
-        for girder in 0..self.model().girders().len() {
-            let made = |history: &Self| history.flexible(girder)?.girder.clone();
+        for girder in 0..self.history.model().girders().len() {
+            let made = |run: Sections<'_>| run.flexible(girder)?.girder.clone();
             let (Some(own), Some(other)) = (made(self), made(against)) else { continue };
-            let half = 0.5 * self.model().bodies[girder].prism.length;
-            let most = |history: &Self, made| history.largest_in_sections(girder, made, None).map(|most| most.value);
+            let half = 0.5 * self.history.model().bodies[girder].prism.length;
+            let most = |run: Sections<'_>, made| run.largest_values(girder, made, None).map(|most| most.value);
             let (own, other) = (most(self, &own), most(against, &other));
             let [nothing, of_moments, ..] = rounding(&other, half);
             check.section = check.section.max(part(own[0], other[0], nothing));
@@ -108,8 +108,8 @@ impl History {
     }
 
     /// The scene with girders of other degrees, and that of its finest girder before and after.
-    fn of_other_degree(&self) -> Option<(Scene, [usize; 2])> {
-        let mut scene = self.scene().clone();
+    fn of_other_degree(self) -> Option<(Scene, [usize; 2])> {
+        let mut scene = self.history.scene().clone();
         let degrees =
             (0..scene.girders.len()).filter_map(|girder| Some(self.flexible(girder)?.girder.as_ref()?.degree()));
         let fewer = degrees.max()? > 2 * LARGEST_DEGREE / 3;
@@ -126,43 +126,43 @@ impl History {
     }
 
     /// Largest force of a contact \[N\].
-    fn largest_forces(&self) -> OfBodies {
+    fn largest_forces(self) -> OfBodies {
         let mut largest = OfBodies::new();
-        for touch in self.touches() {
-            let own = of_two(&mut largest, self.model().pairs[touch.pair].solids());
+        for touch in self.history.touches() {
+            let own = of_two(&mut largest, self.history.model().pairs[touch.pair].solids());
             *own = own.max(touch.peak_force);
         }
         largest
     }
 
     /// Impulses of all contacts \[N·s\].
-    fn impulses(&self) -> OfBodies {
+    fn impulses(self) -> OfBodies {
         let of = |touch: &Touch| {
-            let site = &self.model().sites[touch.contact];
+            let site = &self.history.model().sites[touch.contact];
             let bodies = [site.node_body, site.face_body].into_iter().flatten();
             let mut borders: Vec<f64> = bodies
-                .flat_map(|body| self.trajectories.path(body).spans_after(touch.start).map(|span| span.from))
+                .flat_map(|body| self.history.trajectories.path(body).spans_after(touch.start).map(|span| span.from))
                 .filter(|t| *t > touch.start && *t < touch.end)
                 .chain([touch.start, touch.end])
                 .collect();
             borders.sort_by(f64::total_cmp);
-            let force = |t: f64| [self.contact_at(touch.contact, t).map_or(0.0, |now| now.force.length())];
+            let force = |t: f64| [self.history.contact_at(touch.contact, t).map_or(0.0, |now| now.force.length())];
             borders.windows(2).map(|w| integrate(w[0], w[1], force)[0]).sum::<f64>()
         };
         let mut sums = OfBodies::new();
-        for touch in self.touches() {
-            *of_two(&mut sums, self.model().pairs[touch.pair].solids()) += of(touch);
+        for touch in self.history.touches() {
+            *of_two(&mut sums, self.history.model().pairs[touch.pair].solids()) += of(touch);
         }
         sums
     }
 
-    fn ends_apart(&self, other: &Self) -> f64 {
+    fn ends_apart(self, other: Sections<'_>) -> f64 {
         let of = |girder: usize| {
-            let (mut apart, mut largest) = (0.0f64, STILL * self.model().bodies[girder].prism.length);
+            let (mut apart, mut largest) = (0.0f64, STILL * self.history.model().bodies[girder].prism.length);
             for i in 0..=COMPARED {
-                let t = self.end().min(other.end()) * f64::from(i) / f64::from(COMPARED);
+                let t = self.history.end().min(other.history.end()) * f64::from(i) / f64::from(COMPARED);
                 for end in End::BOTH {
-                    let place = |history: &Self| history.section_place(girder, end, t);
+                    let place = |run: Sections<'_>| run.end_displacement(girder, end, t);
                     let (one, two) = (place(self), place(other));
                     apart = apart.max((one - two).length());
                     largest = largest.max(two.length());
@@ -170,12 +170,12 @@ impl History {
             }
             apart / largest
         };
-        (0..self.model().girders().len()).map(of).fold(0.0, f64::max)
+        (0..self.history.model().girders().len()).map(of).fold(0.0, f64::max)
     }
 
     /// Displacement of the centre of an end from where it was placed \[m\].
-    pub fn section_place(&self, girder: usize, end: End, t: f64) -> glam::DVec3 {
-        let (body, motion) = (&self.model().bodies[girder], self.end_motion(girder, end, t));
+    pub fn end_displacement(self, girder: usize, end: End, t: f64) -> glam::DVec3 {
+        let (body, motion) = (&self.history.model().bodies[girder], self.history.end_motion(girder, end, t));
         let here = glam::DVec3::X * (0.5 * end.sign() * body.prism.length);
         // From the displacement, not from the place: far from the origin the difference would round away.
         motion.displacement + (motion.attitude * here - body.axes * here)

@@ -1,8 +1,8 @@
 //! A section force of an elastic girder over stations and time: where waves are seen to run and turn.
 
 use crate::dynamics::model::coordinates::section_forces::SectionForces;
-use crate::sim::History;
 use crate::sim::sections::quantity::OfSection;
+use crate::sim::sections::view::Sections;
 
 /// Values over stations and times, SI.
 #[derive(Clone, Debug, PartialEq)]
@@ -11,7 +11,7 @@ pub struct SectionField {
     pub times: Vec<f64>,
     /// Stations from −a0/2 to a0/2 \[m\].
     pub stations: Vec<f64>,
-    /// Of the first station at every time, then of the next.
+    /// Values of the first station at every time, then those of the next.
     pub values: Vec<f64>,
 }
 
@@ -22,9 +22,9 @@ impl SectionField {
     }
 }
 
-impl History {
+impl Sections<'_> {
     /// One of the section forces of an elastic girder, SI.
-    pub fn of_section(&self, girder: usize, forces: &SectionForces, what: OfSection) -> f64 {
+    pub fn component(self, girder: usize, forces: &SectionForces, what: OfSection) -> f64 {
         match what {
             OfSection::Axial => forces.axial,
             OfSection::Shear => forces.shear,
@@ -38,8 +38,8 @@ impl History {
 
     /// A section force of an elastic girder at `counts` even times from `from` to `until` and even stations from end to end; `None`
     /// of a girder that does not bend.
-    pub fn section_field(
-        &self,
+    pub fn field(
+        self,
         girder: usize,
         what: OfSection,
         [from, until]: [f64; 2],
@@ -52,7 +52,7 @@ impl History {
         for (column, &t) in times.iter().enumerate() {
             let equilibrium = self.equilibrium(girder, t)?;
             for (row, &station) in stations.iter().enumerate() {
-                values[row * times.len() + column] = self.of_section(girder, &equilibrium.at(station), what);
+                values[row * times.len() + column] = self.component(girder, &equilibrium.at(station), what);
             }
         }
         Some(SectionField { times, stations, values })

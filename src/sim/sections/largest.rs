@@ -7,7 +7,8 @@ use crate::dynamics::model::elastic_body::ElasticBody;
 use crate::dynamics::trajectory::stored_path::StoredMotion;
 use crate::sim::peaks::{self, NEAR, exceeds, golden};
 use crate::sim::readings::Extreme;
-use crate::sim::{History, touches};
+use crate::sim::sections::view::Sections;
+use crate::sim::touches;
 
 /// Fewest stations beside those where loads act.
 const FEWEST: usize = 17;
@@ -53,7 +54,7 @@ struct Reading<'a> {
 }
 
 impl<'a> Reading<'a> {
-    /// Of a girder whose fields have this degree.
+    /// Reading of a girder whose fields have this degree.
     fn new(fibre: Option<&'a dyn Fn(&SectionForces) -> f64>, degree: usize) -> Self {
         let fixed = fixed_stations(degree).map(|xi| Station::new(degree, xi)).collect();
         Self { fibre, fixed, middle: Station::new(degree, 0.0) }
@@ -76,7 +77,7 @@ impl<'a> Reading<'a> {
         most
     }
 
-    /// The same by strain.
+    /// Values at one instant by strain, at the stations of every instant.
     fn by_strain(&self, strained: &Strained) -> [f64; VALUES] {
         let mut most = [0.0f64; VALUES];
         at_middle(&mut most, &strained.at(0.0));
@@ -111,33 +112,34 @@ struct Seen {
     apart: [f64; 2],
 }
 
-impl History {
+impl<'a> Sections<'a> {
     /// The largest of each of the [`VALUES`] over the run; without `fibre`, its stress by section forces, 0 in place of the last two.
-    pub(in crate::sim) fn largest_in_sections(
-        &self,
+    pub(in crate::sim) fn largest_values(
+        self,
         girder: usize,
         made: &ElasticBody,
         fibre: Option<&dyn Fn(&SectionForces) -> f64>,
     ) -> [Extreme; VALUES] {
         let reading = Reading::new(fibre, made.degree());
-        let values = |t: f64| reading.values(&self.equilibrium_in(girder, made, (t, &self.state(girder, t))));
+        let values = |t: f64| reading.values(&self.equilibrium_in(girder, made, (t, &self.history.state(girder, t))));
         let gains = self.gains(girder, made, &reading);
         let bound = |interval: &Interval<'_>| -> Option<[f64; VALUES]> {
-            let second = self.trajectories.free_motion(girder)?.second_derivatives(interval.flight?, interval.span);
+            let second =
+                self.history.trajectories.free_motion(girder)?.second_derivatives(interval.flight?, interval.span);
             let mut sum = [0.0; VALUES];
             for (gain, second) in gains.iter().zip(second) {
                 sum.iter_mut().zip(gain).for_each(|(sum, gain)| *sum += MARGIN * gain * second);
             }
             Some(sum)
         };
-        let half = 0.5 * self.model().bodies[girder].prism.length;
+        let half = 0.5 * self.history.model().bodies[girder].prism.length;
         largest((&self.intervals(girder), half), &values, &bound)
     }
 
     /// By how much a unit coefficient of each exponential of the girder's free motion changes each value at most, by strain.
-    fn gains(&self, girder: usize, made: &ElasticBody, reading: &Reading<'_>) -> Vec<[f64; VALUES]> {
+    fn gains(self, girder: usize, made: &ElasticBody, reading: &Reading<'_>) -> Vec<[f64; VALUES]> {
         let by = |state: &Vec<f64>| reading.by_strain(&made.strained(state));
-        let shapes = self.trajectories.free_motion(girder).map_or(Vec::new(), BodyMotion::shapes);
+        let shapes = self.history.trajectories.free_motion(girder).map_or(Vec::new(), BodyMotion::shapes);
         let both = |[real, imaginary]: &[Vec<f64>; 2]| {
             let (mut one, other) = (by(real), by(imaginary));
             one.iter_mut().zip(other).for_each(|(one, other)| *one += other);
@@ -147,9 +149,9 @@ impl History {
     }
 
     /// The run of a girder, cut where it is looked at: as bodies are, and at every kink of the ground's motion in flights.
-    fn intervals(&self, girder: usize) -> Vec<Interval<'_>> {
-        let (ground, path) = (&self.model().ground, self.trajectories.path(girder));
-        let looks = touches::looks(self, girder);
+    fn intervals(self, girder: usize) -> Vec<Interval<'a>> {
+        let (ground, path) = (&self.history.model().ground, self.history.trajectories.path(girder));
+        let looks = touches::looks(self.history, girder);
         let mut intervals = Vec::with_capacity(looks.len());
         for pair in looks.windows(2) {
             let flight = match path.at(pair[0]) {
@@ -169,19 +171,19 @@ impl History {
 
     /// The largest value over the stations about the time at which it is largest of those that are looked at, and where.
     pub(in crate::sim) fn between_stations(
-        &self,
+        self,
         girder: usize,
         made: &ElasticBody,
         seen: Extreme,
         value: &dyn Fn(&SectionForces) -> f64,
     ) -> (Extreme, f64) {
-        let at = |t: f64| self.equilibrium_in(girder, made, (t, &self.state(girder, t)));
+        let at = |t: f64| self.equilibrium_in(girder, made, (t, &self.history.state(girder, t)));
         let near = self.flexible(girder).map_or(0.0, |flexible| flexible.beam.transit_time()) / PER_TRANSIT;
         let mut most = (seen, 0.0);
         for _ in 0..ALTERNATIONS {
             let here = at(most.0.t);
             let station = peaks::largest(&stations(&here, made.degree()), &|s| value(&here.at(s))).t;
-            let around = [-near, 0.0, near].map(|dt| (most.0.t + dt).clamp(0.0, self.end()));
+            let around = [-near, 0.0, near].map(|dt| (most.0.t + dt).clamp(0.0, self.history.end()));
             most = (peaks::largest(&around, &|t| value(&at(t).at(station))), station);
         }
         most

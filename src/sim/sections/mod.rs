@@ -5,3 +5,4 @@ pub mod field;
 mod largest;
 pub mod quantity;
 pub mod readings;
+pub mod view;

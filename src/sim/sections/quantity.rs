@@ -1,9 +1,9 @@
 //! Section forces of elastic girders as quantities: `deck.axial_mid`, `deck.moment_quarter+x`, `deck.stress_mid`.
 
 use crate::scene::Kind;
-use crate::sim::History;
+use crate::sim::sections::view::Sections;
 
-/// What of a section of an elastic girder (`docs/physics.md#flexible-girders`).
+/// Quantity of a section of an elastic girder (`docs/physics.md#flexible-girders`).
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum OfSection {
     /// Normal force, tension positive.
@@ -36,7 +36,7 @@ impl OfSection {
         matches!(self, Self::VerticalShear | Self::VerticalMoment | Self::Torque)
     }
 
-    /// What it is, with its sign, for titles and legends.
+    /// Name with its sign, for titles and legends.
     pub const fn label(self) -> &'static str {
         match self {
             Self::Axial => "normal force N, tension +",
@@ -77,21 +77,23 @@ const OF_SECTION: [(&str, OfSection); 7] = [
 pub(in crate::sim) const STATIONS: [(&str, f64); 5] =
     [("-x", -1.0), ("quarter-x", -0.5), ("mid", 0.0), ("quarter+x", 0.5), ("+x", 1.0)];
 
-/// Those of a girder, each with its name, the number of its station, and what it is; none of a rigid girder.
-pub(in crate::sim) fn named(history: &History, girder: usize) -> Vec<(String, usize, OfSection)> {
-    if history.flexible(girder).is_none() {
-        return Vec::new();
+impl Sections<'_> {
+    /// Quantities of the sections of a girder, each with its name, the number of its station, and what it is; none of a rigid girder.
+    pub(in crate::sim) fn quantities(self, girder: usize) -> Vec<(String, usize, OfSection)> {
+        if self.flexible(girder).is_none() {
+            return Vec::new();
+        }
+        let kind = self.history.model().kind;
+        let at = |(station, (at, _)): (usize, (&'static str, f64))| {
+            OfSection::of(kind).map(move |(of, what)| (format!("{of}_{at}"), station, what))
+        };
+        STATIONS.into_iter().enumerate().flat_map(at).collect()
     }
-    let kind = history.model().kind;
-    let at = |(station, (at, _)): (usize, (&'static str, f64))| {
-        OfSection::of(kind).map(move |(of, what)| (format!("{of}_{at}"), station, what))
-    };
-    STATIONS.into_iter().enumerate().flat_map(at).collect()
-}
 
-/// One of them at `t`, SI; 0 for what the run does not have.
-pub(in crate::sim) fn at(history: &History, girder: usize, station: usize, what: OfSection, t: f64) -> f64 {
-    let Some((flexible, (_, xi))) = history.flexible(girder).zip(STATIONS.get(station)) else { return 0.0 };
-    let station = 0.5 * flexible.beam.length * xi;
-    history.of_section(girder, &history.section_forces(girder, station, t), what)
+    /// Quantity of a section at `t`, SI, by the number of its station; 0 for what the run does not have.
+    pub(in crate::sim) fn quantity(self, girder: usize, station: usize, what: OfSection, t: f64) -> f64 {
+        let Some((flexible, (_, xi))) = self.flexible(girder).zip(STATIONS.get(station)) else { return 0.0 };
+        let station = 0.5 * flexible.beam.length * xi;
+        self.component(girder, &self.forces(girder, station, t), what)
+    }
 }

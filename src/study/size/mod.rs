@@ -56,7 +56,7 @@ fn measure(name: &'static str, scene: &Scene, repeat: usize) -> Result<Row, Scen
     let history = timed.value?;
     let mut finer = scene.clone();
     finer.solver.tolerance = scene.solver.tolerance / 1000.0;
-    let error = history.difference(&History::of(&finer)?);
+    let error = history.differences(&History::of(&finer)?).place;
     Ok(Row {
         scene: name,
         girders: scene.girders.len(),

@@ -38,7 +38,7 @@ pub const MEASURES: &[Measure] = &[
         unit: "rad",
         meaning: "largest |θ| of any girder",
         drawn: DEGREES,
-        of: |run| Some(run.largest_rotation()),
+        of: |run| run.largest_motion().map(|motion| motion.rotation.extreme.value),
     },
     Measure {
         name: "max_displacement",
@@ -46,7 +46,7 @@ pub const MEASURES: &[Measure] = &[
         unit: "m",
         meaning: "largest displacement of any girder's G",
         drawn: MILLIMETRES,
-        of: |run| Some(run.largest_displacement()),
+        of: |run| run.largest_motion().map(|motion| motion.displacement.extreme.value),
     },
     Measure {
         name: "max_drift",
@@ -102,7 +102,7 @@ pub const MEASURES: &[Measure] = &[
         unit: "s",
         meaning: "contact time in stick, summed over contacts",
         drawn: SECONDS,
-        of: |run| Some(run.contact_times()[0]),
+        of: |run| Some(run.contact_times().stick),
     },
     Measure {
         name: "slip_time",
@@ -110,7 +110,7 @@ pub const MEASURES: &[Measure] = &[
         unit: "s",
         meaning: "contact time in slip, summed over contacts",
         drawn: SECONDS,
-        of: |run| Some(run.contact_times()[1]),
+        of: |run| Some(run.contact_times().slip),
     },
     Measure {
         name: "least_gap",
@@ -142,7 +142,7 @@ pub const MEASURES: &[Measure] = &[
         unit: "m",
         meaning: "largest deformation in plan of any bearing; none without bearings",
         drawn: MILLIMETRES,
-        of: |run| run.bearing_readings().iter().map(|of| of.deformation.1.value).reduce(f64::max),
+        of: |run| run.connections().bearing_readings().iter().map(|of| of.deformation.1.value).reduce(f64::max),
     },
     Measure {
         name: "max_bearing_force",
@@ -150,7 +150,7 @@ pub const MEASURES: &[Measure] = &[
         unit: "N",
         meaning: "largest resistance in plan of any bearing; none without bearings",
         drawn: NEWTONS,
-        of: |run| run.bearing_readings().iter().map(|of| of.force.1.value).reduce(f64::max),
+        of: |run| run.connections().bearing_readings().iter().map(|of| of.force.1.value).reduce(f64::max),
     },
     Measure {
         name: "max_pier_drift",
@@ -158,7 +158,7 @@ pub const MEASURES: &[Measure] = &[
         unit: "m",
         meaning: "largest displacement of any pier's cap against its foot; none without piers",
         drawn: MILLIMETRES,
-        of: |run| run.piers().iter().map(|pier| pier.drift.value).reduce(f64::max),
+        of: |run| run.connections().piers().iter().map(|pier| pier.drift.value).reduce(f64::max),
     },
     Measure {
         name: "max_pier_shear",
@@ -166,7 +166,7 @@ pub const MEASURES: &[Measure] = &[
         unit: "N",
         meaning: "largest base shear of any pier; none without piers",
         drawn: NEWTONS,
-        of: |run| run.piers().iter().map(|pier| pier.shear.value).reduce(f64::max),
+        of: |run| run.connections().piers().iter().map(|pier| pier.shear.value).reduce(f64::max),
     },
     Measure {
         name: "max_device_force",
@@ -174,7 +174,7 @@ pub const MEASURES: &[Measure] = &[
         unit: "N",
         meaning: "largest force of any device; none without devices",
         drawn: NEWTONS,
-        of: |run| run.devices().iter().map(|device| device.force.value).reduce(f64::max),
+        of: |run| run.connections().devices().iter().map(|device| device.force.value).reduce(f64::max),
     },
     Measure {
         name: "max_stress",
@@ -182,7 +182,7 @@ pub const MEASURES: &[Measure] = &[
         unit: "Pa",
         meaning: "largest stress of the extreme fibre of any girder that bends, beyond the dead load's; none without one",
         drawn: MEGAPASCALS,
-        of: |run| run.flexible_readings().iter().map(|girder| girder.stress.value).reduce(f64::max),
+        of: |run| run.sections().readings().iter().map(|girder| girder.stress.value).reduce(f64::max),
     },
     Measure {
         name: "max_overlap",
@@ -217,7 +217,7 @@ fn girders(run: &History) -> impl Iterator<Item = readings::Reading> {
 
 /// Every seat of every girder.
 fn seats(run: &History) -> impl Iterator<Item = seats::Seat> {
-    (0..run.model().girders().len()).flat_map(|girder| seats::of_girder(run, girder))
+    (0..run.model().girders().len()).flat_map(|girder| run.seats().of_girder(girder))
 }
 
 impl Measure {

@@ -21,15 +21,16 @@ fn direct(gap: f64) -> super::devices::Placed {
 fn soil_that_a_girder_hits_is_that_of_an_independent_program() {
     let scene = girder(90.0, &supported(0.29), [0.4, 2.4, 0.0], 5.0);
     let history = agrees("s_direct", &scene, vec![direct(0.003)], 1e-10);
-    assert_eq!(history.link_phases(0).len() - 1, 47, "changes of phase");
+    assert_eq!(history.connections().link_phases(0).len() - 1, 47, "changes of phase");
 }
 
 #[test]
 fn soil_throws_a_mass_back_as_in_closed_form() {
     let history = run(&free(0.34, 0.2), vec![direct(0.01)]);
-    let turned = history.link_phases(0).windows(2).find(|two| two[0].1.branch == 2).expect("on the envelope")[1].0;
+    let turned =
+        history.connections().link_phases(0).windows(2).find(|two| two[0].1.branch == 2).expect("on the envelope")[1].0;
     within("greatest push", history.motion(0, turned).displacement.x - 0.01 - 4.942_912_219e-3, 1e-11);
-    within("force", -history.link(0, turned).expect("soil").force.x - 38.480_296_673, 1e-8);
+    within("force", -history.connections().link(0, turned).expect("soil").force.x - 38.480_296_673, 1e-8);
     within("rebound", -history.motion(0, 0.2).velocity.x - 0.222_166_096_426, 1e-10);
 }
 
@@ -134,7 +135,7 @@ fn span(kind: &str) -> Scene {
 fn the_books_of_a_skewed_deck_between_walls_on_soil_balance_and_the_soil_never_pulls() {
     for kind in ["planar", "spatial"] {
         let history = finished(&span(kind));
-        let soil = history.backfill();
+        let soil = history.connections().backfill();
         assert!(soil.len() == 2 && soil.iter().all(|soil| soil.push > 1e-3), "{kind}: both are pushed: {soil:?}");
         for soil in soil {
             assert!(soil.force <= soil.ultimate * (1.0 + 1e-12) && soil.remaining_gap < soil.push, "{kind}: {soil:?}");
@@ -142,7 +143,12 @@ fn the_books_of_a_skewed_deck_between_walls_on_soil_balance_and_the_soil_never_p
         for i in 1..=600 {
             let t = 0.01 * f64::from(i);
             for abutment in 0..2 {
-                let force = history.wall(abutment, t).and_then(|wall| wall.soil).expect("soil behind a wall").force;
+                let force = history
+                    .connections()
+                    .wall(abutment, t)
+                    .and_then(|wall| wall.soil)
+                    .expect("soil behind a wall")
+                    .force;
                 assert!(force >= -1e-3, "{kind}: {force} N at {t} s");
             }
             let books = history.ledger(t);

@@ -201,15 +201,15 @@ fn a_slack_cable_goes_taut_for_half_a_period_and_the_girders_exchange_their_velo
     for kind in ["planar", "spatial"] {
         let scene = two_girders(kind, [SPEED, 0.0], 1.0);
         let history = run(&scene, undamped(), 0.0);
-        let [(_, slack), (taut, _), (again, _)] = history.link_phases(0) else {
-            panic!("slack, taut, slack: {:?}", history.link_phases(0))
+        let [(_, slack), (taut, _), (again, _)] = history.connections().link_phases(0) else {
+            panic!("slack, taut, slack: {:?}", history.connections().link_phases(0))
         };
         assert_eq!(slack.branch, SLACK);
         let half = PI * (MASS / 2.0 / STIFFNESS).sqrt();
         within(&format!("{kind}: taut at"), taut - (LENGTH - APART) / SPEED, 1e-12);
         within(&format!("{kind}: half a period"), (again - taut) / half - 1.0, 1e-9);
         let tension = SPEED * (STIFFNESS * MASS / 2.0).sqrt();
-        let middle = history.link(0, f64::midpoint(*taut, *again)).expect("the link");
+        let middle = history.connections().link(0, f64::midpoint(*taut, *again)).expect("the link");
         within(&format!("{kind}: peak tension"), middle.force.length() / tension - 1.0, 1e-9);
         assert!(middle.acts && middle.force.x > 0.0, "the first girder is pulled to the second: {}", middle.force);
         let [west, east] = [0, 1].map(|girder| history.motion(girder, 1.0).velocity.x / SPEED);
@@ -229,7 +229,7 @@ fn before_the_cable_is_taut_no_step_is_taken() {
     let scene = two_girders("planar", [SPEED, 0.0], 0.7);
     let history = run(&scene, undamped(), 0.0);
     assert_eq!(history.effort().steps, 0, "two flights in closed form");
-    assert_eq!(history.link_phases(0).len(), 1, "{:?}", history.link_phases(0));
+    assert_eq!(history.connections().link_phases(0).len(), 1, "{:?}", history.connections().link_phases(0));
     let still = run(&two_girders("planar", [0.0, 0.0], 0.7), undamped(), 0.0);
     assert!(still.effort().looks <= 4, "{} looks where nothing moves", still.effort().looks);
 }
@@ -239,7 +239,7 @@ fn a_cable_beside_the_axes_turns_the_girders_and_keeps_angular_momentum_and_ener
     for kind in ["planar", "spatial"] {
         let scene = two_girders(kind, [SPEED, 0.15], 1.1);
         let history = run(&scene, undamped(), 0.04);
-        assert!(history.link_phases(0).len() >= 3, "{:?}", history.link_phases(0));
+        assert!(history.connections().link_phases(0).len() >= 3, "{:?}", history.connections().link_phases(0));
         assert!(history.motion(0, 1.1).spin.z.abs() > 1e-2, "{} rad/s", history.motion(0, 1.1).spin.z);
         let before = angular_momentum(&history, 0.0);
         for i in 1..=11 {
@@ -277,7 +277,7 @@ fn a_cable_is_drawn_between_its_ends_thick_while_it_is_taut_and_the_legend_has_b
         draw_list(&input)
     };
     let strokes = |t: f64| drawn(t).xray_lines.into_iter().filter(|line| line.group == "device").collect::<Vec<_>>();
-    let taut = history.link_phases(0)[1].0 + 1e-3;
+    let taut = history.connections().link_phases(0)[1].0 + 1e-3;
     let ([slack], [tight]) = (&strokes(0.5)[..], &strokes(taut)[..]) else { panic!("one stroke each") };
     assert!(tight.width > 2.0 * slack.width && tight.color != slack.color, "{tight:?} against {slack:?}");
     let [west, east] = [0, 1].map(|girder| history.motion(girder, taut).place + DVec3::Y * 0.03);
@@ -323,7 +323,7 @@ fn what_a_damped_cable_loses_is_booked() {
     let books = history.ledger(1.0);
     assert!(books.loss_device > 0.01 * books.scale, "{} J of {}", books.loss_device, books.scale);
     within("ledger", books.residual / books.scale, 1e-9);
-    let taut = history.link_phases(0)[1].0 + 2e-3;
+    let taut = history.connections().link_phases(0)[1].0 + 2e-3;
     for t in [0.5, taut, 1.0] {
         let energy = |name: &str| Quantity::find(&history, name).expect("a plotted energy").at(&history, t);
         let plotted = ["energy.kinetic", "energy.devices", "energy.lost-devices"].map(energy);
@@ -341,7 +341,7 @@ fn between_cable_and_contact_two_girders_go_to_and_fro() {
     let mut scene = two_girders("planar", [SPEED, 0.0], 4.0);
     (scene.contact.restitution_normal, scene.contact.restitution_tangential) = (1.0, 1.0);
     let history = run(&scene, undamped(), 0.0);
-    assert!(history.link_phases(0).len() >= 5 && history.touches().len() >= 2, "both act in turn");
+    assert!(history.connections().link_phases(0).len() >= 5 && history.touches().len() >= 2, "both act in turn");
     let books = history.ledger(4.0);
     within("ledger", books.residual / books.scale, 1e-8);
     within("energy", books.kinetic / (0.5 * MASS * SPEED * SPEED) - 1.0, 1e-8);

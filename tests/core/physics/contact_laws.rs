@@ -152,6 +152,27 @@ fn the_papers_law_creeps_between_its_two_limits_and_holds_below() {
     }
 }
 
+/// Weights of the corners a, b, c, d of a face at a point in its plane, paper equations (66), (67). The foot of the perpendicular is taken
+/// on both parallel sides, so `t1` and `t2` differ on a trapezium; `t2` is measured from d instead of c.
+fn corner_weights(face: &Face, point: DVec3) -> [f64; 4] {
+    let [a, b, c, d] = face.corners;
+    let (ab, dc) = (b - a, c - d);
+    let t = (point - a).dot(face.bitangent) / (d - a).dot(face.bitangent);
+    let [t1, t2] = [(point - a).dot(ab) / ab.length_squared(), (point - d).dot(dc) / dc.length_squared()];
+    [(1.0 - t1) * (1.0 - t), t1 * (1.0 - t), t2 * t, (1.0 - t2) * t]
+}
+
+#[test]
+fn the_weights_give_a_point_of_a_trapezium_back() {
+    let corners = [(0.0, 0.0), (4.0, 0.0), (3.0, 2.0), (1.0, 2.0)].map(|(x, y)| DVec3::new(x, y, 0.0));
+    let face = Face::new(corners, 1.0).expect("a trapezium is a face");
+    let point = DVec3::new(1.7, 0.9, 0.0);
+    let weights = corner_weights(&face, point);
+    let back: DVec3 = (0..4).map(|i| weights[i] * corners[i]).sum();
+    within("the point", (back - point).length(), 4e-15);
+    within("sum of the weights", weights.iter().sum::<f64>() - 1.0, 1e-15);
+}
+
 #[test]
 fn the_corners_get_what_the_point_gets() {
     let mut scene = free_pair();
@@ -164,7 +185,8 @@ fn the_corners_get_what_the_point_gets() {
     let owner = history.motion(site.face_body.expect("a girder's face"), touch.peak_time);
     let world = |v: DVec3| owner.place + owner.attitude * v;
     let local = owner.attitude.inverse() * (contact.anchor - owner.place);
-    let weights = Face::weights(site.face.parameters(local));
+    let weights = corner_weights(&site.face, local);
+    within("sum of the weights", weights.iter().sum::<f64>() - 1.0, 1e-14);
     let (mut force, mut moment) = (DVec3::ZERO, DVec3::ZERO);
     for (w, corner) in weights.iter().zip(site.face.corners) {
         force += -contact.force * *w;

@@ -64,11 +64,11 @@ fn ends_at(history: &History, wanted: f64, what: &str) {
 #[test]
 fn a_cable_beyond_its_yield_begins_on_its_yield_surface() {
     let history = displaced(&cable("yield_force_n = 2e5\npost_yield_stiffness_n_per_m = 1e6"));
-    let force = history.link(0, 0.0).expect("a cable").force.length();
+    let force = history.connections().link(0, 0.0).expect("a cable").force.length();
     assert!((force - 206e3).abs() < 1e-3, "T_y + K₂ (16 − 10 mm): {force} N");
     ends_at(&history, -25.5438, "yielded");
     let ended = displaced(&cable("yield_force_n = 2e5\nbreak_elongation_m = 0.012"));
-    assert_eq!(ended.devices()[0].broke_at, Some(0.0), "broken beyond 12 mm");
+    assert_eq!(ended.connections().devices()[0].broke_at, Some(0.0), "broken beyond 12 mm");
     // Alone on its bearings, from rest.
     let (omega, ratio, t) = (std::f64::consts::TAU * 0.6, 0.02_f64, 0.5);
     let own = omega * (1.0 - ratio * ratio).sqrt();
@@ -79,10 +79,10 @@ fn a_cable_beyond_its_yield_begins_on_its_yield_surface() {
 #[test]
 fn a_cable_that_is_pulled_on_yields_from_the_start() {
     let history = displaced(&cable("yield_force_n = 2e5\npost_yield_stiffness_n_per_m = 1e6"));
-    assert_eq!(history.devices()[0].yielded_at, None, "at rest it is drawn back");
+    assert_eq!(history.connections().devices()[0].yielded_at, None, "at rest it is drawn back");
     let scene = girderbench::scene::overrides::apply(history.scene(), "girder.a.initial.velocity_m_s=[0.1,0]");
     let pulled = run(&scene.unwrap_or_else(|errors| panic!("{errors}")));
-    let reading = pulled.devices().remove(0);
+    let reading = pulled.connections().devices().remove(0);
     assert!(pulled.stop().is_none() && reading.yielded_at == Some(0.0), "{reading:?}, {:?}", pulled.stop());
     // On the surface: T_y + K₂ (ε − T_y/K) of the largest elongation.
     let surface = 2e5 + 1e6 * (reading.deformation[1].value - 0.004 - 0.01);
@@ -93,10 +93,10 @@ fn a_cable_that_is_pulled_on_yields_from_the_start() {
 #[test]
 fn a_stopper_beyond_its_strength_is_broken_or_has_yielded() {
     let brittle = displaced(&stopper("break_force_n = 2e5"));
-    assert_eq!(brittle.devices()[0].broke_at, Some(0.0), "320 kN of 200");
+    assert_eq!(brittle.connections().devices()[0].broke_at, Some(0.0), "320 kN of 200");
     ends_at(&brittle, -5.5676, "brittle");
     ends_at(&displaced(&stopper("yield_force_n = 2e5")), -12.56978, "ductile, w_p = 6 mm");
     let beyond = displaced(&stopper("yield_force_n = 2e5\nbreak_displacement_m = 0.002"));
-    assert_eq!(beyond.devices()[0].broke_at, Some(0.0), "w_p = 6 mm of 2");
+    assert_eq!(beyond.connections().devices()[0].broke_at, Some(0.0), "w_p = 6 mm of 2");
     ends_at(&beyond, -5.56758, "ductile beyond its end");
 }

@@ -116,7 +116,11 @@ fn lead_rubber_bearings_are_those_of_an_independent_program() {
         let scene = girder(60.0, &hysteretic(numbers, per_axis), [0.2, 2.0, 30.0], 5.0);
         let history = agrees(name, &scene, Vec::new(), 1e-10);
         if !per_axis {
-            assert_eq!((0..4).map(|leg| history.link_phases(leg).len() - 1).sum::<usize>(), 156, "changes of phase");
+            assert_eq!(
+                (0..4).map(|leg| history.connections().link_phases(leg).len() - 1).sum::<usize>(),
+                156,
+                "changes of phase"
+            );
         }
     }
 }
@@ -154,8 +158,9 @@ fn a_yielding_cable_and_a_bumper_are_those_of_an_independent_program() {
                    bumper=[{ name = \"rubber\", girder = \"deck\", at_m = [0.095, -0.02], to_m = [0.099, 0], \
                    normal = [-1, 0], depth_force_m_n = [[0, 0], [0.0008, 10], [0.0018, 45]], damping_n_s_per_m = 8 }]";
     let history = agrees("d_cable_bumper", &with_devices(0.05, devices, [0.15, 2.4, 20.0]), Vec::new(), 1e-9);
-    let became =
-        |link: usize, law: u32| history.link_phases(link).iter().filter(|(_, phase)| phase.branch == law).count();
+    let became = |link: usize, law: u32| {
+        history.connections().link_phases(link).iter().filter(|(_, phase)| phase.branch == law).count()
+    };
     assert_eq!([became(0, 2), became(1, 1)], [6, 11], "the cable yields six times, the bumper lets go eleven times");
 }
 
@@ -280,7 +285,8 @@ fn a_mass_on_a_bearing_that_yields_keeps_to_its_closed_form() {
              yield_displacement_m = 0.01, yields_per_axis = {per_axis} }}]"
         );
         let history = run(&girder(90.0, &words, [0.0, 1.0, 0.0], 0.6), Vec::new());
-        let times: Vec<f64> = history.link_phases(0)[1..].iter().map(|(t, _)| *t).filter(|t| *t > 0.0).collect();
+        let times: Vec<f64> =
+            history.connections().link_phases(0)[1..].iter().map(|(t, _)| *t).filter(|t| *t > 0.0).collect();
         within("yield", times[0] - 0.068_385_882_714, 1e-11);
         within("turn", times[1] - 0.409_238_666_524, 1e-11);
         within("largest displacement", history.motion(0, times[1]).displacement.x - 0.034_861_003_778, 1e-11);
@@ -340,7 +346,7 @@ fn a_bearing_that_starts_displaced_beyond_its_yield_starts_with_its_yield_force(
             history.ledger(0.0).scale - (0.5 * 10.0 * 0.04 + 0.55 * 0.55 / (2.0 * 55.0)),
             1e-13,
         );
-        within("force at the start", history.link(0, 0.0).expect("a link").force.x + 0.55, 1e-13);
+        within("force at the start", history.connections().link(0, 0.0).expect("a link").force.x + 0.55, 1e-13);
         // m = 2 kg: u = u₀ − (k₂ u₀ + Q)/k₁ (1 − cos ωt), ω² = k₁/m.
         let (force, omega) = (10.0 * 0.2 + 0.55, (65.0f64 / 2.0).sqrt());
         let t = 0.05;
@@ -361,13 +367,14 @@ fn a_cable_that_yields_catches_a_mass_as_in_closed_form() {
     let placed = ([0.0; 2], [-0.1, 0.0], DMat3::IDENTITY, Kinematics::Points, Arc::new(cable) as Arc<dyn Device>);
     let history = run(&free(0.3, 0.2), vec![placed]);
     for t in [0.0, 0.01, 0.02] {
-        let left = history.link(0, t).expect("the cable").gap;
+        let left = history.connections().link(0, t).expect("the cable").gap;
         within("slack that is left", left - (0.01 - history.motion(0, t).displacement.x), 1e-15);
     }
-    let turned = history.link_phases(0).windows(2).find(|two| two[0].1.branch == 2).expect("it yields")[1].0;
+    let turned =
+        history.connections().link_phases(0).windows(2).find(|two| two[0].1.branch == 2).expect("it yields")[1].0;
     let elongation = history.motion(0, turned).displacement.x - 0.01;
     within("elongation", elongation - 3.231_056_256e-3, 1e-11);
-    let tension = -history.link(0, turned).expect("the cable").force.x;
+    let tension = -history.connections().link(0, turned).expect("the cable").force.x;
     within("tension", tension - 41.231_056_256, 1e-8);
     within("rebound", -history.motion(0, 0.2).velocity.x - 0.206_155_281_281, 1e-10);
 }

@@ -194,7 +194,8 @@ fn a_wall_on_a_slider_before_soil_keeps_the_tolerance_on_ground_that_moves_later
         scene.solver.tolerance = tolerance;
         let history = run(&scene);
         let soil = history.model().links.iter().position(|link| link.name == "east.soil").expect("the soil");
-        let changes: Vec<f64> = history.link_phases(soil).iter().map(|(t, _)| *t).filter(|t| *t > 0.7).collect();
+        let changes: Vec<f64> =
+            history.connections().link_phases(soil).iter().map(|(t, _)| *t).filter(|t| *t > 0.7).collect();
         within("turn", changes[1] - 0.721_529_4, allowed);
         within("apart", changes[2] - 0.729_723_4, allowed);
         within("estimate", history.estimate_error().error, tolerance);
@@ -389,7 +390,7 @@ fn tables_and_summary_tell_ground_from_what_stands_on_it() {
 #[test]
 fn frequencies_are_those_on_supports_that_stand_still() {
     let history = run(&Scene { duration: 0.5, ..on_a_pier("delay_s = 0.2", SINE) });
-    let [x, y, _] = history.bearing_quantities(0).omega.map(|omega| omega / std::f64::consts::TAU);
+    let [x, y, _] = history.connections().bearing_quantities(0).omega.map(|omega| omega / std::f64::consts::TAU);
     within("f of the scene", (x - 1.1).abs().max((y - 1.1).abs()), 1e-14);
 }
 

@@ -101,7 +101,7 @@ fn under_a_sine_both_masses_follow_the_closed_form() {
     }
     within("two masses under a sine", worst, 1e-10);
     // The base carries what the column is bent by.
-    let pier = history.piers()[0];
+    let pier = history.connections().piers()[0];
     let stiffness = MASSES[1] * (TAU * FREQUENCIES[1]).powi(2);
     within("base shear", pier.shear.value / (stiffness * pier.drift.value) - 1.0, 1e-12);
     within("period", pier.periods[0] * FREQUENCIES[1] - 1.0, 1e-14);
@@ -202,7 +202,7 @@ fn a_pier_that_yields_is_a_mass_on_a_bearing_that_yields() {
     let (pier, deck) = (run(&pier), run(&deck));
     let apart = |t: f64| (pier.motion(1, t).displacement - deck.motion(0, t).displacement).length();
     within("pier and deck", (0..=400).map(|i| apart(0.01 * f64::from(i))).fold(0.0, f64::max), 1e-10);
-    let reading = pier.piers()[0];
+    let reading = pier.connections().piers()[0];
     let base = reading.base.expect("its base can yield");
     assert!(base.yielded_at.is_some_and(|t| t < 0.5), "{reading:?}");
     within("ductility is drift over F_y/k", base.ductility[0] - reading.drift.value / 5e-3, 1e-9);
@@ -248,9 +248,9 @@ fn what_stays_of_a_yielded_piers_drift_is_where_it_comes_to_rest() {
         "#;
     for force in ["2e5", "[2e5, 3e5]"] {
         let history = run(&scene(&text.replace("FORCE", force)));
-        let reading = history.piers()[0];
+        let reading = history.connections().piers()[0];
         let (base, axes) = (reading.base.expect("its base can yield"), history.scene().pier(0).axes);
-        let rest = axes.transpose() * history.pier(0, 30.0).expect("a pier").displacement;
+        let rest = axes.transpose() * history.connections().pier(0, 30.0).expect("a pier").displacement;
         assert!(rest.x.abs() > 1e-4 && base.ductility[0] > 1.0, "it yields: {reading:?}, {rest}");
         within("along", base.residual[0] - rest.x, 1e-7);
         within("across", base.residual[1] - rest.y, 1e-7);
@@ -273,7 +273,7 @@ fn the_moment_at_the_feet_is_that_of_how_the_tops_are_held() {
             ];
             let sine = "[motion]\nkind = \"sine\"\namplitude_g = 0.1\nfrequency_hz = 0.7\n";
             let scene = overrides::apply_all(&on_one_pier("", sine), &sets).unwrap_or_else(|e| panic!("{e}"));
-            let reading = &run(&scene).piers()[0];
+            let reading = &run(&scene).connections().piers()[0];
             within(&format!("{top} at {angle}°"), reading.moment.value / (reading.shear.value * arm) - 1.0, 1e-9);
         }
     }
@@ -312,11 +312,11 @@ fn a_seat_on_a_pier_moves_with_it() {
     scene.duration = 1.0;
     let history = run(&scene);
     assert_eq!(scene.pier_under(&scene.girders[0], End::Plus), Some(0));
-    let seat = girderbench::sim::seats::of_girder(&history, 0)[0];
+    let seat = history.seats().of_girder(0)[0];
     for i in 0..=10 {
         let t = 0.1 * f64::from(i);
         let [deck, pier] = displacements(&history, t);
-        let [[_, remaining], _] = girderbench::sim::seats::corners_at(&history, 0, &seat.ledge, t);
+        let [[_, remaining], _] = history.seats().corners_at(0, &seat.ledge, t);
         within("what remains", remaining - (0.2 + deck - pier), 1e-14);
     }
     assert_eq!(seat.off_at(), Some(0.0), "0.3 m off at once");

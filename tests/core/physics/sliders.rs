@@ -41,7 +41,7 @@ fn balanced(history: &History, allowed: f64) {
 
 /// Changes of phase of a bearing, by time.
 fn changes(history: &History, bearing: usize) -> Vec<(f64, u32)> {
-    history.link_phases(bearing)[1..].iter().map(|(t, phase)| (*t, phase.branch)).collect()
+    history.connections().link_phases(bearing)[1..].iter().map(|(t, phase)| (*t, phase.branch)).collect()
 }
 
 #[test]
@@ -212,7 +212,7 @@ fn sliders_that_lift_off_move_freely_and_land() {
     for [from, until] in lifted {
         let [before, after] = [from, until].map(|t| history.motion(0, t).velocity.truncate());
         within("free between", (after - before).length(), 1e-10);
-        let now = history.bearing_loop(0, 0, f64::midpoint(from, until)).expect("a bearing");
+        let now = history.connections().bearing_loop(0, 0, f64::midpoint(from, until)).expect("a bearing");
         within("no horizontal force", now.resistance[0].hypot(now.resistance[1]), 1e-6);
     }
     balanced(&history, 1e-8);

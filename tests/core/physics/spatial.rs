@@ -63,7 +63,7 @@ fn a_deck_that_slides_on_four_nodes_comes_nearer_with_the_tolerance() {
         run(&deck)
     });
     assert_eq!(fine.events().len(), finest.events().len(), "the same events");
-    let (far, near) = (rough.difference(&finest), fine.difference(&finest));
+    let (far, near) = (rough.differences(&finest).place, fine.differences(&finest).place);
     // A millionth of its peak displacement, and a sixth of that.
     assert!(far < 2.99e-7, "{far} m at 2e-4");
     assert!(near < 5e-8, "{near} m at 1e-5");

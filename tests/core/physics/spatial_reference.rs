@@ -37,7 +37,7 @@ fn converges(name: &str, trusted: f64) {
         assert_eq!(history.events().len(), finest.events().len(), "{name} at {tolerance:e}: the same events");
     }
     for (history, tolerance) in answers.iter().zip(TOLERANCES).take(3) {
-        let [error, estimate] = [history.difference(finest), history.estimate_error().error];
+        let [error, estimate] = [history.differences(finest).place, history.estimate_error().error];
         assert!(
             estimate > 0.5 * error && estimate < 2.0 * error + 1e-13,
             "{name} at {tolerance:e}: {estimate:e} m estimated of {error:e} m"

@@ -54,7 +54,7 @@ fn a_run_that_goes_on_is_without_the_bearing_and_releases_its_energy() {
         within("no turn: both are on the axis", history.motion(0, t + after).theta, 1e-12);
     }
     for part in [0.3, 0.9] {
-        let left = history.link(0, part * t).expect("the support").gap;
+        let left = history.connections().link(0, part * t).expect("the support").gap;
         within("left of its travel", left - (0.01 - 0.03 * (10.0 * part * t).sin()), 1e-12);
     }
     let books = history.ledger(0.4);
@@ -82,7 +82,7 @@ fn a_bearing_that_yields_loses_its_support_with_what_it_had_stored() {
         run(&girder(90.0, &words, [0.0, 1.0, 0.0], 0.6))
     };
     let (bound, lost) = (with(""), with(", travel_m = 0.02"));
-    let supports = lost.lost_supports(0.6);
+    let supports = lost.seats().lost_supports(0.6);
     let t = supports[0].t;
     within("as far without the loss", bound.motion(0, t).displacement.x - 0.02, 1e-13);
     // z = Q, k_t = 55 N/m.
@@ -108,7 +108,7 @@ fn a_bearing_leaves_the_seat_of_its_own_end_over_its_front_edge() {
     within("when", stop.t - expected, 1e-14);
     assert!(stop.reason.to_string().contains("deck.bearing1"), "that of the end that it leaves: {stop:?}");
     let measured = girder(60.0, &words.replace("after_unseating = \"stop\"\n", ""), [0.0, 1.0, 0.0], 1.0);
-    assert!(run(&measured).lost_supports(1.0).is_empty(), "a seat that is only measured");
+    assert!(run(&measured).seats().lost_supports(1.0).is_empty(), "a seat that is only measured");
     let short = words.replace("\"+x\" = 0.05", "\"+x\" = 0.015");
     let errors = History::of(&girder(60.0, &short, [0.0, 1.0, 0.0], 1.0)).expect_err("off as placed");
     assert!(errors.to_string().contains("bearing 1 beyond the front edge"), "{errors}");
@@ -140,7 +140,7 @@ fn a_girder_in_space_that_loses_all_legs_falls_freely_until_its_corners_have_dro
     let bearings = "bearings = { frequency_hz = 0, damping_ratio = 0, vertical_frequency_hz = 10, travel_m = 0.05, \
                     at_m = [[4, 1.5], [4, -1.5], [-4, 1.5], [-4, -1.5]] }";
     let history = History::of(&deck(bearings)).expect("a scene");
-    let supports = history.lost_supports(2.0);
+    let supports = history.seats().lost_supports(2.0);
     assert_eq!(supports.len(), 4);
     for lost in &supports {
         within("lost", lost.t - 0.1, 1e-12);
@@ -171,7 +171,7 @@ fn a_girder_in_space_loses_its_support_on_a_pier_and_on_ground_that_moves_otherw
     let cases = [(", on_minus_x = \"p\", on_plus_x = \"p\"", pier), (", on_minus_x = \"w\", on_plus_x = \"e\"", walls)];
     for (words, supports) in cases {
         let history = on(words, supports);
-        let lost = history.lost_supports(2.0);
+        let lost = history.seats().lost_supports(2.0);
         assert_eq!(lost.len(), 4, "{supports}");
         for lost in &lost {
             within("lost", lost.t - 0.1, 1e-6);
@@ -197,9 +197,9 @@ fn a_girder_in_space_that_loses_two_legs_tips() {
     ];
     let scene = deck(&format!("bearings = [{}]", legs.join(", ")));
     let history = History::of(&scene).expect("a scene");
-    assert_eq!(history.lost_supports(2.0).len(), 2, "at the +x end");
+    assert_eq!(history.seats().lost_supports(2.0).len(), 2, "at the +x end");
     let stop = history.stop().expect("it tips");
-    let lost = history.lost_supports(2.0)[0].t;
+    let lost = history.seats().lost_supports(2.0)[0].t;
     let end = history.motion(0, stop.t);
     let nose = end.place + end.attitude * glam::DVec3::new(5.0, 0.0, -0.5);
     within("its nose is down", nose.z + 0.5 + 0.1, 1e-6);
@@ -246,7 +246,7 @@ fn how_far_a_girder_is_beyond_its_lost_supports_is_no_measure_of_its_error() {
         "#
     ));
     let history = History::of(&scene).expect("a scene");
-    assert_eq!(history.lost_supports(2.0).len(), 2, "a hundred travels away");
+    assert_eq!(history.seats().lost_supports(2.0).len(), 2, "a hundred travels away");
     let (half, root) = (-brace / (2.0 * coefficient), (brace / (2.0 * coefficient)).powi(2) - brace / mass);
     let fast = half - root.sqrt();
     let slow = brace / mass / fast;

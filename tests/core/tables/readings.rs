@@ -49,7 +49,7 @@ fn a_peak_between_the_last_two_looks_is_read_and_a_limit_below_it_is_passed() {
             Limits { bearing_displacement: Some(most - 1e-8), drift: Some(most - 1e-8), ..Limits::default() };
         let history = run(&scene);
         within("displacement", history.summary().max_displacement / most - 1.0, 1e-9);
-        let moved = history.bearings_reading(0).expect("bearings").deformation.1;
+        let moved = history.connections().bearings_reading(0).expect("bearings").deformation.1;
         within("bearing", moved.value / most - 1.0, 1e-9);
         let passed = readings::passed(&history);
         assert_eq!(passed.len(), 1 + 4, "until {until} s: the drift and four bearings: {passed:?}");
@@ -90,7 +90,12 @@ fn what_is_read_of_a_girder_ends_where_it_falls() {
     let Some(Bearings::Shared(shared)) = &mut girder.bearings else { panic!("equal bearings") };
     shared.travel = Some(travel);
     let history = History::of(&scene).expect("runs");
-    near(history.sound_until(0), 0.5f64.asin() / omega, 1e-9, "all bearings lose their support at v/ω sin ωt = travel");
+    near(
+        history.seats().sound_until(0),
+        0.5f64.asin() / omega,
+        1e-9,
+        "all bearings lose their support at v/ω sin ωt = travel",
+    );
     let far = history.motion(0, history.end()).displacement.length();
     assert!(far > 3.0 * travel && !history.events().is_empty(), "it is computed beyond: {far} m, and hits the wall");
     near(history.summary().max_displacement, travel, 1e-9, "until the fall");
@@ -98,9 +103,9 @@ fn what_is_read_of_a_girder_ends_where_it_falls() {
     near(reading.bearings.expect("some").deformation.1.value, travel, 1e-9, "of the bearings");
     near(reading.drift[0].value, travel, 1e-9, "of a corner");
     assert!(history.touches().is_empty(), "no touch before the fall: {:?}", history.touches());
-    let verdict = girderbench::sim::seats::verdict::verdict(&history, 0).expect("it falls");
+    let verdict = history.seats().verdict(0).expect("it falls");
     assert!(!verdict.stays() && verdict.words().starts_with("falls: "), "{}", verdict.words());
-    let carrying = history.carrying(0, history.end());
+    let carrying = history.seats().carrying(0, history.end());
     assert!(!carrying.is_empty() && carrying.iter().all(|now| *now == Carrying::Lost), "{carrying:?}");
 }
 
@@ -381,7 +386,7 @@ fn what_a_cable_did_is_the_closed_form_s() {
         );
         let scene = format::read(&text, "cable").unwrap_or_else(|errors| panic!("{errors}"));
         let history = History::of(&scene).expect("runs");
-        let readings = history.devices();
+        let readings = history.connections().devices();
         assert_eq!(readings.len(), 1);
         (readings[0].clone(), String::from_utf8(in_memory(|out| devices(&history, out))).expect("a text"))
     };

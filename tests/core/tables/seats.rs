@@ -20,7 +20,7 @@ fn deck(initial: Initial) -> Scene {
 
 fn run(scene: &Scene) -> [seats::Seat; 2] {
     let history = History::of(scene).expect("runs");
-    seats::of_girder(&history, 0).try_into().expect("both ends")
+    history.seats().of_girder(0).try_into().expect("both ends")
 }
 
 fn near(got: f64, wanted: f64, within: f64, what: &str) {

@@ -4,7 +4,6 @@ use std::f64::consts::TAU;
 
 use girderbench::scene::STANDARD_GRAVITY;
 use girderbench::sim::History;
-use girderbench::sim::seats::verdict;
 
 use crate::support::{run, scene, within};
 
@@ -29,9 +28,9 @@ fn a_linear_bearing_that_pulls_is_told() {
     // w = v/ω sin ωt; a quarter of m (g − ω² w) each.
     let load = |t: f64| 0.25 * MASS * (STANDARD_GRAVITY - omega * speed * (omega * t).sin());
     for t in [0.0, 0.013, 0.07, 0.21] {
-        within("load", history.bearing_load(0, 2, t) - load(t), 1e-3);
+        within("load", history.seats().bearing_load(0, 2, t) - load(t), 1e-3);
     }
-    let all = &history.upright(0).expect("in space").uplifts;
+    let all = &history.seats().upright(0).expect("in space").uplifts;
     assert_eq!(all.len(), 4, "{all:?}");
     for one in all {
         within("first", one.t - (STANDARD_GRAVITY / (omega * speed)).asin() / omega, 1e-8);
@@ -39,21 +38,21 @@ fn a_linear_bearing_that_pulls_is_told() {
         within("load at rest", one.load - 0.25 * MASS * STANDARD_GRAVITY, 1e-6);
     }
     let calm = deck("frequency_hz = 1.0, damping_ratio = 0.0", "initial = { velocity_m_s = [0.0, 0.0, 0.1] }");
-    assert!(calm.upright(0).expect("in space").uplifts.is_empty(), "it stays pressed");
+    assert!(calm.seats().upright(0).expect("in space").uplifts.is_empty(), "it stays pressed");
 }
 
 #[test]
 fn a_slider_that_lifts_pulls_nothing() {
     let slides = "kind = \"pendulum\", friction = 0.05, radius_m = 0.0";
     let history = deck(slides, "initial = { velocity_m_s = [0.0, 0.0, 0.3] }");
-    let lifts = history.link_phases(0).iter().find(|(_, phase)| phase.branch == 2).expect("it lifts").0;
-    let all = &history.upright(0).expect("in space").uplifts;
+    let lifts = history.connections().link_phases(0).iter().find(|(_, phase)| phase.branch == 2).expect("it lifts").0;
+    let all = &history.seats().upright(0).expect("in space").uplifts;
     assert_eq!(all.len(), 4, "{all:?}");
     for one in all {
         assert_eq!(one.pull.value, 0.0);
         within("first", one.t - lifts, 1e-8);
     }
-    within("in the air", history.bearing_load(0, 0, lifts + 0.02), 1e-6);
+    within("in the air", history.seats().bearing_load(0, 0, lifts + 0.02), 1e-6);
 }
 
 #[test]
@@ -63,11 +62,11 @@ fn a_deck_on_one_row_of_bearings_tips_and_does_not_stay_on_its_seats() {
          thickness_m = 3.0\nmass_kg = 6e4\nseat_m = { \"+x\" = 4.0, \"-x\" = 4.0 }\ninitial = { roll_deg = 1.0 }\n\
          bearings = { frequency_hz = 1.0, damping_ratio = 0.0, vertical_frequency_hz = 10.0, at_m = [[4, 0], [-4, 0]] }\n",
     ));
-    let (t, tilt) = history.tipped(0).expect("it tips");
+    let (t, tilt) = history.seats().tipped(0).expect("it tips");
     assert!(t > 0.1 && tilt > 1.0, "{tilt} rad, beyond 10° from {t} s");
-    let verdict = verdict::verdict(&history, 0).expect("seats");
+    let verdict = history.seats().verdict(0).expect("seats");
     assert!(!verdict.stays() && verdict.words().starts_with("tips over"), "{}", verdict.words());
     let upright = deck("frequency_hz = 1.0, damping_ratio = 0.0", "initial = { roll_deg = 1.0 }");
-    within("as placed at most", upright.upright(0).expect("in space").tilt.value - 1f64.to_radians(), 1e-3);
-    assert_eq!(upright.tipped(0), None);
+    within("as placed at most", upright.seats().upright(0).expect("in space").tilt.value - 1f64.to_radians(), 1e-3);
+    assert_eq!(upright.seats().tipped(0), None);
 }

@@ -5,7 +5,7 @@ use egui::{ComboBox, Ui};
 use super::backfill;
 use super::rows::{grid, note, push, section, warning};
 use crate::app::command::Command;
-use crate::app::field::{CLICK, Change, Form, Look, Place, Without, act, number, rows, tag};
+use crate::app::field::{CLICK, Change, Form, Look, Named, Place, Without, act, number, rows, tag};
 use crate::app::panel::{grounds, name_field};
 use crate::app::run::answer::Answer;
 use crate::app::unit::{Size, length_unit};
@@ -86,7 +86,7 @@ fn corner_rows(ui: &mut Ui, place: Place<'_>, girder: Option<&Girder>, corners: 
         let key = format!("polygon_m[{n}]");
         for (value, axis) in corner.iter_mut().zip(["x", "y", "z"]) {
             let label = format!("{} {} {axis}", text::CORNER, n + 1);
-            change = change.or(number(ui, place, (&key, &label), value, unit));
+            change = change.or(number(ui, place, Named { key: &key, label: &label }, value, unit));
         }
     }
     change
@@ -121,13 +121,13 @@ fn faces_row(ui: &mut Ui, place: Place<'_>, scene: &Scene, a: &mut Abutment) -> 
             }
         }
     });
-    tag(ui, &combo.response.labelled_by(label.id), place, ("faces", text::FACES.as_str()));
+    tag(ui, &combo.response.labelled_by(label.id), place, Named { key: "faces", label: text::FACES.as_str() });
     ui.end_row();
     let label = ui.label(text::END);
     ui.horizontal(|ui| {
         for end in End::BOTH {
             let response = ui.selectable_value(&mut a.end, end, end.label()).labelled_by(label.id);
-            tag(ui, &response, place, ("end", end.label()));
+            tag(ui, &response, place, Named { key: "end", label: end.label() });
         }
     });
     ui.end_row();

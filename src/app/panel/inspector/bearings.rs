@@ -4,7 +4,7 @@ use egui::{ComboBox, RichText, Ui};
 
 use super::rows::{grid, note};
 use super::sliders;
-use crate::app::field::{CLICK, Change, Look, Place, Without, act, number, optional, rows, switched, tag};
+use crate::app::field::{CLICK, Change, Look, Named, Place, Without, act, number, optional, rows, switched, tag};
 use crate::app::unit::{HERTZ, PURE, Size, Unit, damping_unit, force_unit, length_unit, stiffness_unit};
 use crate::app::{edits, text};
 use crate::scene::keys::Key;
@@ -19,25 +19,30 @@ const USUAL_RATIO: f64 = 6.5;
 /// Displacement at which a slider without a stiffness of its own yields to begin with \[m\].
 const SLIDER_YIELD: f64 = 5e-4;
 
+/// Girder whose bearings have rows.
+#[derive(Clone, Copy)]
+struct BearingRow {
+    /// Kind of the scene, by which a bearing has two directions or three.
+    kind: Kind,
+    /// Unit of lengths.
+    unit: Unit,
+    /// Height of the girder's underside above G \[m\], where a bearing is attached whose height is not given.
+    underside: f64,
+}
+
 /// Shows a girder's bearings.
 pub(super) fn show(ui: &mut Ui, (place, scene): (Place<'_>, &Scene), kind: Kind, g: &mut Girder) -> Option<Change> {
     let (length, shear) = (length_unit(g.length), g.prism().shear());
+    let row = BearingRow { kind, unit: length, underside: -0.5 * g.thickness };
     let deck_radius = match &g.bearings {
         Some(Bearings::Deck(deck)) => deck.radius(STANDARD_GRAVITY),
         _ => 0.0,
     };
     match &mut g.bearings {
         Some(Bearings::Shared(shared)) => {
-            let underside = -0.5 * g.thickness;
             let numbers = grid(ui, "bearings", |ui| {
                 let rows = shared_rows(ui, place, kind, shared);
-                let rows = rows.or(height_row(
-                    ui,
-                    place,
-                    (kind, length),
-                    "bearings.height_m",
-                    (&mut shared.height, underside),
-                ));
+                let rows = rows.or(height_row(ui, place, row, "bearings.height_m", &mut shared.height));
                 let minus = (&mut shared.on_minus_x, "bearings.on_minus_x", text::ON_MINUS.as_str());
                 let plus = (&mut shared.on_plus_x, "bearings.on_plus_x", text::ON_PLUS.as_str());
                 let rows = rows.or(sliders::travel(ui, place, length, &mut shared.travel));
@@ -68,7 +73,7 @@ pub(super) fn show(ui: &mut Ui, (place, scene): (Place<'_>, &Scene), kind: Kind,
         }
         Some(Bearings::Each(each)) => {
             let weight = g.mass * STANDARD_GRAVITY;
-            let changed = list(ui, (place, scene), (kind, length, -0.5 * g.thickness), weight, each);
+            let changed = list(ui, (place, scene), row, weight, each);
             if each.is_empty() {
                 g.bearings = None;
             }
@@ -140,7 +145,8 @@ type Places<'a> = (&'a mut Option<Vec<[f64; 2]>>, &'a mut Option<Vec<[f64; 2]>>)
 fn follows_skew(ui: &mut Ui, place: Place<'_>, shear: f64, (at, skewed): Places<'_>) -> Option<Change> {
     let mut follows = skewed.is_some();
     let response = ui.checkbox(&mut follows, text::AT_FOLLOWS);
-    let switched = tag(ui, &response, place, ("bearings.at_skewed_m", text::AT_FOLLOWS.as_str())).changed();
+    let switched =
+        tag(ui, &response, place, Named { key: "bearings.at_skewed_m", label: text::AT_FOLLOWS.as_str() }).changed();
     if !switched {
         return None;
     }
@@ -160,8 +166,8 @@ fn place_rows(ui: &mut Ui, place: Place<'_>, unit: Unit, key: &str, list: &mut V
     grid(ui, key, |ui| {
         for (n, [x, y]) in list.iter_mut().enumerate() {
             let (name_x, name_y) = (format!("{} {} x", text::BEARING, n + 1), format!("{} {} y", text::BEARING, n + 1));
-            change = change.or(number(ui, place, (key, &name_x), x, unit));
-            change = change.or(number(ui, place, (key, &name_y), y, unit));
+            change = change.or(number(ui, place, Named { key, label: &name_x }, x, unit));
+            change = change.or(number(ui, place, Named { key, label: &name_y }, y, unit));
             ui.label("");
             if ui.small_button(format!("{} {}", text::BEARING_REMOVE, n + 1)).clicked() {
                 gone = Some(n);
@@ -184,7 +190,7 @@ fn place_rows(ui: &mut Ui, place: Place<'_>, unit: Unit, key: &str, list: &mut V
 fn list(
     ui: &mut Ui,
     (place, scene): (Place<'_>, &Scene),
-    (kind, unit, underside): (Kind, Unit, f64),
+    row: BearingRow,
     weight: f64,
     each: &mut Vec<Bearing>,
 ) -> Option<Change> {
@@ -194,9 +200,9 @@ fn list(
     for (n, bearing) in each.iter_mut().enumerate() {
         super::rows::section(ui, &format!("{} {}", text::BEARING, n + 1), n == 0, |ui| {
             change = change.or(grid(ui, &format!("bearing {n}"), |ui| {
-                let numbers = single(ui, place, (kind, unit, first_yield), n, bearing);
+                let numbers = single(ui, place, row, first_yield, n, bearing);
                 let key = format!("bearings[{n}].height_m");
-                let numbers = numbers.or(height_row(ui, place, (kind, unit), &key, (&mut bearing.height, underside)));
+                let numbers = numbers.or(height_row(ui, place, row, &key, &mut bearing.height));
                 let key = format!("bearings[{n}].on");
                 numbers.or(on_row(ui, place, scene, (&mut bearing.on, &key, text::ON_PIER.as_str())))
             }));
@@ -220,23 +226,24 @@ fn list(
 fn single(
     ui: &mut Ui,
     place: Place<'_>,
-    (kind, unit, first_yield): (Kind, Unit, f64),
+    BearingRow { kind, unit, .. }: BearingRow,
+    first_yield: f64,
     n: usize,
     b: &mut Bearing,
 ) -> Option<Change> {
     let at = format!("bearings[{n}].at_m");
     let [x, y] = &mut b.at;
     let mut changes = vec![
-        number(ui, place, (&at, text::BEARING_X.as_str()), x, unit),
-        number(ui, place, (&at, text::BEARING_Y.as_str()), y, unit),
+        number(ui, place, Named { key: &at, label: text::BEARING_X.as_str() }, x, unit),
+        number(ui, place, Named { key: &at, label: text::BEARING_Y.as_str() }, y, unit),
     ];
     let ways = if kind == Kind::Planar { 2 } else { 3 };
     for (axis, name) in ["x", "y", "z"].into_iter().enumerate().take(ways) {
         let (k, c) = (&mut b.stiffness[axis], &mut b.damping[axis]);
         let key = (format!("bearings[{n}].stiffness_n_per_m"), format!("bearings[{n}].damping_n_s_per_m"));
         let (unit_k, unit_c) = (stiffness_unit(*k), damping_unit(*c));
-        changes.push(number(ui, place, (&key.0, &format!("k {name}")), k, unit_k));
-        changes.push(number(ui, place, (&key.1, &format!("c {name}")), c, unit_c));
+        changes.push(number(ui, place, Named { key: &key.0, label: &format!("k {name}") }, k, unit_k));
+        changes.push(number(ui, place, Named { key: &key.1, label: &format!("c {name}") }, c, unit_c));
     }
     changes.extend([yield_rows(ui, place, unit, n, b, first_yield), sliders::rows_of(ui, place, kind, n, b)]);
     changes.into_iter().flatten().next()
@@ -248,18 +255,31 @@ fn yield_rows(ui: &mut Ui, place: Place<'_>, unit: Unit, n: usize, b: &mut Beari
     let key = |name: &str| format!("bearings[{n}].{name}");
     let force = b.yield_force.unwrap_or(first);
     let newton = force_unit(force / STANDARD_GRAVITY);
-    let yields =
-        switched(ui, place, (&key("yield_force_n"), text::BEARING_YIELD.as_str()), (&mut b.yield_force, first), newton);
+    let yields = switched(
+        ui,
+        place,
+        Named { key: &key("yield_force_n"), label: text::BEARING_YIELD.as_str() },
+        (&mut b.yield_force, first),
+        newton,
+    );
     if b.yield_force.is_none() {
         (b.yield_displacement, b.per_axis) = (None, None);
         return yields;
     }
     let elastic = (USUAL_RATIO - 1.0) * b.stiffness[0];
     let at = b.yield_displacement.get_or_insert(if elastic > 0.0 { force / elastic } else { SLIDER_YIELD });
-    let moved = number(ui, place, (&key("yield_displacement_m"), text::BEARING_YIELDS_AT.as_str()), at, unit);
+    let moved = number(
+        ui,
+        place,
+        Named { key: &key("yield_displacement_m"), label: text::BEARING_YIELDS_AT.as_str() },
+        at,
+        unit,
+    );
     let mut per_axis = b.per_axis == Some(true);
     let response = ui.checkbox(&mut per_axis, text::BEARING_PER_AXIS);
-    let turned = tag(ui, &response, place, (&key("yields_per_axis"), text::BEARING_PER_AXIS.as_str())).changed();
+    let turned =
+        tag(ui, &response, place, Named { key: &key("yields_per_axis"), label: text::BEARING_PER_AXIS.as_str() })
+            .changed();
     ui.end_row();
     if turned {
         b.per_axis = per_axis.then_some(true);
@@ -292,7 +312,7 @@ fn on_row(
             }
         }
     });
-    tag(ui, &combo.response.labelled_by(name.id), place, (key, label));
+    tag(ui, &combo.response.labelled_by(name.id), place, Named { key, label });
     ui.end_row();
     if *on == before { None } else { CLICK }
 }
@@ -301,25 +321,25 @@ fn on_row(
 fn height_row(
     ui: &mut Ui,
     place: Place<'_>,
-    (kind, unit): (Kind, Unit),
+    BearingRow { kind, unit, underside }: BearingRow,
     key: &str,
-    height: (&mut Option<f64>, f64),
+    height: &mut Option<f64>,
 ) -> Option<Change> {
     if kind == Kind::Planar {
         return None;
     }
-    optional(ui, place, (key, text::BEARING_HEIGHT.as_str()), height, unit)
+    optional(ui, place, Named { key, label: text::BEARING_HEIGHT.as_str() }, (height, underside), unit)
 }
 
 fn shared_rows(ui: &mut Ui, place: Place<'_>, kind: Kind, b: &mut SharedBearings) -> Option<Change> {
     let ([mut fx, mut fy], [mut hx, mut hy]) = (b.frequency_hz.xy(), b.damping_ratio.xy());
     let frequency = [
-        number(ui, place, ("bearings.frequency_hz", text::FREQUENCY_X.as_str()), &mut fx, HERTZ),
-        number(ui, place, ("bearings.frequency_hz", text::FREQUENCY_Y.as_str()), &mut fy, HERTZ),
+        number(ui, place, Named { key: "bearings.frequency_hz", label: text::FREQUENCY_X.as_str() }, &mut fx, HERTZ),
+        number(ui, place, Named { key: "bearings.frequency_hz", label: text::FREQUENCY_Y.as_str() }, &mut fy, HERTZ),
     ];
     let damping = [
-        number(ui, place, ("bearings.damping_ratio", text::DAMPING_X.as_str()), &mut hx, PURE),
-        number(ui, place, ("bearings.damping_ratio", text::DAMPING_Y.as_str()), &mut hy, PURE),
+        number(ui, place, Named { key: "bearings.damping_ratio", label: text::DAMPING_X.as_str() }, &mut hx, PURE),
+        number(ui, place, Named { key: "bearings.damping_ratio", label: text::DAMPING_Y.as_str() }, &mut hy, PURE),
     ];
     if frequency.iter().any(Option::is_some) {
         b.frequency_hz = per_direction(b.frequency_hz, fx, fy);
@@ -333,13 +353,13 @@ fn shared_rows(ui: &mut Ui, place: Place<'_>, kind: Kind, b: &mut SharedBearings
 
 fn vertical_rows(ui: &mut Ui, place: Place<'_>, hx: f64, b: &mut SharedBearings) -> Option<Change> {
     let mut fz = b.vertical_frequency_hz.unwrap_or(0.0);
-    let key = ("bearings.vertical_frequency_hz", text::FREQUENCY_Z.as_str());
-    let frequency = number(ui, place, key, &mut fz, HERTZ);
+    let names = Named { key: "bearings.vertical_frequency_hz", label: text::FREQUENCY_Z.as_str() };
+    let frequency = number(ui, place, names, &mut fz, HERTZ);
     if frequency.is_some() {
         b.vertical_frequency_hz = Some(fz);
     }
-    let key = ("bearings.vertical_damping_ratio", text::DAMPING_Z.as_str());
-    frequency.or(optional(ui, place, key, (&mut b.vertical_damping_ratio, hx), PURE))
+    let names = Named { key: "bearings.vertical_damping_ratio", label: text::DAMPING_Z.as_str() };
+    frequency.or(optional(ui, place, names, (&mut b.vertical_damping_ratio, hx), PURE))
 }
 
 /// One number stays one number as long as both directions agree.

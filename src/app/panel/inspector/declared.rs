@@ -6,7 +6,7 @@
 use egui::{ComboBox, RichText, Ui};
 
 use crate::app::command::{Command, EditCommand};
-use crate::app::field::{Form, Place, act, complain, tag};
+use crate::app::field::{Form, Named, Place, act, complain, tag};
 use crate::app::{edits, text};
 use crate::geometry::End;
 use crate::scene::{PairSettings, Scene};
@@ -56,7 +56,7 @@ fn entry(ui: &mut Ui, place: Place<'_>, scene: &Scene, n: usize, pair: &mut Pair
                 })
                 .response;
             response.widget_info(|| egui::WidgetInfo::labeled(egui::Role::ComboBox, true, &label));
-            tag(ui, &response, place, ("between", &label));
+            tag(ui, &response, place, Named { key: "between", label: &label });
             if let Some(ends) = &mut pair.ends {
                 for end in End::BOTH {
                     ui.selectable_value(&mut ends[side], end, end.label());
@@ -67,7 +67,7 @@ fn entry(ui: &mut Ui, place: Place<'_>, scene: &Scene, n: usize, pair: &mut Pair
     let mut only = pair.ends.is_some();
     let label = text::ends_of_entry(n + 1);
     let response = ui.checkbox(&mut only, &label);
-    if tag(ui, &response, place, ("ends", &label)).changed() {
+    if tag(ui, &response, place, Named { key: "ends", label: &label }).changed() {
         pair.ends = only.then_some([End::Plus, End::Minus]);
     }
     let complaint = ["between", "ends"].into_iter().find_map(|key| place.complaint(key));

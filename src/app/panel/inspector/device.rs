@@ -4,7 +4,7 @@ use egui::{ComboBox, Ui};
 
 use super::rows::{grid, note, push};
 use crate::app::command::Command;
-use crate::app::field::{CLICK, Change, Form, Look, Place, Without, act, number, rows, tag};
+use crate::app::field::{CLICK, Change, Form, Look, Named, Place, Without, act, number, rows, tag};
 use crate::app::panel::name_field;
 use crate::app::unit::{PURE, Size, Unit, force_unit, length_unit};
 use crate::app::{edits, text};
@@ -83,15 +83,21 @@ fn ends(ui: &mut Ui, place: Place<'_>, scene: &Scene, unit: Unit, device: &mut D
     let anew = |to: Option<&str>| edits::points_before(scene, &as_it_was, to);
     let ends = device.part_mut().ends_mut();
     let mut from = Some(girder.clone());
-    let mut change = body(ui, place, ("girder", text::DEVICE_ON.as_str()), &mut from, &girders);
+    let mut change = body(ui, place, Named { key: "girder", label: text::DEVICE_ON.as_str() }, &mut from, &girders);
     if let (Some(_), Some(name)) = (change, from) {
         *ends.girder = name;
     }
     let mut onto = to.clone();
     for (axis, value) in ["x", "y", "z"].into_iter().zip(&mut *ends.at).take(axes) {
-        change = change.or(number(ui, place, ("at_m", &format!("{} {axis}", text::DEVICE_AT)), value, unit));
+        change = change.or(number(
+            ui,
+            place,
+            Named { key: "at_m", label: &format!("{} {axis}", text::DEVICE_AT) },
+            value,
+            unit,
+        ));
     }
-    let chosen = body(ui, place, ("to", text::DEVICE_TO.as_str()), &mut onto, &bodies);
+    let chosen = body(ui, place, Named { key: "to", label: text::DEVICE_TO.as_str() }, &mut onto, &bodies);
     if let Some((at, to_at)) = anew(onto.as_deref()).filter(|_| chosen.is_some()) {
         (*ends.to, *ends.at, *ends.to_at) = (onto, at, to_at);
         return chosen;
@@ -109,7 +115,8 @@ fn ends(ui: &mut Ui, place: Place<'_>, scene: &Scene, unit: Unit, device: &mut D
     let mut second = second.unwrap_or_else(placed);
     let mut moved = None;
     for (axis, value) in ["x", "y", "z"].into_iter().zip(&mut second).take(axes) {
-        moved = number(ui, place, ("to_m", &format!("{} {axis}", text::DEVICE_TO_AT)), value, unit).or(moved);
+        moved = number(ui, place, Named { key: "to_m", label: &format!("{} {axis}", text::DEVICE_TO_AT) }, value, unit)
+            .or(moved);
     }
     if moved.is_some() {
         *ends.to_at = Some(second);
@@ -121,19 +128,19 @@ fn ends(ui: &mut Ui, place: Place<'_>, scene: &Scene, unit: Unit, device: &mut D
 fn body(
     ui: &mut Ui,
     place: Place<'_>,
-    (key, name): (&str, &str),
+    Named { key, label }: Named<'_>,
     value: &mut Option<String>,
     options: &[Option<String>],
 ) -> Option<Change> {
     let words = |body: &Option<String>| body.clone().unwrap_or_else(|| text::GROUND_ITSELF.to_string());
     let before = value.clone();
-    let label = ui.label(name);
+    let name = ui.label(label);
     let combo = ComboBox::from_id_salt((place.table, key)).width(79.0).selected_text(words(value)).show_ui(ui, |ui| {
         for option in options {
             ui.selectable_value(value, option.clone(), words(option));
         }
     });
-    tag(ui, &combo.response.labelled_by(label.id), place, (key, name));
+    tag(ui, &combo.response.labelled_by(name.id), place, Named { key, label });
     ui.end_row();
     if *value == before { None } else { CLICK }
 }
@@ -145,7 +152,13 @@ fn law(ui: &mut Ui, look: &Look<'_>, kind: Kind, size: Size, device: &mut Device
         Device::Restrainer(cable) => rows(ui, look, cable, &shared),
         Device::Damper(damper) => rows(ui, look, damper, &shared),
         Device::Bumper(rubber) => {
-            let normal = direction(ui, look.place, kind, ("normal", text::DEVICE_NORMAL.as_str()), &mut rubber.normal);
+            let normal = direction(
+                ui,
+                look.place,
+                kind,
+                Named { key: "normal", label: text::DEVICE_NORMAL.as_str() },
+                &mut rubber.normal,
+            );
             let law = rows(ui, look, rubber, &shared);
             if law.is_some() && rubber.stiffness.is_some() {
                 rubber.table = None;
@@ -153,8 +166,13 @@ fn law(ui: &mut Ui, look: &Look<'_>, kind: Kind, size: Size, device: &mut Device
             normal.or(law).or(table(ui, look.place, size, &mut rubber.table, &mut rubber.stiffness))
         }
         Device::Stopper(key) => {
-            let way =
-                direction(ui, look.place, kind, ("direction", text::DEVICE_DIRECTION.as_str()), &mut key.direction);
+            let way = direction(
+                ui,
+                look.place,
+                kind,
+                Named { key: "direction", label: text::DEVICE_DIRECTION.as_str() },
+                &mut key.direction,
+            );
             way.or(rows(ui, look, key, &shared))
         }
     }
@@ -165,13 +183,13 @@ fn direction(
     ui: &mut Ui,
     place: Place<'_>,
     kind: Kind,
-    (key, name): (&str, &str),
+    Named { key, label }: Named<'_>,
     value: &mut Option<[f64; 3]>,
 ) -> Option<Change> {
     let mut given = value.is_some();
     ui.label("");
-    let response = ui.checkbox(&mut given, name);
-    let switched = tag(ui, &response, place, (key, name)).changed();
+    let response = ui.checkbox(&mut given, label);
+    let switched = tag(ui, &response, place, Named { key, label }).changed();
     ui.end_row();
     if switched {
         *value = given.then_some(if key == "normal" { [-1.0, 0.0, 0.0] } else { [0.0, 1.0, 0.0] });
@@ -180,7 +198,7 @@ fn direction(
     let axes = if kind == Kind::Planar { 2 } else { 3 };
     let mut change = None;
     for (axis, component) in ["x", "y", "z"].into_iter().zip(value.iter_mut().flatten()).take(axes) {
-        change = number(ui, place, (key, &format!("{name} {axis}")), component, PURE).or(change);
+        change = number(ui, place, Named { key, label: &format!("{label} {axis}") }, component, PURE).or(change);
     }
     change
 }
@@ -209,8 +227,9 @@ fn table(
     for (n, [depth, force]) in points.iter_mut().enumerate() {
         let [name, load, remove] = text::depth(n + 1);
         let unit = length_unit(size.length);
-        change = number(ui, place, ("depth_force_m_n", &name), depth, unit).or(change);
-        change = number(ui, place, ("depth_force_m_n", &load), force, force_unit(size.mass)).or(change);
+        change = number(ui, place, Named { key: "depth_force_m_n", label: &name }, depth, unit).or(change);
+        change =
+            number(ui, place, Named { key: "depth_force_m_n", label: &load }, force, force_unit(size.mass)).or(change);
         ui.label("");
         if ui.small_button(remove).clicked() {
             gone = Some(n);

@@ -5,7 +5,7 @@ use egui::Ui;
 use super::rows::{grid, push, section};
 use super::{bearings, elastic};
 use crate::app::command::Command;
-use crate::app::field::{Change, Form, Look, Place, Without, rows, tag};
+use crate::app::field::{Change, Form, Look, Named, Place, Without, rows, tag};
 use crate::app::panel::name_field;
 use crate::app::unit::Size;
 use crate::app::{edits, text};
@@ -71,7 +71,7 @@ fn held_rows(ui: &mut Ui, place: Place<'_>, kind: Kind, g: &mut Girder) -> Optio
             let mut held = g.held.contains(way);
             let label = text::direction(*way);
             let response = ui.checkbox(&mut held, label);
-            if tag(ui, &response, place, ("held", label)).changed() {
+            if tag(ui, &response, place, Named { key: "held", label }).changed() {
                 g.held.retain(|h| h != way);
                 if held {
                     g.held.push(*way);

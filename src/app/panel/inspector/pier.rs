@@ -4,7 +4,7 @@ use egui::Ui;
 
 use super::rows::{grid, note, push, section, warning};
 use crate::app::command::Command;
-use crate::app::field::{Change, Form, Look, Place, Without, choice, number, rows, switched};
+use crate::app::field::{Change, Form, Look, Named, Place, Without, choice, number, rows, switched};
 use crate::app::panel::{grounds, name_field};
 use crate::app::run::answer::Answer;
 use crate::app::unit::{Size, trimmed, unit_of};
@@ -110,7 +110,8 @@ fn way_rows(ui: &mut Ui, place: Place<'_>, size: Size, pier: &mut Pier, resolved
         (Way::RoundColumns, text::PIER_BY_ROUND_COLUMNS.as_str()),
         (Way::RectangularColumns, text::PIER_BY_RECTANGULAR_COLUMNS.as_str()),
     ];
-    let chosen = choice(ui, place, ("stiffness_n_per_m", text::PIER_WAY.as_str()), &mut way, &options);
+    let chosen =
+        choice(ui, place, Named { key: "stiffness_n_per_m", label: text::PIER_WAY.as_str() }, &mut way, &options);
     if chosen.is_some() {
         begin(pier, way, resolved);
         return chosen;
@@ -121,7 +122,13 @@ fn way_rows(ui: &mut Ui, place: Place<'_>, size: Size, pier: &mut Pier, resolved
         Way::RoundColumns => {
             let Some(PerDirection::Both(diameter)) = &mut pier.column else { return None };
             let unit = unit_of(&place.path(way.key()), *diameter, size);
-            return number(ui, place, (way.key(), text::PIER_COLUMN_DIAMETER.as_str()), diameter, unit);
+            return number(
+                ui,
+                place,
+                Named { key: way.key(), label: text::PIER_COLUMN_DIAMETER.as_str() },
+                diameter,
+                unit,
+            );
         }
         Way::RectangularColumns => (&mut pier.column, [text::PIER_COLUMN_ALONG, text::PIER_COLUMN_ACROSS]),
     };
@@ -158,7 +165,7 @@ fn two(
     let mut change = None;
     for (number_of, label) in each.iter_mut().zip(labels) {
         let unit = unit_of(&place.path(key), *number_of, size);
-        change = number(ui, place, (key, label), number_of, unit).or(change);
+        change = number(ui, place, Named { key, label }, number_of, unit).or(change);
     }
     if change.is_some() {
         *value = match *value {
@@ -190,20 +197,22 @@ fn more(
     let mut force = pier.yield_force.map(|force| force.xy()[0]);
     let first = 0.2 * resolved.mass * crate::scene::STANDARD_GRAVITY;
     let unit = unit_of(&place.path("yield_force_n"), first, size);
-    if let Some(yields) = switched(ui, place, ("yield_force_n", text::PIER_YIELD.as_str()), (&mut force, first), unit) {
+    if let Some(yields) =
+        switched(ui, place, Named { key: "yield_force_n", label: text::PIER_YIELD.as_str() }, (&mut force, first), unit)
+    {
         pier.yield_force = force.map(PerDirection::Both);
         change = Some(yields);
     }
     let unit = unit_of(&place.path("position_m"), 0.0, size);
     let mut at = pier.position.unwrap_or([resolved.top.x, resolved.top.y]);
     for (axis, label) in [text::PIER_X, text::PIER_Y].into_iter().enumerate() {
-        if let Some(moved) = number(ui, place, ("position_m", &label), &mut at[axis], unit) {
+        if let Some(moved) = number(ui, place, Named { key: "position_m", label: &label }, &mut at[axis], unit) {
             (pier.position, change) = (Some(at), Some(moved));
         }
     }
     let mut cap = pier.cap.unwrap_or(resolved.cap);
     for (axis, label) in [text::PIER_CAP_ALONG, text::PIER_CAP_ACROSS, text::PIER_CAP_DEPTH].into_iter().enumerate() {
-        if let Some(sized) = number(ui, place, ("cap_m", &label), &mut cap[axis], unit) {
+        if let Some(sized) = number(ui, place, Named { key: "cap_m", label: &label }, &mut cap[axis], unit) {
             (pier.cap, change) = (Some(cap), Some(sized));
         }
     }

@@ -5,7 +5,7 @@ use egui::{Id, TextEdit, Ui};
 use super::declared;
 use super::rows::{grid, push, section};
 use crate::app::command::{Command, EditCommand};
-use crate::app::field::{CLICK, Change, Form, Look, Place, Without, act, choice, number_at, rows, tag};
+use crate::app::field::{CLICK, Change, Form, Look, Named, Place, Without, act, choice, number_at, rows, tag};
 use crate::app::{edits, text};
 use crate::codes;
 use crate::scene::Kind;
@@ -34,9 +34,10 @@ fn general(ui: &mut Ui, form: Form<'_>, out: &mut Vec<Command>) {
     let mut new = General::of(form.scene);
     let look = form.look("");
     let change = grid(ui, "scene", |ui| {
-        let name = line(ui, look.place, ("name", text::NAME.as_str()), &mut new.name);
-        let about = line(ui, look.place, ("description", text::DESCRIPTION.as_str()), &mut new.description);
-        let kind = choice(ui, look.place, ("kind", text::KIND.as_str()), &mut new.kind, &kinds());
+        let name = line(ui, look.place, Named { key: "name", label: text::NAME.as_str() }, &mut new.name);
+        let about =
+            line(ui, look.place, Named { key: "description", label: text::DESCRIPTION.as_str() }, &mut new.description);
+        let kind = choice(ui, look.place, Named { key: "kind", label: text::KIND.as_str() }, &mut new.kind, &kinds());
         let time = number_at(ui, &look, "duration_s", &mut new.duration);
         let gravity = number_at(ui, &look, "gravity_m_s2", &mut new.gravity);
         name.or(about).or(kind).or(time).or(gravity)
@@ -86,12 +87,12 @@ fn codes(ui: &mut Ui, form: Form<'_>, out: &mut Vec<Command>) {
 }
 
 /// A line of text, given when the field is left.
-fn line(ui: &mut Ui, place: Place<'_>, (key, label): (&str, &str), value: &mut String) -> Option<Change> {
-    let name = ui.label(label);
-    let draft_id = Id::unique(("draft", key));
+fn line(ui: &mut Ui, place: Place<'_>, names: Named<'_>, value: &mut String) -> Option<Change> {
+    let name = ui.label(names.label);
+    let draft_id = Id::unique(("draft", names.key));
     let mut draft = ui.data(|d| d.get_temp::<String>(draft_id)).unwrap_or_else(|| value.clone());
     let response = ui.add(TextEdit::singleline(&mut draft).desired_width(104.0)).labelled_by(name.id);
-    let response = tag(ui, &response, place, (key, label));
+    let response = tag(ui, &response, place, names);
     ui.end_row();
     if response.has_focus() {
         ui.data_mut(|d| d.insert_temp(draft_id, draft));

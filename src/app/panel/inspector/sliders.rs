@@ -2,7 +2,7 @@
 
 use egui::Ui;
 
-use crate::app::field::{Change, Look, Place, Without, rows, switched};
+use crate::app::field::{Change, Look, Named, Place, Without, rows, switched};
 use crate::app::text;
 use crate::app::unit::{Size, Unit};
 use crate::scene::keys::{BEARINGS, Key, find};
@@ -21,7 +21,7 @@ fn first(key: &Key) -> f64 {
 /// Free travel of equal bearings.
 pub(super) fn travel(ui: &mut Ui, place: Place<'_>, unit: Unit, travel: &mut Option<f64>) -> Option<Change> {
     let key = find(BEARINGS, "travel_m")?;
-    switched(ui, place, ("bearings.travel_m", text::field(key)), (travel, first(key)), unit)
+    switched(ui, place, Named { key: "bearings.travel_m", label: text::field(key) }, (travel, first(key)), unit)
 }
 
 /// Rows of a single bearing for the keys that have none elsewhere.

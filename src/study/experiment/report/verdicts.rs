@@ -8,7 +8,7 @@ use crate::plot::heat_map::{HeatMap, Map, Steps};
 use crate::study::experiment::earthquake::Earthquake;
 use crate::study::experiment::findings::{Finding, Outcome, Verdict};
 use crate::study::experiment::results::Results;
-use crate::study::experiment::scan::{Parameter, Scan, steps};
+use crate::study::experiment::scan::{Axis, Scan};
 
 /// A sign that needs no colour, in the colour of the outcome.
 pub(super) fn badge(outcome: Outcome) -> String {
@@ -105,12 +105,12 @@ pub(super) fn markdown(findings: &[Finding]) -> String {
 /// The maps of a scan side by side.
 pub(super) fn map(scan: &Scan, results: &Results) -> Option<String> {
     let values = &results.scans.get(scan.name)?.maps;
-    let axis = |axis: (Parameter, [f64; 2], usize)| {
-        let (parameter, [from, to], count) = axis;
+    let axis = |axis: Axis| {
+        let Axis { parameter, range: [from, to], count } = axis;
         let place = (parameter.preset() - from) / (to - from);
         Steps {
             name: parameter.label().to_owned(),
-            values: steps(axis),
+            values: axis.steps(),
             mark: (0.0..=1.0).contains(&place).then_some(place * (count.saturating_sub(1)) as f64),
         }
     };

@@ -27,6 +27,32 @@ const IMPACT: Variant = Variant { name: "impact model", kind: ModelKind::Impact,
 const PER_NODE: Variant =
     Variant { name: "contact model, K per node", kind: ModelKind::Contact, sharing: Sharing::PerNode };
 
+/// Axis of a scan: a parameter and the values that it takes.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Axis {
+    /// Parameter that is varied.
+    pub parameter: Parameter,
+    /// First and last value, in the unit of the parameter.
+    pub range: [f64; 2],
+    /// Number of values.
+    pub count: usize,
+}
+
+impl Axis {
+    const fn new(parameter: Parameter, range: [f64; 2], count: usize) -> Self {
+        Self { parameter, range, count }
+    }
+
+    /// Values, evenly spaced.
+    pub(super) fn steps(self) -> Vec<f64> {
+        let [from, to] = self.range;
+        let last = self.count.saturating_sub(1).max(1) as f64;
+        let value = |i: usize| from + (to - from) * (i as f64 / last);
+        // Steps are decimal numbers.
+        (0..self.count).map(value).map(|v| (v * 1e6).round() / 1e6).collect()
+    }
+}
+
 /// A measure over two knobs.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Scan {
@@ -34,10 +60,10 @@ pub struct Scan {
     pub name: &'static str,
     /// What is seen, in a line.
     pub title: &'static str,
-    /// The level axis: first and last value, number of steps.
-    pub x: (Parameter, [f64; 2], usize),
-    /// The upright axis.
-    pub y: (Parameter, [f64; 2], usize),
+    /// Level axis.
+    pub x: Axis,
+    /// Upright axis.
+    pub y: Axis,
     /// What is measured.
     pub measure: Measure,
     /// The maps, from left to right.
@@ -45,14 +71,14 @@ pub struct Scan {
 }
 
 const BOTH: &[Variant] = &[CONTACT, IMPACT];
-const GAP: (Parameter, [f64; 2], usize) = (Parameter::Gap, [2.0, 5.0], 7);
-const ALONG: (Parameter, [f64; 2], usize) = (Parameter::LegsAlong, [40.0, 90.0], 6);
-const ACROSS: (Parameter, [f64; 2], usize) = (Parameter::LegsAcross, [10.0, 35.0], 6);
-const FRICTION: (Parameter, [f64; 2], usize) = (Parameter::Friction, [0.0, 0.5], 6);
-const RESTITUTION: (Parameter, [f64; 2], usize) = (Parameter::Restitution, [0.1, 0.8], 8);
-const TANGENTIAL: (Parameter, [f64; 2], usize) = (Parameter::Tangential, [-1.0, 0.0], 11);
-const STIFFNESS: (Parameter, [f64; 2], usize) = (Parameter::Stiffness, [4.0, 7.0], 7);
-const SCALE: (Parameter, [f64; 2], usize) = (Parameter::Scale, [0.5, 3.0], 6);
+const GAP: Axis = Axis::new(Parameter::Gap, [2.0, 5.0], 7);
+const ALONG: Axis = Axis::new(Parameter::LegsAlong, [40.0, 90.0], 6);
+const ACROSS: Axis = Axis::new(Parameter::LegsAcross, [10.0, 35.0], 6);
+const FRICTION: Axis = Axis::new(Parameter::Friction, [0.0, 0.5], 6);
+const RESTITUTION: Axis = Axis::new(Parameter::Restitution, [0.1, 0.8], 8);
+const TANGENTIAL: Axis = Axis::new(Parameter::Tangential, [-1.0, 0.0], 11);
+const STIFFNESS: Axis = Axis::new(Parameter::Stiffness, [4.0, 7.0], 7);
+const SCALE: Axis = Axis::new(Parameter::Scale, [0.5, 3.0], 6);
 
 /// Every scan.
 pub(super) const SCANS: [Scan; 15] = [
@@ -134,27 +160,13 @@ pub(super) const SCANS: [Scan; 15] = [
 pub(super) const SKEW_ANGLE: Scan = scan(
     "skew-angle",
     "Largest rotation over skew and excitation angle, 0.40 g at 2.6 Hz",
-    (Parameter::Skew, [30.0, 90.0], 13),
-    (Parameter::Angle, [-90.0, 90.0], 13),
+    Axis::new(Parameter::Skew, [30.0, 90.0], 13),
+    Axis::new(Parameter::Angle, [-90.0, 90.0], 13),
     Measure::Rotation,
 );
 
-const fn scan(
-    name: &'static str,
-    title: &'static str,
-    x: (Parameter, [f64; 2], usize),
-    y: (Parameter, [f64; 2], usize),
-    measure: Measure,
-) -> Scan {
+const fn scan(name: &'static str, title: &'static str, x: Axis, y: Axis, measure: Measure) -> Scan {
     Scan { name, title, x, y, measure, variants: BOTH }
-}
-
-/// Values of an axis, evenly spaced.
-pub(super) fn steps((_, [from, to], count): (Parameter, [f64; 2], usize)) -> Vec<f64> {
-    let last = count.saturating_sub(1).max(1) as f64;
-    let value = |i: usize| from + (to - from) * (i as f64 / last);
-    // Steps are decimal numbers.
-    (0..count).map(value).map(|v| (v * 1e6).round() / 1e6).collect()
 }
 
 impl Scan {
@@ -178,7 +190,7 @@ impl Scan {
     pub(super) fn run(&self, earthquake: &Earthquake) -> Result<ScanResult, SceneErrors> {
         let scenes = self.scenes(earthquake)?;
         let map = |variant: &Variant| {
-            let cells = steps(self.y).into_iter().flat_map(|y| steps(self.x).into_iter().map(move |x| [x, y]));
+            let cells = self.y.steps().into_iter().flat_map(|y| self.x.steps().into_iter().map(move |x| [x, y]));
             cells.map(|cell| self.cell(&scenes, cell, variant)).collect::<Result<Vec<_>, SceneErrors>>()
         };
         Ok(ScanResult { maps: self.variants.iter().map(map).collect::<Result<_, _>>()? })
@@ -187,8 +199,8 @@ impl Scan {
     fn cell(&self, scenes: &[Scene], [x, y]: [f64; 2], variant: &Variant) -> Result<Option<f64>, SceneErrors> {
         let run = |scene: &Scene| {
             let mut scene = scene.clone();
-            self.x.0.set(&mut scene, x);
-            self.y.0.set(&mut scene, y);
+            self.x.parameter.set(&mut scene, x);
+            self.y.parameter.set(&mut scene, y);
             (scene.model.kind, scene.contact.sharing) = (variant.kind, variant.sharing);
             let history = History::of(&scene)?;
             Ok(history.stop().is_none().then(|| Observed::without_histories(&history)))

@@ -152,18 +152,19 @@ fn a_wave_runs_through_a_bar_and_comes_back_as_tension() {
                 wanted -= force(t - (way + half - station) / c);
                 wanted += force(t - (way + 1.5 * bar.length + station) / c);
             }
-            let seen = history.section_forces(0, station, t).axial;
+            let seen = history.sections().forces(0, station, t).axial;
             worst = worst.max((seen - wanted).abs() / largest);
         }
     }
     within("N(s, t) against the travelling wave", worst, 7e-3);
     let until = start + bar.there_and_back();
-    let field = history.section_field(0, OfSection::Axial, [start, until], [41, 21]).expect("it bends");
+    let field = history.sections().field(0, OfSection::Axial, [start, until], [41, 21]).expect("it bends");
     for (i, value) in field.values.iter().enumerate() {
         let (t, station) = (field.times[i % 41], field.stations[i / 41]);
-        within("the field is N(s, t)", value - history.section_forces(0, station, t).axial, 1e-9 * largest);
+        within("the field is N(s, t)", value - history.sections().forces(0, station, t).axial, 1e-9 * largest);
     }
-    let turned = (0..200).map(|i| history.section_forces(0, 0.0, start + 1.45 * half / c * f64::from(i) / 100.0).axial);
+    let turned =
+        (0..200).map(|i| history.sections().forces(0, 0.0, start + 1.45 * half / c * f64::from(i) / 100.0).axial);
     assert!(turned.fold(0.0, f64::max) < 7e-3 * largest, "compression until the front comes back");
 }
 
@@ -180,7 +181,7 @@ fn a_whole_scene_comes_to_the_rigid_one_like_one_over_e() {
             let mut scene = base.scene.clone();
             scene.duration = 1.5;
             scene.girders[0].elastic.as_mut().expect("elastic").young_modulus *= factor;
-            run(&scene).difference(&rigid)
+            run(&scene).differences(&rigid).place
         })
         .collect();
     let slope = |a: f64, b: f64, ratio: f64| (b / a).ln() / f64::ln(ratio);

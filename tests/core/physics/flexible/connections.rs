@@ -65,7 +65,7 @@ fn modes_that_decay_at_once_cost_no_steps_of_their_own() {
     let part = |_| bearings([2e6, 3e6], ", yield_force_n = 1.8e12, yield_displacement_m = 1e5");
     let stepped = run(&deck(damped, &part, ""));
     let wanted = run(&deck(damped, &|_| bearings([20e6, 21e6], ""), ""));
-    let made = stepped.flexible(0).and_then(|flexible| flexible.girder.clone()).expect("it bends");
+    let made = stepped.sections().flexible(0).and_then(|flexible| flexible.girder.clone()).expect("it bends");
     let fastest = made.frequencies().into_iter().map(|omega| made.damping().dashpot(omega)).fold(0.0, f64::max);
     assert!(fastest > 1e7, "decays at {fastest} 1/s");
     assert!((1..5000).contains(&stepped.effort().steps), "{} steps", stepped.effort().steps);
@@ -125,7 +125,7 @@ fn a_cable_between_two_bars_pulls_as_st_venant_says() {
     let (a, taut, largest) = (4.0 / back, 0.001 / 0.5, 0.25 * z);
     let worst = (1..400).map(|i| {
         let t = 1.418_217 * back * f64::from(i) / 400.0;
-        let pull = history.link(0, taut + t).expect("the cable").force;
+        let pull = history.connections().link(0, taut + t).expect("the cable").force;
         (pull.x / largest - st_venant(a, back, t)).abs()
     });
     within("pull", worst.fold(0.0, f64::max), 3e-4);
@@ -163,9 +163,9 @@ fn the_largest_stress_is_found_over_a_support_between_even_stations() {
         support(at, 0.0),
         support(-15.0, 0.0)
     )));
-    let reading = &history.flexible_readings()[0];
+    let reading = &history.sections().readings()[0];
     within("station", (reading.stressed_at - at) / 30.0, 1e-6);
-    let stations = (0..=3000).map(|i| history.stress(0, 0.01 * f64::from(i) - 15.0, reading.stress.t));
+    let stations = (0..=3000).map(|i| history.sections().stress(0, 0.01 * f64::from(i) - 15.0, reading.stress.t));
     let fine = stations.fold(0.0, f64::max);
     assert!(reading.stress.value >= fine, "{} Pa, {fine} Pa on a fine grid", reading.stress.value);
     let q = mass / 30.0 * STANDARD_GRAVITY;
@@ -186,21 +186,21 @@ fn section_forces_jump_by_what_a_bearing_and_a_cable_do() {
     for i in 1..40 {
         let t = 2.0 * f64::from(i) / 40.0;
         let jump = |station: f64| {
-            let [a, b] = [-1e-7, 1e-7].map(|off| history.section_forces(0, station + off, t));
+            let [a, b] = [-1e-7, 1e-7].map(|off| history.sections().forces(0, station + off, t));
             [a.axial - b.axial, a.shear - b.shear]
         };
-        let force = history.link(cable, t).expect("it").force;
+        let force = history.connections().link(cable, t).expect("it").force;
         let turned = force.truncate().rotate(glam::DVec2::from_angle(-history.motion(0, t).theta));
         let [axial, shear] = jump(5.0);
         // A smooth part of the section forces changes by 2e-7 m of inertia forces.
         within("N at the cable", axial - turned.x, 1.0 + 1e-5 * force.length());
         within("Q at the cable", shear - turned.y, 1.0 + 1e-5 * force.length());
         pulled = pulled.max(force.length());
-        let whole = history.bearing_loop(0, 1, t).expect("it").resistance;
+        let whole = history.connections().bearing_loop(0, 1, t).expect("it").resistance;
         let [axial, shear] = jump(12.0 + 4.0 * cot);
         within("N at the bearing", axial + whole[0], 1.0 + 1e-5 * whole[0].abs());
         within("Q at the bearing", shear + whole[1], 1.0 + 1e-5 * whole[1].abs());
-        assert!(history.link(bearing, t).is_some());
+        assert!(history.connections().link(bearing, t).is_some());
     }
     assert!(pulled > 1e4, "the cable pulls: {pulled} N");
 }
@@ -233,7 +233,7 @@ fn the_ledger_of_a_deck_with_devices_that_bends_closes() {
     let history = run(&held(CONCRETE));
     let changes = |name: &str| {
         let number = history.model().links.iter().position(|link| link.name == name).expect("a link");
-        history.link_phases(number).len()
+        history.connections().link_phases(number).len()
     };
     for name in ["deck.bearing1", "rubber", "cable"] {
         assert!(changes(name) > 2, "{name} acts: {} phases", changes(name));
@@ -250,9 +250,9 @@ fn a_bearing_that_loses_its_support_bears_no_more() {
     scene.girders[0].after_unseating = Some(girderbench::scene::AfterUnseating::Continue);
     let history = run(&scene);
     let number = history.model().links.iter().position(|link| link.name == "deck.bearing1").expect("a link");
-    let (lost, phase) = *history.link_phases(number).last().expect("phases");
+    let (lost, phase) = *history.connections().link_phases(number).last().expect("phases");
     assert!(history.model().links[number].device.is_lost(&phase) && lost < history.end(), "{phase:?} at {lost} s");
-    let after = history.bearing_loop(0, 0, 0.5 * (lost + history.end())).expect("it").resistance;
+    let after = history.connections().bearing_loop(0, 0, 0.5 * (lost + history.end())).expect("it").resistance;
     within("resistance", after[0].abs() + after[1].abs(), 1e-6);
     let ledger = history.ledger(history.end());
     within("residual in parts of the largest energy", ledger.residual.abs() / ledger.scale, 1e-9);
@@ -272,8 +272,8 @@ fn a_point_of_a_device_beyond_an_end_is_carried_by_its_end_section() {
     for i in 0..=20 {
         let t = history.end() * f64::from(i) / 20.0;
         let [end, centre] = [
-            history.link(number, t).expect("it").ends[0],
-            history.section_place(0, girderbench::geometry::End::Minus, t),
+            history.connections().link(number, t).expect("it").ends[0],
+            history.sections().end_displacement(0, girderbench::geometry::End::Minus, t),
         ];
         let placed = glam::DVec3::new(-15.0, 0.0, 0.0) + centre;
         within("distance from the end's centre", (end - placed).truncate().length() - 0.4, 1e-9);
@@ -290,9 +290,9 @@ fn a_girder_that_only_dashpots_hold_bends_where_they_are_as_stiff_as_waves() {
         run(&deck(&format!("elastic = {{ area_m2 = 8.0, modes = {modes} }}"), &none, &damper))
     };
     // Z = 69 MN s/m: a dashpot of 0.1 N s/m is nothing to it.
-    assert!(held(0.1, "\"auto\"").flexible(0).is_none(), "as good as rigid");
+    assert!(held(0.1, "\"auto\"").sections().flexible(0).is_none(), "as good as rigid");
     let [own, finer] = ["\"auto\"", "12"].map(|modes| held(1e8, modes));
-    assert_eq!(own.flexible(0).and_then(|f| f.girder.as_ref()).expect("it bends").degree(), 10, "κ = 1");
+    assert_eq!(own.sections().flexible(0).and_then(|f| f.girder.as_ref()).expect("it bends").degree(), 10, "κ = 1");
     // 2e-5 of 450 mm; places of a deck that is hit differ by 1e-4 between degrees 8 and 12 (`invariants`).
     within("against degree 12", apart(&own, &finer, 0), 1e-5);
 }

@@ -78,7 +78,7 @@ fn a_free_scene_may_be_turned() {
 fn more_polynomials_change_little_and_the_check_says_how_little() {
     let (case, _) = case("f2_abutment_C0", None);
     let history = run(&case.scene);
-    let check = history.check_degree().expect("a girder that bends");
+    let check = history.sections().check_degree().expect("a girder that bends");
     assert_eq!(check.degree, [8, 12]);
     within("n → 3n/2: force", check.force, 5e-4);
     within("n → 3n/2: impulse", check.impulse, 1e-4);
@@ -95,7 +95,7 @@ fn where_there_can_be_no_more_polynomials_the_check_takes_fewer() {
     let bar = Bar { length: 20.0, mass: 5e4 };
     let mut scene = with_degree(&bars(&[bar, bar], 2e11, 1.0, 0.03), 64);
     scene.solver.tolerance = 1e-8;
-    let check = run(&scene).check_degree().expect("a girder that bends");
+    let check = run(&scene).sections().check_degree().expect("a girder that bends");
     assert_eq!(check.degree, [64, 42]);
     assert!(check.force > 1e-3, "{check:?}");
 }
@@ -115,7 +115,7 @@ fn one_end(motion: &str) -> girderbench::scene::Scene {
 fn a_deck_held_at_one_end_answers_a_sine_by_its_frequency_response() {
     let history = run(&one_end("[motion]\nkind = \"sine\"\namplitude_g = 0.2\nfrequency_hz = 3.0\nangle_deg = 30\n"));
     assert_eq!(history.effort().steps, 0, "a flight costs no steps");
-    let flexible = history.flexible(0).expect("it bends");
+    let flexible = history.sections().flexible(0).expect("it bends");
     let modes = Modes::of(flexible.beam, 8);
     let (count, omega) = (3 + modes.count(), TAU * 3.0);
     // (−Ω² M + iΩ C + K) X = F, by the places of the bearings themselves.
@@ -158,7 +158,7 @@ fn a_deck_held_at_one_end_answers_a_sine_by_its_frequency_response() {
         let motion = history.motion(0, t);
         worst = worst.max((motion.displacement.x - of(0)).abs()).max((motion.displacement.y - of(1)).abs());
         let q: glam::DVec3 = modes.section(1.0).into_iter().enumerate().map(|(j, field)| field * of(3 + j)).sum();
-        let end = history.deformation(0, 15.0, t);
+        let end = history.sections().deformation(0, 15.0, t);
         worst = worst.max((end.moved.with_z(end.turned.z) - q).length());
     }
     within("a deck held at one end: places", worst / answer[0].norm(), 1e-9);
@@ -176,7 +176,7 @@ fn a_record_that_is_flown_through_balances_and_costs_no_steps() {
         within("ledger", books.residual / books.scale, 1e-11);
         assert!(books.loss_girder > 0.0, "modes lose energy");
     }
-    let bent = history.deformation(0, 15.0, 4.0).moved;
+    let bent = history.sections().deformation(0, 15.0, 4.0).moved;
     assert!(bent.length() > 1e-6, "it bends: {bent}");
 }
 
@@ -187,8 +187,8 @@ fn section_forces_vanish_at_free_ends_and_agree_with_strain_in_the_middle() {
     let hit = history.hardest().expect("a hit").peak_time;
     let largest = history.largest_force();
     for t in [hit - 0.01, hit, hit + 0.005, hit + 0.2] {
-        let equilibrium = history.equilibrium(0, t).expect("it bends");
-        let strained = history.strained(0, t).expect("it bends");
+        let equilibrium = history.sections().equilibrium(0, t).expect("it bends");
+        let strained = history.sections().strained(0, t).expect("it bends");
         // Nothing is at the −x end: what lies beyond it is the whole girder in equilibrium.
         let end = equilibrium.at(-15.0);
         within("N at the free end", end.axial / largest, 1e-9);
@@ -200,7 +200,7 @@ fn section_forces_vanish_at_free_ends_and_agree_with_strain_in_the_middle() {
             within("M by strain", (one.moment - other.moment) / (10.0 * largest), 2e-2);
         }
     }
-    let reading = &history.flexible_readings()[0];
+    let reading = &history.sections().readings()[0];
     assert!(reading.neglected.named().into_iter().all(|(_, bound)| bound < 1e-2), "{:?}", reading.neglected);
     assert!(reading.stress.value > 1e5 && reading.hit.is_some(), "{reading:?}");
 }
@@ -215,7 +215,7 @@ fn rayleighs_damping_is_that_of_its_frequencies() {
         (None, Some(girderbench::scene::Rayleigh { mass: 0.3, stiffness: 2e-5 }));
     elastic.modes = Degree(Some(8.0));
     let history = run(&case.scene);
-    let made = history.flexible(0).and_then(|flexible| flexible.girder.clone()).expect("it bends");
+    let made = history.sections().flexible(0).and_then(|flexible| flexible.girder.clone()).expect("it bends");
     for omega in made.frequencies() {
         within("2ζω", made.damping().dashpot(omega) - (0.3 + 2e-5 * omega * omega), 1e-9 * omega);
     }

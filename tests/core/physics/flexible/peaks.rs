@@ -16,9 +16,10 @@ fn looked_at_densely(history: &History, until: f64) -> [f64; 3] {
     let mut most = [0.0f64; 3];
     for i in 0..=20_000 {
         let t = until * f64::from(i) / 20_000.0;
-        let equilibrium = history.equilibrium(0, t).expect("it bends");
+        let equilibrium = history.sections().equilibrium(0, t).expect("it bends");
         let middle = equilibrium.at(0.0);
-        let stress = (-20..=20).map(|k| history.stress(0, half * f64::from(k) / 20.0, t)).fold(0.0, f64::max);
+        let stress =
+            (-20..=20).map(|k| history.sections().stress(0, half * f64::from(k) / 20.0, t)).fold(0.0, f64::max);
         most = [most[0].max(middle.axial.abs()), most[1].max(middle.moment.abs()), most[2].max(stress)];
     }
     most
@@ -33,7 +34,7 @@ fn no_peak_of_a_flight_is_larger_than_what_is_told() {
     ] {
         let history = History::of(&scene(&format!("{RELEASED}{ground}"))).expect("runs");
         assert_eq!(history.effort().steps, 0, "flights alone");
-        let reading = &history.flexible_readings()[0];
+        let reading = &history.sections().readings()[0];
         let dense = looked_at_densely(&history, history.end());
         let told = [reading.axial, reading.moment, reading.stress].map(|most| most.value);
         for (what, (told, dense)) in ["N", "M", "stress"].into_iter().zip(told.into_iter().zip(dense)) {
@@ -55,7 +56,7 @@ fn a_push_at_mid_span_is_told_by_the_side_that_has_more() {
              push = {{ force_n = [{}, 0.0] }}\nelastic = {{ area_m2 = 8.0, damping_ratio = 0.02 }}\n",
             if heading == 0.0 { 1e6 } else { -1e6 }
         );
-        History::of(&scene(&text)).expect("runs").flexible_readings()[0].axial.value
+        History::of(&scene(&text)).expect("runs").sections().readings()[0].axial.value
     };
     let [one, turned] = [0.0, 180.0].map(of);
     assert!(one > 1e6, "more than the push while it swings: {one}");
@@ -77,7 +78,7 @@ fn the_degree_of_a_small_girder_is_checked_beside_a_large_one() {
     };
     let alone = of(&small);
     let both = of(&format!("{}{small}", girder("big", 0.0, 6e5, "area_m2 = 8.0, modes = 8")));
-    let check = |text: &str| History::of(&scene(text)).expect("runs").check_degree().expect("it bends");
+    let check = |text: &str| History::of(&scene(text)).expect("runs").sections().check_degree().expect("it bends");
     let (alone, both) = (check(&alone), check(&both));
     assert!(alone.section > 1e-2, "two polynomials are too few: {alone:?}");
     for (what, one, two) in [
@@ -106,8 +107,8 @@ fn rounding_of_a_girder_that_only_sways_is_no_force_to_be_compared() {
         corners.map(bearing).join(", ")
     );
     let history = History::of(&scene(&text)).expect("runs");
-    let reading = &history.flexible_readings()[0];
+    let reading = &history.sections().readings()[0];
     assert!(reading.axial.value < 1e-9 * reading.moment.value, "{reading:?}");
-    let check = history.check_degree().expect("it bends");
+    let check = history.sections().check_degree().expect("it bends");
     assert!(check.section < 1e-4 && check.moments > 1e-6, "{check:?}");
 }

@@ -26,7 +26,7 @@ fn off(history: &History, rows: &[Vec<f64>]) -> [f64; 3] {
             compare(0, motion.displacement.y, wanted[1]);
             compare(1, motion.theta, wanted[2]);
             for (end, from) in [(End::Minus, 6), (End::Plus, 9)] {
-                let place = history.section_place(b, end, t);
+                let place = history.sections().end_displacement(b, end, t);
                 compare(0, place.x, wanted[from]);
                 compare(0, place.y, wanted[from + 1]);
                 compare(1, history.end_motion(b, end, t).theta, wanted[from + 2]);

@@ -75,7 +75,7 @@ fn a_deck_that_is_pushed_against_a_wall_rests_with_the_force_of_the_push() {
     within("force at rest", force_on_first(&history, history.end()).x / 2e6 - 1.0, 1e-6);
     // The push is at G: half of the deck is pressed, half is free.
     let end = history.end();
-    let forces = |station: f64| history.section_forces(0, station, end).axial / 2e6;
+    let forces = |station: f64| history.sections().forces(0, station, end).axial / 2e6;
     within("N between push and wall", forces(-7.0) + 1.0, 1e-5);
     within("N beyond the push", forces(7.0), 1e-5);
 }

@@ -53,12 +53,12 @@ fn momentum_energy_and_section_forces_balance_and_the_side_load_is_told() {
     let lost = momentum(0.0) - momentum(history.end());
     within("momentum [N·s, N·m·s]", lost.abs().max_element(), 1e-7 * momentum(0.0).length());
     // Both ends carry the load: what is beyond the one less what is beyond the other.
-    let equilibrium = history.equilibrium(0, touch.peak_time).expect("it bends");
+    let equilibrium = history.sections().equilibrium(0, touch.peak_time).expect("it bends");
     let [minus, plus] = [-15.0, 15.0].map(|end| equilibrium.at(end));
     assert!(minus.shear.abs().min(plus.shear.abs()) > 0.2 * touch.peak_force, "{minus:?} {plus:?}");
     let carried = (plus.axial - minus.axial).hypot(plus.shear - minus.shear);
     within("both ends together [N]", carried - touch.peak_force, 1e-9 * touch.peak_force);
-    let [long, short] = [0, 1].map(|n| history.flexible_readings()[n].neglected.side_load);
+    let [long, short] = [0, 1].map(|n| history.sections().readings()[n].neglected.side_load);
     assert!((0.3..0.5).contains(&long), "far from both ends: {long} of the length");
     within("of the girder whose corner hits", short, 0.0);
 }

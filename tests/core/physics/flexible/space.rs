@@ -47,7 +47,7 @@ fn worst_ledger(history: &History) -> f64 {
 fn the_numbers_of_the_scene_make_the_frequencies() {
     let lines = "elastic = { area_m2 = 8.0, second_moment_vertical_m4 = 2.0, torsion_constant_m4 = 5.0, modes = 16 }";
     let history = run(&spatial(&deck("a", 0.0, lines), "", 0.01));
-    let made = history.flexible(0).and_then(|flexible| flexible.girder.clone()).expect("it bends");
+    let made = history.sections().flexible(0).and_then(|flexible| flexible.girder.clone()).expect("it bends");
     assert_eq!(made.count(), 6 * 16 - 2);
     let (torsion, inertia): (f64, f64) = (30e9 / 2.4 * 5.0, 6e5 / 30.0 * (100.0 + 2.25) / 12.0);
     for j in 1..=3 {
@@ -89,7 +89,7 @@ fn a_torque_at_mid_span_twists_it_by_its_stiffness() {
     scene.solver.tolerance = 1e-8;
     let history = run(&scene);
     let end = history.end();
-    let twist = |station: f64| history.deformation(0, station, end).turned.x;
+    let twist = |station: f64| history.sections().deformation(0, station, end).turned.x;
     let (torque, stiffness) = (3e6, 30e9 / 2.4 * 5.0);
     let exact = torque * 30.0 / (4.0 * stiffness);
     let seen = twist(0.0) - 0.5 * (twist(15.0) + twist(-15.0));
@@ -98,7 +98,7 @@ fn a_torque_at_mid_span_twists_it_by_its_stiffness() {
     within("twist against TL/(4GJ)", seen / exact - 1.0, 0.06);
     assert!(projected(48) > 0.986 && projected(48) < 1.0, "{}", projected(48));
     for (station, wanted) in [(-7.5, 0.5), (7.5, -0.5)] {
-        within("T", history.section_forces(0, station, end).torque / torque - wanted, 1e-6);
+        within("T", history.sections().forces(0, station, end).torque / torque - wanted, 1e-6);
     }
 }
 
@@ -112,19 +112,19 @@ fn a_load_at_mid_span_bends_it_as_a_beam_on_two_supports() {
     scene.solver.tolerance = 1e-8;
     let history = run(&scene);
     let end = history.end();
-    let sagged = |station: f64| history.deformation(0, station, end).moved.z;
+    let sagged = |station: f64| history.sections().deformation(0, station, end).moved.z;
     let (load, bending) = (2e6, 30e9 * 8.0 * 2.25 / 12.0);
     let shear = 5.0 / 6.0 * 30e9 / 2.4 * 8.0;
     let wanted = load * 30f64.powi(3) / (48.0 * bending) + load * 30.0 / (4.0 * shear);
     let seen = 0.5 * (sagged(15.0) + sagged(-15.0)) - sagged(0.0);
     // The kink of the shear's part, 3 % of the whole, converges like 1/n.
     within("deflection at mid-span", seen / wanted - 1.0, 2e-3);
-    let forces = |station: f64| history.section_forces(0, station, end);
+    let forces = |station: f64| history.sections().forces(0, station, end);
     // M_y stretches the upper side: of a load downwards it is negative, −PL/8 at the quarter.
     within("M_y at the quarter", forces(7.5).vertical_moment / (load * 30.0 / 8.0) + 1.0, 1e-6);
     within("Q_z", forces(7.5).vertical_shear / load - 0.5, 1e-6);
     within("Q_z on the other side", forces(-7.5).vertical_shear / load + 0.5, 1e-6);
-    let reading = &history.flexible_readings()[0];
+    let reading = &history.sections().readings()[0];
     let most = load * 30.0 / 4.0 * 0.75 / (8.0 * 2.25 / 12.0);
     assert!(reading.stress.value > most, "PL/4 over W, and more on its way: {} Pa", reading.stress.value);
 }
@@ -156,14 +156,14 @@ fn a_level_hit_in_space_is_that_in_plan() {
             let t = end * f64::from(i) / 500.0;
             let [a, b] = [&plan, &space].map(|history| history.motion(0, t));
             places = places.max((a.displacement - b.displacement).length()).max((a.theta - b.theta).abs());
-            let [a, b] = [&plan, &space].map(|history| history.deformation(0, 15.0, t));
+            let [a, b] = [&plan, &space].map(|history| history.sections().deformation(0, 15.0, t));
             bent = bent.max((a.moved - b.moved).length()).max((a.turned - b.turned).length());
             let [a, b] = [&plan, &space].map(|history| history.end_motion(0, End::Plus, t));
             bent = bent.max((a.displacement - b.displacement).length()).max((a.theta - b.theta).abs());
             bent = bent.max((a.attitude * DVec3::X - b.attitude * DVec3::X).length());
             force = force.max((force_on_first(&plan, t) - force_on_first(&space, t)).length());
         }
-        let most = (0..=500).map(|i| plan.deformation(0, 15.0, end * f64::from(i) / 500.0).moved.length());
+        let most = (0..=500).map(|i| plan.sections().deformation(0, 15.0, end * f64::from(i) / 500.0).moved.length());
         let most = most.fold(0.0, f64::max);
         assert!(most > 1e-4, "{name}: it bends by {most} m");
         within(&format!("{name}: places"), places / 0.1, 1e-12);
@@ -194,7 +194,7 @@ fn the_mirror_image_of_a_scene_has_the_mirrored_answer() {
         let back = DVec3::new(1.0, -1.0, 1.0);
         worst[0] = worst[0].max((a.displacement - b.displacement * back).length());
         worst[0] = worst[0].max((a.spin + b.spin * back).length());
-        let [a, b] = [&one, &other].map(|history| history.deformation(0, 11.0, t));
+        let [a, b] = [&one, &other].map(|history| history.sections().deformation(0, 11.0, t));
         worst[1] = worst[1].max((a.moved - b.moved * back).length()).max((a.turned + b.turned * back).length());
     }
     within("places and spin", worst[0], 1e-9);
@@ -211,7 +211,7 @@ fn a_stiffer_deck_comes_to_the_rigid_one_like_one_over_e() {
                 "elastic = {{ area_m2 = 8.0, modes = 6, young_modulus_pa = {:e}, damping_ratio = 0.2 }}",
                 30e9 * factor
             );
-            run(&thrown(&elastic, RUBBING)).difference(&rigid)
+            run(&thrown(&elastic, RUBBING)).differences(&rigid).place
         })
         .collect();
     let slope = |a: f64, b: f64, ratio: f64| (b / a).ln() / f64::ln(ratio);
@@ -224,9 +224,10 @@ fn books_balance_under_friction_and_dashpots_in_space() {
     for (name, contact) in [("smooth", SMOOTH), ("rubbing", RUBBING)] {
         let history = run(&thrown("elastic = { area_m2 = 8.0, modes = 6 }", contact));
         within(&format!("{name}: ledger"), worst_ledger(&history), 1e-10);
-        let bent = history.flexible_readings();
+        let bent = history.sections().readings();
         assert!(history.hits() > 0 && bent[0].hit.is_some(), "{name}: it hits");
-        let upwards = (0..100).map(|i| history.deformation(0, 0.0, history.end() * f64::from(i) / 100.0).moved.z.abs());
+        let upwards = (0..100)
+            .map(|i| history.sections().deformation(0, 0.0, history.end() * f64::from(i) / 100.0).moved.z.abs());
         assert!(upwards.fold(0.0, f64::max) > 1e-5, "{name}: it bends upwards");
     }
 }
@@ -271,12 +272,12 @@ fn a_deck_on_its_bearings_under_its_weight_rests_and_rings_about_that() {
     };
     let still = run(&text(""));
     within("it rests", still.motion(0, 1.0).displacement.length(), 1e-13);
-    within("unbent", still.deformation(0, 15.0, 1.0).moved.length(), 1e-13);
+    within("unbent", still.sections().deformation(0, 15.0, 1.0).moved.length(), 1e-13);
     let shaken = run(&text(
         "[motion]\nkind = \"sine\"\namplitude_g = 0.3\nfrequency_hz = 1.5\nangle_deg = 30\nvertical_amplitude_g = 0.2\n",
     ));
     within("ledger", worst_ledger(&shaken), 1e-9);
-    assert!(shaken.deformation(0, 15.0, 0.7).moved.z.abs() > 1e-6, "it bends upwards");
+    assert!(shaken.sections().deformation(0, 15.0, 0.7).moved.z.abs() > 1e-6, "it bends upwards");
 }
 
 #[test]
@@ -284,11 +285,11 @@ fn more_polynomials_change_little_in_space() {
     let mut scene = thrown("elastic = { area_m2 = 8.0 }", SMOOTH);
     scene.solver.tolerance = 1e-9;
     let history = run(&scene);
-    let flexible = history.flexible(0).expect("it bends");
+    let flexible = history.sections().flexible(0).expect("it bends");
     // κ = 0.25: n = 8. Corners yield upwards far more than along the axis.
     within("κ", flexible.softness.kappa - 0.25, 1e-12);
     assert!(flexible.softness.end > 0.25 / 3.0, "κ_e = {}", flexible.softness.end);
-    let check = history.check_degree().expect("a girder that bends");
+    let check = history.sections().check_degree().expect("a girder that bends");
     assert_eq!(check.degree, [8, 12]);
     within("n → 3n/2: force", check.force, 5e-3);
     within("n → 3n/2: impulse", check.impulse, 5e-3);
@@ -311,7 +312,7 @@ fn a_hit_in_space_is_that_of_an_independent_program() {
         let numbers: Vec<f64> = row.split(',').map(|number| number.parse().expect("a number")).collect();
         let [place, spin, moved, turned] = [1, 4, 7, 10].map(|from| DVec3::from_slice(&numbers[from..]));
         let t = numbers[0];
-        let (motion, end) = (history.motion(0, t), history.deformation(0, 15.0, t));
+        let (motion, end) = (history.motion(0, t), history.sections().deformation(0, 15.0, t));
         let apart = |value: DVec3, wanted: DVec3| (value - wanted).length();
         within(&format!("{t} s: place, of 0.1 m"), apart(motion.displacement, place) / 0.1, 1e-11);
         within(&format!("{t} s: spin, of 0.04 rad/s"), apart(motion.spin, spin) / 0.04, 1e-11);
@@ -341,7 +342,7 @@ fn section_moments_know_where_edges_cross() {
         let pitch = (after.spin.y - before.spin.y) / (2.0 * dt);
         let inertia = 3e5 * (20.0f64.powi(2) + 2.0f64.powi(2)) / 12.0;
         let lift = 3e5 * (after.velocity.z - before.velocity.z) / (2.0 * dt);
-        let inside = history.section_forces(0, 10.0 - 1e-9, t).vertical_moment.abs();
+        let inside = history.sections().forces(0, 10.0 - 1e-9, t).vertical_moment.abs();
         let turned = (inertia * pitch + 10.0 * lift).abs();
         assert!((inside - turned).abs() < 0.02 * turned, "{inside} N·m inside the end, {turned} N·m turn it at {t} s");
         compared += usize::from(turned > 1e4);

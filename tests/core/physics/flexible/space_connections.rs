@@ -64,7 +64,7 @@ fn the_ledger_of_a_deck_with_devices_that_bends_in_space_closes() {
     let history = run(&held("elastic = { area_m2 = 8.0, modes = 5 }"));
     for name in ["deck.bearing1", "rubber", "cable"] {
         let number = history.model().links.iter().position(|link| link.name == name).expect("a link");
-        assert!(history.link_phases(number).len() > 2, "{name} acts");
+        assert!(history.connections().link_phases(number).len() > 2, "{name} acts");
     }
     let ledger = history.ledger(history.end());
     within("residual in parts of the largest energy", ledger.residual.abs() / ledger.scale, 1e-9);
@@ -72,12 +72,12 @@ fn the_ledger_of_a_deck_with_devices_that_bends_in_space_closes() {
     let cable = history.model().links.iter().position(|link| link.name == "cable").expect("a link");
     let pulls = (1..600).map(|i| 0.002 * f64::from(i));
     let t = pulls.max_by(|a, b| {
-        let of = |t: f64| history.link(cable, t).map_or(0.0, |now| now.force.length());
+        let of = |t: f64| history.connections().link(cable, t).map_or(0.0, |now| now.force.length());
         of(*a).total_cmp(&of(*b))
     });
     let t = t.expect("times");
-    let force = history.motion(0, t).attitude.inverse() * history.link(cable, t).expect("it").force;
-    let after = history.section_forces(0, -15.0, t);
+    let force = history.motion(0, t).attitude.inverse() * history.connections().link(cable, t).expect("it").force;
+    let after = history.sections().forces(0, -15.0, t);
     assert!(force.length() > 1e5, "{force}");
     // Just inside of the −x end stands what acts there; a pull above the axis bends the deck.
     within("N at the end", (after.axial + force.x) / force.length(), 1e-3);
@@ -124,7 +124,7 @@ fn a_deck_on_a_pier_moves_in_space_as_in_plan_where_all_is_level() {
             let [a, b] = [&plan, &space].map(|history| history.motion(body, t).displacement);
             *apart = apart.max((a - b).truncate().length());
         }
-        let [a, b] = [&plan, &space].map(|history| history.deformation(0, 15.0, t));
+        let [a, b] = [&plan, &space].map(|history| history.sections().deformation(0, 15.0, t));
         bent = bent.max((a.moved.truncate() - b.moved.truncate()).length());
     }
     let most = |body: usize| {
