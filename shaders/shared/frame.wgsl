@@ -10,7 +10,7 @@ struct Frame {
     towards_light: vec4<f32>,
     // Width and height in pixels; z: how far lines are lifted towards the eye [m].
     viewport: vec4<f32>,
-    // x: root of the look-ups per pixel, 1, 2 or 3; y: size of a texel in [0, 1] of the map; z: the same in the world [m].
+    // x: size of a texel in [0, 1] of the map; y: half as much again in the world [m].
     shadow: vec4<f32>,
     // xy: middle of the scene in plan; z, w: how far from it fading begins and ends [m].
     fade: vec4<f32>,

@@ -63,7 +63,8 @@ pub use map::{Angles, Maps};
 pub use panel::layout::show;
 pub use quake::Shaking;
 pub use run::answer::{Answer, Span};
+pub use shell::app_error::AppError;
 #[cfg(target_arch = "wasm32")]
 pub use shell::outside::{give_up, open_page};
-pub use shell::window::{AppError, run};
+pub use shell::window::run;
 pub use time::clock::{Clock, HIT_SPEED, SPEEDS};

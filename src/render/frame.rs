@@ -51,7 +51,7 @@ impl Frame {
             eye: frame.eye.to_array(),
             towards_light: frame.towards_light.extend(0.0).to_array(),
             viewport: Vec4::new(size[0] as f32, size[1] as f32, frame.lift, 0.0).to_array(),
-            shadow: [quality.shadow_taps.isqrt() as f32, 1.0 / map, 1.5 * frame.light_width / map, 0.0],
+            shadow: [1.0 / map, 1.5 * frame.light_width / map, 0.0, 0.0],
             fade: [frame.middle.x, frame.middle.y, frame.fade[0], frame.fade[1]],
             sky: color(frame.sky),
             floor: color(frame.floor),

@@ -32,6 +32,8 @@ pub(super) struct Recipe<'a> {
     pub(super) depth: Depth,
     pub(super) cull: Option<wgpu::Face>,
     pub(super) samples: u32,
+    /// Values of the shader's overrides.
+    pub(super) constants: &'a [(&'a str, f64)],
 }
 
 impl Recipe<'_> {
@@ -46,7 +48,7 @@ impl Recipe<'_> {
         let fragment = wgpu::FragmentState {
             module: &module,
             entry_point: Some(self.fragment),
-            compilation_options: wgpu::PipelineCompilationOptions::default(),
+            compilation_options: self.options(),
             targets: &[Some(target)],
         };
         self.pipeline(gpu, &module, Some(fragment), wgpu::DepthBiasState::default())
@@ -55,6 +57,10 @@ impl Recipe<'_> {
     /// The pipeline, drawing depth alone.
     pub(super) fn build_depth(&self, gpu: &Gpu, bias: wgpu::DepthBiasState) -> wgpu::RenderPipeline {
         self.pipeline(gpu, &self.module(gpu), None, bias)
+    }
+
+    fn options(&self) -> wgpu::PipelineCompilationOptions<'_> {
+        wgpu::PipelineCompilationOptions { constants: self.constants, ..Default::default() }
     }
 
     fn module(&self, gpu: &Gpu) -> wgpu::ShaderModule {
@@ -82,7 +88,7 @@ impl Recipe<'_> {
             vertex: wgpu::VertexState {
                 module,
                 entry_point: Some(self.vertex),
-                compilation_options: wgpu::PipelineCompilationOptions::default(),
+                compilation_options: self.options(),
                 buffers: &buffers,
             },
             primitive: wgpu::PrimitiveState { cull_mode: self.cull, ..Default::default() },

@@ -56,6 +56,20 @@ impl Region {
         (min[0] < max[0] && min[1] < max[1]).then_some(Self { min, max })
     }
 
+    /// What of it lies outside another: above, below, left and right.
+    fn outside(self, other: Self) -> Vec<Self> {
+        let Some(common) = self.common(other) else { return vec![self] };
+        let ([left, top], [right, bottom]) = (self.min, self.max);
+        let part = |min: [u32; 2], max: [u32; 2]| (min[0] < max[0] && min[1] < max[1]).then_some(Self { min, max });
+        let parts = [
+            part([left, top], [right, common.min[1]]),
+            part([left, common.max[1]], [right, bottom]),
+            part([left, common.min[1]], [common.min[0], common.max[1]]),
+            part([common.max[0], common.min[1]], [right, common.max[1]]),
+        ];
+        parts.into_iter().flatten().collect()
+    }
+
     /// Draws in it alone from here on.
     pub(super) fn cut(self, pass: &mut wgpu::RenderPass<'_>) {
         let ([x, y], [width, height]) = (self.min, self.size());
@@ -74,8 +88,33 @@ impl Region {
 pub struct Regions(Vec<Region>);
 
 impl Regions {
-    /// Adds one; near ones become one.
+    /// The whole of a picture.
+    pub fn whole(size: [u32; 2]) -> Self {
+        Self(vec![Region::whole(size)])
+    }
+
+    /// Adds one. Near ones become one; of two that overlap and would be much larger as one, the smaller is cut where the other lies.
     pub fn add(&mut self, region: Region) {
+        let wasted = |other: &Region| {
+            let common = region.common(*other)?;
+            (added(region, *other) + i128::from(common.area()) > i128::from(WORTH)).then(|| common.area())
+        };
+        let overlaps = self.0.iter().enumerate().filter_map(|(i, other)| Some((wasted(other)?, i)));
+        let Some((_, i)) = overlaps.max() else { return self.join(region) };
+        let (kept, cut) = if self.0[i].area() < region.area() { (region, self.0[i]) } else { (self.0[i], region) };
+        let outside = cut.outside(kept);
+        if self.0.len() + outside.len() > MOST_REGIONS {
+            return self.join(region);
+        }
+        self.0.swap_remove(i);
+        self.join(kept);
+        for part in outside {
+            self.join(part);
+        }
+    }
+
+    /// Adds one; those that it overlaps and near ones become one with it.
+    fn join(&mut self, region: Region) {
         let mut grown = region;
         let near = |one: Region, other: Region| one.common(other).is_some() || added(one, other) <= i128::from(WORTH);
         while let Some(near) = self.0.iter().position(|other| near(grown, *other)) {
@@ -92,7 +131,7 @@ impl Regions {
         let pairs = (0..self.0.len()).flat_map(|i| (0..i).map(move |j| (i, j)));
         if let Some((i, j)) = pairs.min_by_key(|(i, j)| added(self.0[*i], self.0[*j])) {
             let (one, other) = (self.0.swap_remove(i), self.0.swap_remove(j));
-            self.add(one.union(other));
+            self.join(one.union(other));
         }
     }
 
@@ -159,8 +198,25 @@ mod tests {
             "{regions:?}"
         );
         for one in added {
-            assert!(regions.iter().any(|held| held.union(one) == held), "{one:?} is in {regions:?}");
+            // None lies over another: what they hold of it adds up.
+            let held: u64 = regions.iter().filter_map(|region| region.common(one)).map(Region::area).sum();
+            assert_eq!(held, one.area(), "all of {one:?} is in {regions:?}");
         }
+    }
+
+    #[test]
+    fn of_two_that_overlap_the_smaller_is_cut_where_both_would_be_much_larger_as_one() {
+        // A body of 200 by 240 pixels, and a label of 210 by 25 that begins 85 to its left.
+        let (body, label) = (region(300, 100, 200, 240), region(215, 130, 210, 25));
+        for order in [[body, label], [label, body]] {
+            let mut regions = Regions::default();
+            regions.extend(order);
+            assert_eq!(regions.area(), 200 * 240 + 85 * 25, "{regions:?}, not {}", body.union(label).area());
+        }
+        let beside = region(490, 110, 20, 220);
+        let mut regions = Regions::default();
+        regions.extend([body, beside]);
+        assert_eq!(regions.area(), body.union(beside).area(), "as one they are hardly larger");
     }
 
     #[test]

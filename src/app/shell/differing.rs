@@ -42,6 +42,13 @@ impl Differing<'_> {
         regions
     }
 
+    /// Adds where a shape differs from the one in its place.
+    pub(super) fn add_changes(&self, old: &ClippedShape, new: &ClippedShape, regions: &mut Regions) {
+        if !self.is_same(old, new, regions) {
+            self.add(&[old.clone(), new.clone()], regions);
+        }
+    }
+
     /// How many shapes of either list come before two that are the same: the fewest within reach, else as many as leave ends that
     /// are the same.
     fn again(&self, before: &[ClippedShape], now: &[ClippedShape]) -> Option<(usize, usize)> {

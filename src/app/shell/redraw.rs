@@ -2,7 +2,9 @@
 //! which they differ are drawn anew, over what is there.
 
 use egui::epaint::ClippedShape;
-use egui::{ClippedPrimitive, Color32, Context, CornerRadius, Rect, Shape, TextureId, TexturesDelta, pos2};
+use egui::{
+    ClippedPrimitive, Color32, Context, CornerRadius, PaintCallback, Rect, Shape, TextureId, TexturesDelta, pos2,
+};
 
 use crate::app::shell::differing::Differing;
 use crate::render::{Region, Regions};
@@ -29,8 +31,8 @@ pub(in crate::app) struct Frame<'a> {
 pub(in crate::app) enum Redraw {
     /// Nothing: it is there already.
     Nothing,
-    /// This, over the frame before.
-    Parts(Vec<ClippedPrimitive>),
+    /// This, over the frame before, where it differs.
+    Parts(Vec<ClippedPrimitive>, Regions),
     /// This, over nothing.
     Whole(Vec<ClippedPrimitive>),
 }
@@ -40,7 +42,16 @@ impl Redraw {
     pub(in crate::app) fn jobs(&self) -> &[ClippedPrimitive] {
         match self {
             Self::Nothing => &[],
-            Self::Parts(jobs) | Self::Whole(jobs) => jobs,
+            Self::Parts(jobs, _) | Self::Whole(jobs) => jobs,
+        }
+    }
+
+    /// Where a target of this size shows something else than before.
+    pub(in crate::app) fn parts(&self, size: [u32; 2]) -> Regions {
+        match self {
+            Self::Nothing => Regions::default(),
+            Self::Parts(_, regions) => regions.clone(),
+            Self::Whole(_) => Regions::whole(size),
         }
     }
 }
@@ -73,12 +84,45 @@ impl Shown {
             let differing = Differing { context: frame.context, changes: frame.changes, of };
             differing.regions(&before.shapes, &self.shapes)
         });
+        self.redraw(frame.context, changed, of, in_parts)
+    }
+
+    /// What has to be drawn so that other pictures are shown in the frame that a target of this size shows; none where that frame is not
+    /// known. `changes` and `in_parts` as in a frame.
+    pub(in crate::app) fn show_pictures(
+        &mut self,
+        context: &Context,
+        (pictures, changes): (&[PaintCallback], &[(Rect, Regions)]),
+        size: [u32; 2],
+        in_parts: bool,
+    ) -> Option<Redraw> {
+        let of = self.of.filter(|of| of.0 == size)?;
+        let differing = Differing { context, changes, of };
+        let mut regions = Regions::default();
+        for shown in &mut self.shapes {
+            let Shape::Callback(before) = &shown.shape else { continue };
+            let Some(now) = pictures.iter().find(|now| now.rect == before.rect) else { continue };
+            let next = ClippedShape { shape: now.clone().into(), ..*shown };
+            differing.add_changes(shown, &next, &mut regions);
+            *shown = next;
+        }
+        Some(self.redraw(context, Some(regions), of, in_parts))
+    }
+
+    /// How what is known to be shown is drawn where it differs from what a target shows; everywhere where nothing is said.
+    fn redraw(
+        &self,
+        context: &Context,
+        changed: Option<Regions>,
+        of @ (size, pixels_per_point): ([u32; 2], f32),
+        in_parts: bool,
+    ) -> Redraw {
         match changed {
             Some(regions) if regions.is_empty() => Redraw::Nothing,
             Some(regions) if in_parts && regions.are_a_part_of(size) => {
-                Redraw::Parts(self.jobs(frame.context, &regions, of))
+                Redraw::Parts(self.jobs(context, &regions, of), regions)
             }
-            _ => Redraw::Whole(frame.context.tessellate(self.shapes.clone(), frame.pixels_per_point)),
+            _ => Redraw::Whole(context.tessellate(self.shapes.clone(), pixels_per_point)),
         }
     }
 
@@ -190,166 +234,4 @@ fn covers(shape: &ClippedShape, part: Rect, pixels_per_point: f32) -> bool {
 }
 
 #[cfg(test)]
-mod tests {
-    use std::collections::BTreeMap;
-
-    use egui::{Event, Key, Modifiers, PointerButton, RawInput, ViewportId, vec2};
-
-    use super::*;
-    use crate::app::bench::Workbench;
-    use crate::app::command::{AppearanceCommand, EditCommand, LeaveCommand, PlaceCommand};
-    use crate::app::panel::layout;
-    use crate::app::shell::painter::tests::{bytes, painter};
-    use crate::app::shell::painter::{Painter, Shapes};
-    use crate::app::shell::textures::Textures;
-    use crate::app::style::theme;
-    use crate::language::Language;
-    use crate::scene::{Scene, presets};
-    use crate::study::stability::random::Random;
-
-    /// Frames of a series.
-    const FRAMES: u64 = 50;
-    /// Time from one to the next \[s\].
-    const STEP: f64 = 0.04;
-
-    /// A window without a display, drawn in parts and whole.
-    struct Both {
-        bench: Workbench,
-        context: Context,
-        textures: Textures,
-        shown: Shown,
-        canvas: wgpu::Texture,
-        size: [u32; 2],
-        scale: f32,
-        time: f64,
-        /// How many frames were drawn how.
-        drawn: BTreeMap<&'static str, u32>,
-    }
-
-    impl Both {
-        fn resize(&mut self, painter: &Painter, size: [u32; 2], scale: f32) {
-            (self.size, self.scale) = (size, scale);
-            self.canvas = painter.canvas(size);
-            self.shown = Shown::default();
-        }
-
-        /// Shows a frame, drawn in parts; how it differs from the same frame drawn whole.
-        fn frame(&mut self, painter: &Painter, events: Vec<Event>) -> Option<String> {
-            self.time += STEP;
-            let points = vec2(self.size[0] as f32, self.size[1] as f32) / self.scale;
-            let screen = Rect::from_min_size(pos2(0.0, 0.0), points);
-            let mut input =
-                RawInput { screen_rect: Some(screen), time: Some(self.time), events, ..RawInput::default() };
-            input.viewports.entry(ViewportId::ROOT).or_default().native_pixels_per_point = Some(self.scale);
-            let mut output = self.context.run_ui(input, |ui| layout::show(&mut self.bench, ui));
-            self.bench.replay.runner.wait();
-            self.textures.take_in(&output.textures_delta);
-            painter.upload(&output.textures_delta);
-            let (context, scale, size) = (self.context.clone(), output.pixels_per_point, self.size);
-            let changes = self.bench.view.viewport.take_changes();
-            let shapes = output.shapes.clone();
-            let textures = &output.textures_delta;
-            let frame = Frame { context: &context, shapes, pixels_per_point: scale, textures, changes: &changes };
-            let redraw = self.shown.show(frame, size, true);
-            let (over, how) = match &redraw {
-                Redraw::Nothing => (true, "not at all"),
-                Redraw::Parts(_) => (true, "in parts"),
-                Redraw::Whole(_) => (false, "whole"),
-            };
-            *self.drawn.entry(how).or_default() += 1;
-            let draw = |texture: &wgpu::Texture, jobs: &[ClippedPrimitive], over| {
-                let view = texture.create_view(&wgpu::TextureViewDescriptor::default());
-                painter.draw(&view, size, Shapes { jobs, pixels_per_point: scale, over }).expect("it draws");
-                bytes(painter, texture)
-            };
-            let parts = draw(&self.canvas, redraw.jobs(), over);
-            let whole =
-                draw(&painter.canvas(size), &context.tessellate(std::mem::take(&mut output.shapes), scale), false);
-            painter.free(&output.textures_delta);
-            output.textures_delta.clear();
-            let differing: Vec<usize> = (0..parts.len()).filter(|i| parts[*i] != whole[*i]).collect();
-            differing.first().map(|first| {
-                let place = [first / 4 % size[0] as usize, first / 4 / size[0] as usize];
-                let most = differing.iter().map(|i| parts[*i].abs_diff(whole[*i])).max();
-                format!("{how}: {} bytes differ, by {most:?}, the first at {place:?}", differing.len())
-            })
-        }
-    }
-
-    fn open(preset: &str) -> Option<(Both, Painter)> {
-        // What is drawn is looked at; long runs after each edit are not.
-        let scene = Scene { duration: 1.0, ..presets::load(preset).expect("ships") };
-        let mut bench = Workbench::new(scene, crate::files::SceneSource::New);
-        bench.replay.runner.set_estimates(false);
-        bench.replay.runner.wait();
-        bench.tasks.set_silent();
-        let (textures, size) = (Textures::default(), [900, 560]);
-        let painter = painter(&textures)?;
-        bench.view.set_target(painter.format(), Some(painter.summary()));
-        let (context, shown, canvas) = (theme::context(), Shown::default(), painter.canvas(size));
-        let drawn = BTreeMap::new();
-        Some((Both { bench, context, textures, shown, canvas, size, scale: 1.0, time: 0.0, drawn }, painter))
-    }
-
-    /// What happens before a frame.
-    fn act(both: &mut Both, painter: &mut Painter, random: &mut Random) -> Vec<Event> {
-        let place = |random: &mut Random| pos2(random.below(900) as f32, random.below(560) as f32);
-        let modifiers = Modifiers::NONE;
-        let key = |key, pressed| Event::Key { key, physical_key: None, pressed, repeat: false, modifiers };
-        match random.below(40) {
-            0 => both.resize(painter, [if random.below(2) == 0 { 700 } else { 987 }, 500], 1.0),
-            1 => both.resize(painter, [900, 560], 1.25),
-            2 => both.bench.apply(AppearanceCommand::Language(if random.below(2) == 0 {
-                Language::Japanese
-            } else {
-                Language::English
-            })),
-            3 => both.bench.apply(PlaceCommand::AddGirder),
-            4 => both.bench.apply(EditCommand::Undo),
-            5 => {
-                painter.device().destroy();
-                *painter = super::super::painter::tests::painter(&both.textures).expect("there was one before");
-                both.resize(painter, both.size, both.scale);
-            }
-            6..=9 => return vec![key(Key::Space, true), key(Key::Space, false)],
-            10..=14 => {
-                let pos = place(random);
-                let button = |pressed| Event::PointerButton { pos, button: PointerButton::Primary, pressed, modifiers };
-                return vec![Event::PointerMoved(pos), button(true), button(false)];
-            }
-            15..=22 => return vec![Event::PointerMoved(place(random))],
-            _ => {}
-        }
-        Vec::new()
-    }
-
-    fn series(preset: &str, seed: u64) {
-        let Some((mut both, mut painter)) = open(preset) else { return };
-        let mut random = Random::new(seed);
-        for number in 0..FRAMES {
-            let events = act(&mut both, &mut painter, &mut random);
-            if both.bench.window.asks() {
-                both.bench.apply(LeaveCommand::Stay);
-            }
-            assert_eq!(both.frame(&painter, events), None, "{preset}, seed {seed}, frame {number}");
-        }
-        let count = |how: &str| both.drawn.get(how).copied().unwrap_or(0);
-        assert!(count("in parts") > 10 && count("whole") > 3, "{:?}", both.drawn);
-        (0..8).for_each(|_| assert_eq!(both.frame(&painter, Vec::new()), None, "coming to rest"));
-    }
-
-    #[test]
-    fn a_window_drawn_in_parts_is_the_window_drawn_whole() {
-        series(presets::OPENING, 1);
-        series("deck-30m", 2);
-    }
-
-    #[test]
-    fn nothing_is_drawn_where_nothing_has_changed() {
-        let Some((mut both, painter)) = open(presets::OPENING) else { return };
-        (0..40).for_each(|_| assert_eq!(both.frame(&painter, Vec::new()), None));
-        both.drawn.clear();
-        (0..5).for_each(|_| assert_eq!(both.frame(&painter, Vec::new()), None));
-        assert_eq!(both.drawn, BTreeMap::from([("not at all", 5)]));
-    }
-}
+mod tests;

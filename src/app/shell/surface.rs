@@ -8,7 +8,7 @@
 use std::sync::Arc;
 use std::time::Duration;
 
-use egui::TexturesDelta;
+use egui::{Context, PaintCallback, Rect, TexturesDelta};
 use egui_wgpu::WgpuSetupCreateNew;
 use wgpu::{CurrentSurfaceTexture, SurfaceConfiguration, SurfaceTexture, TextureFormat, TextureViewDescriptor};
 use winit::event_loop::{ActiveEventLoop, OwnedDisplayHandle};
@@ -16,9 +16,11 @@ use winit::window::Window;
 
 use crate::app::host::{Instant, Later, Wake, now};
 use crate::app::shell::painter::{Painter, Shapes, modest};
+use crate::app::shell::pixels::Pixels;
+use crate::app::shell::reading::Reading;
 use crate::app::shell::redraw::{Frame, Redraw, Shown};
 use crate::app::shell::textures::Textures;
-use crate::render::{AdapterSummary, Fault, GpuError};
+use crate::render::{AdapterSummary, Fault, GpuError, Regions};
 
 /// Failures in a row, no frame shown between them, after which it is given up.
 const TRIES: u32 = 6;
@@ -79,6 +81,9 @@ struct On {
     /// it sooner, and where nothing can be copied to the display.
     canvas: Option<wgpu::Texture>,
     shown: Shown,
+    /// The window where pixels of the canvas are sent to it; else the canvas is copied to the swapchain.
+    pixels: Option<Pixels>,
+    reading: Reading,
     /// Whether the display has what is shown.
     is_presented: bool,
 }
@@ -158,6 +163,18 @@ impl Surface {
         on.shown.show(frame, [on.config.width, on.config.height], on.canvas.is_some())
     }
 
+    /// Finds out what has to be drawn so that other pictures are shown in the frame before; none where that is not known to be shown.
+    pub(in crate::app) fn plan_pictures(
+        &mut self,
+        context: &Context,
+        pictures: &[PaintCallback],
+        changes: &[(Rect, Regions)],
+    ) -> Option<Redraw> {
+        let on = self.on.as_mut().filter(|on| on.is_presented)?;
+        let size = [on.config.width, on.config.height];
+        on.shown.show_pictures(context, (pictures, changes), size, on.canvas.is_some())
+    }
+
     /// Paints a frame, or goes on with bringing a device up to paint it on.
     ///
     /// # Errors
@@ -227,16 +244,20 @@ impl On {
         if copies && painter.summary().is_cpu {
             config.usage |= wgpu::TextureUsages::COPY_DST;
         }
-        let (shown, is_presented) = (Shown::default(), false);
-        Ok(Self { target, config, painter, instance, misses: 0, canvas: None, shown, is_presented })
+        let (shown, reading, is_presented) = (Shown::default(), Reading::default(), false);
+        let is_bgra = painter.format() == TextureFormat::Bgra8Unorm;
+        let pixels = (is_bgra && painter.summary().is_cpu).then(|| Pixels::of(&window)).flatten();
+        Ok(Self { target, config, painter, instance, misses: 0, canvas: None, shown, pixels, reading, is_presented })
     }
 
     fn resize(&mut self, [width, height]: [u32; 2]) {
         (self.config.width, self.config.height) = (width, height);
         self.shown.forget();
         if width > 0 && height > 0 {
-            self.target.configure(self.painter.device(), &self.config);
-            let is_kept = self.config.usage.contains(wgpu::TextureUsages::COPY_DST);
+            if self.pixels.is_none() {
+                self.target.configure(self.painter.device(), &self.config);
+            }
+            let is_kept = self.pixels.is_some() || self.config.usage.contains(wgpu::TextureUsages::COPY_DST);
             self.canvas = is_kept.then(|| self.painter.canvas([width, height]));
         }
     }
@@ -256,12 +277,19 @@ impl On {
 
     fn draw(&mut self, window: &Arc<Window>, painting: &Painting) -> Result<Painted, Fault> {
         let size = [self.config.width, self.config.height];
-        self.is_presented = false;
-        let over = matches!(painting.redraw, Redraw::Parts(_));
+        let has_before = std::mem::take(&mut self.is_presented) && !painting.is_asked;
+        let over = matches!(painting.redraw, Redraw::Parts(..));
         let shapes = Shapes { jobs: painting.redraw.jobs(), pixels_per_point: painting.pixels_per_point, over };
         let changes = !matches!(painting.redraw, Redraw::Nothing);
         if let Some(canvas) = self.canvas.as_ref().filter(|_| changes) {
             self.painter.draw(&canvas.create_view(&TextureViewDescriptor::default()), size, shapes)?;
+        }
+        if let (Some(pixels), Some(canvas)) = (&self.pixels, &self.canvas) {
+            let parts = if has_before { painting.redraw.parts(size) } else { Regions::whole(size) };
+            window.pre_present_notify();
+            self.reading.read(&self.painter, canvas, &parts, |part, rows| pixels.put(part, rows))?;
+            self.is_presented = true;
+            return self.painter.fault().map_or(Ok(Painted::Shown), Err);
         }
         let frame = match self.acquire(window)? {
             Ok(frame) => frame,

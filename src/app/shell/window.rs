@@ -6,7 +6,7 @@
 use std::sync::Arc;
 use std::time::Duration;
 
-use egui::ViewportId;
+use egui::{TexturesDelta, ViewportId};
 use winit::application::ApplicationHandler;
 use winit::event::{StartCause, WindowEvent};
 use winit::event_loop::{ActiveEventLoop, ControlFlow, EventLoop, EventLoopProxy};
@@ -15,16 +15,18 @@ use winit::window::{Window, WindowId};
 use crate::app::bench::Workbench;
 use crate::app::bench::dress_as_chosen;
 use crate::app::command::LeaveCommand;
-use crate::app::host::{Wake, now, users_folder};
+use crate::app::host::{Instant, Wake, now, users_folder};
 use crate::app::panel::layout;
+use crate::app::shell::app_error::AppError;
+use crate::app::shell::between::Between;
 use crate::app::shell::event_log::{EventLog, Part};
 use crate::app::shell::outside::{self, Asked, Outside};
-use crate::app::shell::redraw::Frame;
+use crate::app::shell::redraw::{Frame, Redraw};
 use crate::app::shell::surface::{Painted, Painting, Surface};
 use crate::app::style::theme;
 use crate::app::text;
 use crate::files::SceneSource;
-use crate::language::{Language, Text, said};
+use crate::language::Language;
 use crate::render::GpuError;
 use crate::scene::Scene;
 
@@ -36,29 +38,6 @@ const UNSEEN: Duration = Duration::from_millis(250);
 
 /// Least time from a frame to the next that only time asks for, where a processor draws: 30 frames a second.
 const FRAME: Duration = Duration::from_micros(33_333);
-
-/// Why there is no window.
-#[derive(Debug, thiserror::Error)]
-pub enum AppError {
-    /// There is no display to open a window on: work without one.
-    #[error("{}", Text::new("window-no-display"))]
-    NoDisplay,
-    /// There is a display, but nothing that could draw on it.
-    #[error("{}", said!("window-not-opened", "why" => .0.as_str()))]
-    NoWindow(String),
-    /// The window was open, and cannot go on.
-    #[error("{}", ended(.why, *.kept))]
-    Ended {
-        /// What happened.
-        why: String,
-        /// Whether there was unsaved work; it is on the disk.
-        kept: bool,
-    },
-}
-
-fn ended(why: &str, kept: bool) -> String {
-    if kept { said!("window-ended-kept", "why" => why) } else { said!("window-ended", "why" => why) }
-}
 
 /// Opens the workbench on a scene and returns when its window is closed. Its words are in this language; in the one that was
 /// chosen in an earlier window, else in the system's, where none is given.
@@ -110,6 +89,7 @@ pub(super) struct Open {
     hidden: bool,
     /// A frame is asked for by the window itself: one that comes without is the system's, which may have lost what was shown.
     asks: bool,
+    between: Between,
     log: Option<EventLog>,
     outside: Outside,
 }
@@ -135,8 +115,8 @@ impl Open {
             bench.keep_in(&folder);
         }
         window.set_visible(true);
-        let mut open =
-            Self { window, egui, surface, title, hidden: false, asks: false, log: EventLog::wanted(), outside };
+        let (between, log) = (Between::default(), EventLog::wanted());
+        let mut open = Self { window, egui, surface, title, hidden: false, asks: false, between, log, outside };
         if begun == Painted::Anew {
             open.draw_on_it(bench);
         }
@@ -153,6 +133,12 @@ impl Open {
     fn ask(&mut self) {
         self.asks = true;
         self.window.request_redraw();
+    }
+
+    /// Asks for a frame that is laid out: something has happened.
+    fn ask_anew(&mut self) {
+        self.between.end();
+        self.ask();
     }
 
     /// Sees to it that a frame is drawn after a time.
@@ -172,16 +158,9 @@ impl Open {
         }
     }
 
-    /// Shows the workbench; answers when it wants to be shown again.
-    fn draw(&mut self, bench: &mut Workbench) -> Result<Duration, GpuError> {
-        if self.surface.adapter().is_none() {
-            match self.surface.bring_up()? {
-                Painted::Again(wait) => return Ok(wait),
-                Painted::Shown | Painted::Anew => self.draw_on_it(bench),
-            }
-        }
-        let began = now();
-        self.log(EventLog::begin);
+    /// Lays the window out: what of it has to be drawn, textures that change with it, and when it wants to be laid out again.
+    fn lay_out(&mut self, began: Instant, bench: &mut Workbench) -> (Redraw, TexturesDelta, Duration) {
+        self.between.lay_out(began);
         let mut input = self.egui.take_egui_input(&self.window);
         // Panels squeezed into next to nothing would not come back to their sizes; egui keeps to the last that it had.
         input.screen_rect = input.screen_rect.filter(|rect| rect.size().min_elem() >= LEAST);
@@ -193,12 +172,33 @@ impl Open {
         let (shapes, pixels_per_point) = (output.shapes, output.pixels_per_point);
         let changes = bench.view.viewport.take_changes();
         let textures = &output.textures_delta;
-        let frame = Frame { context: &context, shapes, pixels_per_point, textures, changes: &changes };
-        let redraw = self.surface.plan(frame);
-        self.log(|log| log.end(Part::Tessellated));
+        let redraw =
+            self.surface.plan(Frame { context: &context, shapes, pixels_per_point, textures, changes: &changes });
+        let wanted = output.viewport_output.get(&ViewportId::ROOT).map_or(Duration::MAX, |v| v.repaint_delay);
+        (redraw, output.textures_delta, wanted)
+    }
+
+    /// Shows the workbench; answers when it wants to be shown again.
+    fn draw(&mut self, bench: &mut Workbench) -> Result<Duration, GpuError> {
+        if self.surface.adapter().is_none() {
+            match self.surface.bring_up()? {
+                Painted::Again(wait) => return Ok(wait),
+                Painted::Shown | Painted::Anew => self.draw_on_it(bench),
+            }
+        }
+        let began = now();
+        self.log(EventLog::begin);
         let is_asked = !std::mem::take(&mut self.asks);
-        let painting = Painting { redraw, pixels_per_point, is_asked };
-        let painted = self.surface.paint(&painting, output.textures_delta)?;
+        let on = (&mut self.surface, self.egui.egui_ctx());
+        let played_on = (!is_asked && !self.hidden).then(|| self.between.play_on(began, bench, on)).flatten();
+        self.log(|log| log.end(Part::LaidOut));
+        let (redraw, textures, wanted) = match played_on {
+            Some(redraw) => (redraw, TexturesDelta::default(), Duration::ZERO),
+            None => self.lay_out(began, bench),
+        };
+        self.log(|log| log.end(Part::Tessellated));
+        let painting = Painting { redraw, pixels_per_point: self.egui.egui_ctx().pixels_per_point(), is_asked };
+        let painted = self.surface.paint(&painting, textures)?;
         let shown = (bench.files.document.revision(), bench.replay.runner.answered());
         self.log(|log| {
             log.end(Part::Painted);
@@ -213,7 +213,6 @@ impl Open {
             self.window.set_title(&title);
             self.title = title;
         }
-        let wanted = output.viewport_output.get(&ViewportId::ROOT).map_or(Duration::MAX, |v| v.repaint_delay);
         let least = if self.surface.is_drawn_by_processor() { FRAME } else { Duration::ZERO };
         Ok(match painted {
             Painted::Shown if self.hidden => wanted.max(UNSEEN),
@@ -278,7 +277,7 @@ impl ApplicationHandler<News> for Shell {
         if let News::Asked(asked) = news {
             Outside::answer(asked, (&mut open.egui, &mut self.bench));
         }
-        open.ask();
+        open.ask_anew();
     }
 
     fn window_event(&mut self, event_loop: &ActiveEventLoop, _id: WindowId, event: WindowEvent) {
@@ -293,7 +292,7 @@ impl ApplicationHandler<News> for Shell {
             },
             WindowEvent::CloseRequested => {
                 self.bench.apply(LeaveCommand::Close);
-                open.ask();
+                open.ask_anew();
             }
             WindowEvent::Resized(size) => open.surface.resize(size.width, size.height),
             WindowEvent::Occluded(hidden) => open.hidden = *hidden,
@@ -303,7 +302,7 @@ impl ApplicationHandler<News> for Shell {
             _ => {}
         }
         if !matches!(event, WindowEvent::RedrawRequested) && open.egui.on_window_event(&open.window, &event).repaint {
-            open.ask();
+            open.ask_anew();
         }
         if self.bench.window.closes() {
             event_loop.exit();

@@ -14,6 +14,8 @@ pub struct Replay {
     pub playback: Playback,
     /// Revision of the scene that was run last, and which scene it is of those that were opened; none was.
     run: Option<(u64, u64)>,
+    /// What has been played since the clock last ran with the window's time \[s on the wall\].
+    ahead: f64,
 }
 
 impl Replay {
@@ -35,8 +37,20 @@ impl Replay {
         self.playback.apply(command, self.runner.end(), self.runner.answer().map(|answer| &**answer));
     }
 
-    /// Lets the clock run for `dt` \[s\], where there is an answer to be played.
+    /// Lets the clock run for `dt` \[s\] of the window's time, less what it has run ahead.
     pub(in crate::app) fn advance(&mut self, dt: f64) {
+        let ahead = std::mem::take(&mut self.ahead);
+        self.run_clock((dt - ahead).max(0.0));
+    }
+
+    /// Lets the clock run for `dt` \[s\] between two layouts of the window, whose time does not go on meanwhile.
+    pub(in crate::app) fn advance_between(&mut self, dt: f64) {
+        self.ahead += dt;
+        self.run_clock(dt);
+    }
+
+    /// Lets the clock run, where there is an answer to be played.
+    fn run_clock(&mut self, dt: f64) {
         if let Some(answer) = self.runner.answer() {
             self.playback.clock.advance(dt, answer.history.end(), &answer.touches);
         }
@@ -80,6 +94,23 @@ mod tests {
         replay.follow((2, 0), &shorter);
         assert_eq!((replay.end(), replay.t()), (shorter.duration, shorter.duration), "inside the shorter run");
         assert_eq!(replay.stretch(), [0.0, shorter.duration], "all of it");
+    }
+
+    #[test]
+    fn what_is_played_between_two_layouts_is_not_played_again() {
+        let scene = presets::load(presets::OPENING).expect("ships");
+        let mut replay = Replay::default();
+        replay.follow((0, 0), &scene);
+        replay.runner.wait();
+        replay.playback.clock.playing = true;
+        let speed = replay.playback.clock.speed;
+        replay.advance_between(0.03);
+        replay.advance_between(0.03);
+        assert!((replay.t() - 0.06 * speed).abs() < 1e-12, "two frames between: {} s", replay.t());
+        replay.advance(0.1);
+        assert!((replay.t() - 0.1 * speed).abs() < 1e-12, "0.1 s on the wall in all: {} s", replay.t());
+        replay.advance(0.1);
+        assert!((replay.t() - 0.2 * speed).abs() < 1e-12, "and all of the next: {} s", replay.t());
     }
 
     #[test]

@@ -10,6 +10,7 @@ mod looking;
 pub(in crate::app) mod mouse;
 mod pane;
 pub(in crate::app) mod picture;
+mod played_on;
 pub(in crate::app) mod scene_view;
 pub(in crate::app) mod screen;
 pub(in crate::app) mod section;

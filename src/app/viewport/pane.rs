@@ -6,6 +6,7 @@ use egui::{PaintCallback, Rect};
 
 use crate::app::viewport::screen::Screen;
 use crate::render::{Region, Regions, changes};
+use crate::view::DrawList;
 
 /// The views of a window: the picture, and the plan beside it.
 #[derive(Default)]
@@ -40,6 +41,13 @@ impl Panes {
             }
         };
         kept.insert(pane).callback.clone()
+    }
+
+    /// The callback that shows another picture of what moves where a view was shown last.
+    pub(super) fn moved(&mut self, place: usize, list: Arc<DrawList>, number: u64) -> Option<PaintCallback> {
+        let pane = self.0.get(place)?.as_ref()?;
+        let screen = Screen { list, number, moves: true, ..pane.screen.clone() };
+        Some(self.callback(pane.callback.rect, screen))
     }
 
     /// Where pictures have changed since this was last asked \[points\], and what in them \[pixels of theirs\].

@@ -42,7 +42,7 @@ pub(super) struct Key {
 pub struct Viewport {
     pub(super) camera: Option<Camera>,
     wanted: Option<ViewPreset>,
-    glide: Glide,
+    pub(super) glide: Glide,
     pub(super) picture: Option<(Key, Arc<DrawList>)>,
     pub(super) number: u64,
     /// When the picture was last another one, on the window's clock \[s\].

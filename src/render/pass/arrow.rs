@@ -46,6 +46,7 @@ impl ArrowPass {
                 depth,
                 cull: None,
                 samples,
+                constants: &[],
             }
             .build(gpu)
         };

@@ -25,6 +25,7 @@ impl Backdrop {
             depth: Depth::Ignore,
             cull: None,
             samples,
+            constants: &[],
         };
         Self { pipeline: recipe.build(gpu) }
     }

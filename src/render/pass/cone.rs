@@ -45,6 +45,7 @@ impl ConePass {
             depth: Depth::Ignore,
             cull: None,
             samples,
+            constants: &[],
         };
         let mesh = cone();
         let vertices = count(&mesh);

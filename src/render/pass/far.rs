@@ -37,5 +37,6 @@ fn recipe(fragment: &'static str, samples: u32) -> Recipe<'static> {
         depth: Depth::Set,
         cull: None,
         samples,
+        constants: &[],
     }
 }

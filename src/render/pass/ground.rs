@@ -42,6 +42,7 @@ impl GroundPass {
             depth: Depth::Ignore,
             cull: None,
             samples,
+            constants: &[shadow.look_ups],
         };
         Self { pipeline: recipe.build(gpu), group, buffer }
     }

@@ -39,6 +39,7 @@ impl LinePass {
             depth,
             cull: None,
             samples,
+            constants: &[],
         };
         Self { pipeline: recipe.build(gpu), instances: Filled::vertices(label) }
     }

@@ -42,6 +42,7 @@ impl Overlay {
             depth: Depth::Ignore,
             cull: None,
             samples,
+            constants: &[],
         };
         Self {
             pipeline: recipe.build(gpu),

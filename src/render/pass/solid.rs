@@ -40,6 +40,7 @@ impl SolidPass {
             depth,
             cull: Some(wgpu::Face::Back),
             samples,
+            constants: &[shadow.look_ups],
         };
         Self { pipeline: recipe.build(gpu) }
     }
