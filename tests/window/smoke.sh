@@ -125,6 +125,15 @@ xdotool windowfocus --sync "$window"
 xdotool key space
 settle back
 
+# The same while it rests: all of it is there again, though nobody does anything.
+xdotool windowunmap --sync "$window"
+sleep 0.5
+xdotool windowmap --sync "$window"
+settle rested
+lost=$(differ back rested)
+[ "$lost" -le 100 ] || fail "a resting window that comes back has lost $lost pixels"
+xdotool windowfocus --sync "$window"
+
 xdotool key ctrl+q
 ended "Ctrl+Q does not close the window"
 [ "$status" = 0 ] || fail "closed with status $status: $(cat "$seen/output.txt")"

@@ -211,6 +211,11 @@ impl Surface {
         Ok(Painted::Again(wait))
     }
 
+    /// Has the next frame shown whole: the display may have lost the one before.
+    pub(in crate::app) fn forget_presented(&mut self) {
+        self.on.iter_mut().for_each(|on| on.is_presented = false);
+    }
+
     /// Whether the last frame was shown.
     #[cfg(test)]
     pub(in crate::app) fn is_shown(&self) -> bool {
