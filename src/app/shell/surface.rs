@@ -211,7 +211,8 @@ impl Surface {
         Ok(Painted::Again(wait))
     }
 
-    /// Has the next frame shown whole: the display may have lost the one before.
+    /// Has the next frame shown whole, after the window was covered: the display may have lost the one before, and the system's own request
+    /// for a frame can become one with the window's, so that it is not known.
     pub(in crate::app) fn forget_presented(&mut self) {
         self.on.iter_mut().for_each(|on| on.is_presented = false);
     }

@@ -297,10 +297,7 @@ impl ApplicationHandler<News> for Shell {
             WindowEvent::Resized(size) => open.surface.resize(size.width, size.height),
             WindowEvent::Occluded(hidden) => {
                 open.hidden = *hidden;
-                // What was covered may be lost. The system's own request for a frame can become one with the window's, so that the
-                // whole is shown from here on.
                 open.surface.forget_presented();
-                open.ask_anew();
             }
             WindowEvent::CursorMoved { .. } | WindowEvent::MouseInput { .. } | WindowEvent::KeyboardInput { .. } => {
                 open.log(EventLog::input);
