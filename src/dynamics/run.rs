@@ -100,7 +100,7 @@ impl Run for impact2d::run::ImpactRun {
             bodies: bodies
                 .into_iter()
                 .map(|track| {
-                    let motion = BodyMotion::RigidInPlan(Box::new(track.free_motion));
+                    let motion = BodyMotion::InPlan(track.free_motion);
                     (track.body, track.segments.into_iter().collect(), Some(motion))
                 })
                 .collect(),

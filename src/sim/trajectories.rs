@@ -117,20 +117,18 @@ impl Trajectories {
         let t = t.clamp(0.0, self.end);
         let own = &self.model.bodies[body];
         let mut state = BodyState::from_elem(0.0, own.width());
-        match (self.paths[body].at(t), &self.free_motions[body]) {
-            (Some((from, StoredMotion::Start(start))), Some(system)) => {
-                return system.state(&system.fly(from, &start), t);
+        // Nothing was computed where the run gave up at its start.
+        let Some((from, motion)) = self.paths[body].at(t) else { return own.initial().into() };
+        match motion {
+            StoredMotion::Start(start) => {
+                let there = self.free_motion(body).and_then(|system| system.girder_state(from, start, t));
+                state.copy_from_slice(&there.unwrap_or(start));
             }
-            (Some((_, StoredMotion::Flight(flight))), Some(system)) => return system.state(flight, t),
-            (Some((_, StoredMotion::Start(_) | StoredMotion::Flight(_))), None) => {}
-            (Some((_, StoredMotion::Slide(slide))), _) => state.copy_from_slice(&slide.state(t)),
-            (Some((_, StoredMotion::Step(piece))), _) => own.restore(piece.read(t, &mut state), &mut state),
-            (Some((from, StoredMotion::Recomputed(number))), _) => {
+            StoredMotion::Flight(flight) => return flight.state(t),
+            StoredMotion::Slide(slide) => state.copy_from_slice(&slide.state(t)),
+            StoredMotion::Step(piece) => own.restore(piece.read(t, &mut state), &mut state),
+            StoredMotion::Recomputed(number) => {
                 self.stepped(body, (number, from), |piece| own.restore(piece.read(t, &mut state), &mut state));
-            }
-            // Nothing was computed: the run gave up at its start.
-            (None, _) => {
-                state.copy_from_slice(&own.initial());
             }
         }
         state

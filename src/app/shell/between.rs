@@ -46,7 +46,8 @@ impl Between {
         bench: &mut Workbench,
         (surface, context): (&mut Surface, &Context),
     ) -> Option<Redraw> {
-        if !(surface.is_drawn_by_processor() && bench.replay.playback.clock.playing) {
+        // Asked before the views go on: what changes in them is told once, to the frame that shows it.
+        if !(surface.is_drawn_by_processor() && surface.has_known_frame() && bench.replay.playback.clock.playing) {
             return None;
         }
         let dt = self.next(began)?;

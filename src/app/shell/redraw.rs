@@ -70,6 +70,11 @@ impl Shown {
         self.of = None;
     }
 
+    /// Whether it is known what a target of this size shows \[pixels\].
+    pub(in crate::app) fn is_of(&self, size: [u32; 2]) -> bool {
+        self.of.is_some_and(|of| of.0 == size)
+    }
+
     /// What has to be drawn so that this frame is shown on a target of this size \[pixels\]; it counts as shown from here on.
     /// `in_parts`: whether the target keeps what was drawn on it before.
     pub(in crate::app) fn show(&mut self, frame: Frame<'_>, size: [u32; 2], in_parts: bool) -> Redraw {

@@ -163,6 +163,11 @@ impl Surface {
         on.shown.show(frame, [on.config.width, on.config.height], on.canvas.is_some())
     }
 
+    /// Whether it is known which frame is shown, so that other pictures can go into it.
+    pub(in crate::app) fn has_known_frame(&self) -> bool {
+        self.on.as_ref().is_some_and(|on| on.is_presented && on.shown.is_of([on.config.width, on.config.height]))
+    }
+
     /// Finds out what has to be drawn so that other pictures are shown in the frame before; none where that is not known to be shown.
     pub(in crate::app) fn plan_pictures(
         &mut self,
@@ -213,7 +218,7 @@ impl Surface {
 
     /// Has the next frame shown whole, after the window was covered: the display may have lost the one before, and the system's own request
     /// for a frame can become one with the window's, so that it is not known.
-    pub(in crate::app) fn forget_presented(&mut self) {
+    pub(in crate::app) fn cover(&mut self) {
         self.on.iter_mut().for_each(|on| on.is_presented = false);
     }
 

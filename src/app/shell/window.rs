@@ -297,7 +297,7 @@ impl ApplicationHandler<News> for Shell {
             WindowEvent::Resized(size) => open.surface.resize(size.width, size.height),
             WindowEvent::Occluded(hidden) => {
                 open.hidden = *hidden;
-                open.surface.forget_presented();
+                open.surface.cover();
             }
             WindowEvent::CursorMoved { .. } | WindowEvent::MouseInput { .. } | WindowEvent::KeyboardInput { .. } => {
                 open.log(EventLog::input);

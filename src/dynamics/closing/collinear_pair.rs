@@ -190,13 +190,14 @@ impl<'a> Side<'a> {
     fn of(world: &'a World, slot: Option<usize>, axis: usize) -> Option<Self> {
         let Some(slot) = slot else { return Some(Self::Fixed) };
         let track = &world.bodies[slot];
-        match (&track.now, &track.free_motion) {
-            (Trajectory::Flight(flight), Some(free_motion)) => {
+        match &track.now {
+            Trajectory::Placed => None,
+            Trajectory::Flight(flight) => {
                 let straight = world.model.bodies[track.body].along(axis).is_some();
-                let (dof, part, push) = straight.then(|| free_motion.along(flight, axis)).flatten()?;
+                let (dof, part, push) = straight.then(|| flight.along(axis)).flatten()?;
                 Some(Self::Flight { dof, part, start: flight.start(), push })
             }
-            (&Trajectory::Island { island: number, index }, _) => {
+            &Trajectory::Island { island: number, index } => {
                 let island = world.islands[number].as_ref()?;
                 let (dense, components, base) = island.along(index, axis)?;
                 Some(Self::Step {
@@ -208,7 +209,6 @@ impl<'a> Side<'a> {
                     until: island.step.until,
                 })
             }
-            (Trajectory::Placed, _) | (Trajectory::Flight(_), None) => None,
         }
     }
 

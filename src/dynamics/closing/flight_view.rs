@@ -4,6 +4,7 @@ use glam::DVec3;
 
 use crate::contact::Frame;
 use crate::dynamics::closing::constants::PHASE_END_SAMPLES;
+use crate::dynamics::free_flight::body_flight::BodyFlight;
 use crate::dynamics::free_flight::relative_bounds::{BodyInFlight, GirderInFlight, RelativeBounds};
 use crate::dynamics::linear::Parts;
 use crate::dynamics::locate::constants::SAMPLES_PER_SEARCH;
@@ -65,25 +66,25 @@ fn flyer<'a>(
 ) -> Option<(Frame, BodyInFlight<'a>)> {
     let track = &world.bodies[slot];
     let body = &world.model.bodies[track.body];
-    let (flight, motion) = track.flight()?;
-    if let Some((free_motion, flight)) = motion.in_plan(flight) {
+    let flight = track.flight()?;
+    if let Some((free_motion, flight)) = flight.in_plan() {
         let (state, free) = free_motion.parts_in(flight, t, phase);
         let bound = free_motion.bound_from(t, &state, free.as_ref(), horizon);
         let girder = Some(GirderInFlight { free_motion, state, free });
         return Some((body.planar_frame(&state), BodyInFlight { bound, girder }));
     }
     if shared.as_ref().is_none_or(|(block, _)| block.is_none() || *block != track.block) {
-        *shared = Some((track.block, motion.parts(flight, t)));
+        *shared = Some((track.block, flight.parts(t)));
     }
     let (_, parts) = shared.as_ref()?;
-    let (frame, bound) = motion.look((body, section), (flight, parts), [t, horizon]);
+    let (frame, bound) = flight.look((body, section), parts, [t, horizon]);
     Some((frame, BodyInFlight { bound, girder: None }))
 }
 
 /// End of one search of bodies in flight \[s\]: a period of a sine, samples of a record, fewer where a girder flies on springs to the
 /// ground, whose phases end, or the end of the run.
 pub(in crate::dynamics) fn horizon(world: &World, slots: [Option<usize>; 2], t: f64) -> f64 {
-    let on_springs = |slot: usize| world.bodies[slot].flight().is_some_and(|(flight, _)| flight.is_on_springs());
+    let on_springs = |slot: usize| world.bodies[slot].flight().is_some_and(BodyFlight::is_on_springs);
     let short = slots.into_iter().flatten().any(on_springs);
     let samples = if short { PHASE_END_SAMPLES } else { SAMPLES_PER_SEARCH };
     Horizon { periods: 1.0, samples }.end(&world.model.ground, t, world.model.duration)
@@ -99,8 +100,8 @@ pub(in crate::dynamics) fn farthest(world: &World, [t, until]: [f64; 2]) -> f64 
 pub(in crate::dynamics) fn remember(world: &mut World, slots: [Option<usize>; 2], until: f64) {
     for slot in slots.into_iter().flatten() {
         let track = &mut world.bodies[slot];
-        if let (Trajectory::Flight(flight), Some(free_motion)) = (&mut track.now, &track.free_motion) {
-            free_motion.remember(flight, until);
+        if let Trajectory::Flight(flight) = &mut track.now {
+            flight.remember(until);
         }
     }
 }

@@ -78,12 +78,12 @@ fn difference(world: &World, slots: [Option<usize>; 2]) -> Option<[f64; 2]> {
 
 /// Bounds on the motion of a body on its trajectory from `from` to `to`.
 fn bound(world: &World, slot: usize, from: f64, to: f64) -> MotionBounds {
-    match (&world.bodies[slot].now, &world.bodies[slot].free_motion) {
-        (Trajectory::Island { island, index }, _) => world.islands[*island]
+    match &world.bodies[slot].now {
+        Trajectory::Placed => MotionBounds::still(f64::INFINITY),
+        Trajectory::Flight(flight) => flight.bounds(from, to - from),
+        Trajectory::Island { island, index } => world.islands[*island]
             .as_ref()
             .map_or(MotionBounds::still(f64::INFINITY), |island| island.bound(&world.model, *index)),
-        (Trajectory::Flight(flight), Some(free_motion)) => free_motion.bounds(flight, from, to - from),
-        _ => MotionBounds::still(f64::INFINITY),
     }
 }
 

@@ -10,7 +10,7 @@ use crate::dynamics::closing::found::{NextClosing, first_step_end};
 use crate::dynamics::closing::gap_curvature::GapCurvature;
 use crate::dynamics::closing::link_motion::{frames, motion};
 use crate::dynamics::closing::{phase_end, phase_end_in_plan};
-use crate::dynamics::connection::{Kinematics, Link, SeparationBounds, Switch};
+use crate::dynamics::connection::{Activity, Kinematics, Link, SeparationBounds, Switch};
 use crate::dynamics::locate::advancement::{BoundedGap, FirstZero, first_crossing_from};
 use crate::dynamics::locate::constants::RESOLUTION;
 use crate::dynamics::locate::sample_times::sample_times;
@@ -29,7 +29,7 @@ pub(in crate::dynamics) fn search(world: &mut World, link: usize, t: f64) -> Nex
     if world.link_acts(link) {
         return phase_end::search(world, link, t);
     }
-    if world.model_link(link).device.has_ended(&world.links[link].phase) {
+    if world.model_link(link).device.activity(&world.links[link].phase) == Activity::Ended {
         return NextClosing::at(f64::INFINITY);
     }
     let slots = world.links[link].slots;

@@ -9,7 +9,7 @@ use smallvec::SmallVec;
 use crate::dynamics::closing::constants::{PHASE_END_SAMPLES, STEP_SAMPLES};
 use crate::dynamics::closing::flight_view::remember;
 use crate::dynamics::closing::found::NextClosing;
-use crate::dynamics::connection::{Separation, Switch, SwitchUnit};
+use crate::dynamics::connection::{Linearity, Separation, Switch, SwitchUnit};
 use crate::dynamics::locate::advancement::FirstZero;
 use crate::dynamics::locate::first_rise::{EarliestRise, Resolution, first_rise};
 use crate::dynamics::locate::horizon::Horizon;
@@ -41,7 +41,7 @@ pub(super) fn beginning(world: &mut World, link: usize, t: f64) -> Option<NextCl
     let &[Some(slot), None] = &track.slots else { return None };
     let device = &world.model.links[track.link].device;
     let body = world.model_body(slot);
-    if body.positions() != 1 || !device.is_linear_in(&track.phase) {
+    if body.positions() != 1 || device.linearity(&track.phase) != Linearity::Whole {
         return None;
     }
     let of = (state(world, slot, t), SwitchUnit::Length);

@@ -11,6 +11,7 @@ use crate::dynamics::closing::constants::STEP_SAMPLES;
 use crate::dynamics::closing::flight_view::{FlightSample, horizon, remember};
 use crate::dynamics::closing::found::NextClosing;
 use crate::dynamics::connection::{Excursion, Separation, Switch};
+use crate::dynamics::free_flight::body_flight::BodyFlight;
 use crate::dynamics::locate::advancement::FirstZero;
 use crate::dynamics::locate::first_rise::{EarliestRise, Resolution, first_rise};
 use crate::dynamics::locate::sample_times::sample_times;
@@ -90,7 +91,7 @@ fn excursion(bounds: &MotionBounds, arm: f64, rate: DVec3, span: f64) -> Excursi
 
 /// Time in which a girder in flight on springs swings by a radian at most \[s\].
 fn swing(world: &World, slot: usize) -> f64 {
-    let in_plan = world.bodies[slot].flight().and_then(|(flight, free_motion)| free_motion.in_plan(flight));
+    let in_plan = world.bodies[slot].flight().and_then(BodyFlight::in_plan);
     in_plan.map_or(f64::INFINITY, |(system, _)| system.fastest().recip())
 }
 

@@ -200,17 +200,17 @@ pub(super) fn rate_error(world: &World, contact: usize, sides: [&Frame; 2]) -> f
 /// Bound on the displacement of a point at `arm` \[m\] from a body's G from `from` to `until` \[m\]; infinite where
 /// no bound holds.
 pub(super) fn excursion(world: &World, slot: usize, arm: f64, from: f64, until: f64) -> f64 {
-    match (&world.bodies[slot].now, &world.bodies[slot].free_motion) {
-        (Trajectory::Island { island, index }, _) => {
+    match &world.bodies[slot].now {
+        Trajectory::Placed => f64::INFINITY,
+        Trajectory::Island { island, index } => {
             world.islands[*island].as_ref().map_or(0.0, |island| island.excursion(&world.model, *index, arm, from))
         }
-        (Trajectory::Flight(flight), Some(free_motion)) => {
-            let bound = free_motion.bounds(flight, from, until - from);
+        Trajectory::Flight(flight) => {
+            let bound = flight.bounds(from, until - from);
             if bound.window < until - from {
                 return f64::INFINITY;
             }
             (bound.speed + bound.spin * arm) * (until - from)
         }
-        _ => f64::INFINITY,
     }
 }

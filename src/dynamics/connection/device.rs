@@ -11,8 +11,13 @@ pub trait Device: DeviceReadings + std::fmt::Debug + Send + Sync {
     /// Phase at the start of a run.
     fn initial(&self, motion: &Separation) -> Phase;
 
-    /// Whether a force acts in this phase.
-    fn acts(&self, phase: &Phase) -> bool;
+    /// Whether a force acts in this phase, or may begin.
+    fn activity(&self, phase: &Phase) -> Activity;
+
+    /// Whether a force acts in this phase: its [activity](Self::activity).
+    fn acts(&self, phase: &Phase) -> bool {
+        self.activity(phase) == Activity::Acts
+    }
 
     /// Stiffness and damping along its axes \[N/m, N·s/m\] where it always acts, in one phase, with a force that is linear in
     /// displacement and rate of its points.
@@ -25,15 +30,9 @@ pub trait Device: DeviceReadings + std::fmt::Debug + Send + Sync {
         self.linear().is_some()
     }
 
-    /// Whether, in a phase in which it acts, force and switching functions are linear with a constant in displacement and rate
-    /// of its points, and a switching function that is a length changes by no more than they are displaced.
-    fn is_linear_in(&self, _phase: &Phase) -> bool {
-        self.is_linear()
-    }
-
-    /// Whether its force is, whatever its switching functions are, as those of a yield circle.
-    fn has_linear_force_in(&self, phase: &Phase) -> bool {
-        self.is_linear_in(phase)
+    /// What of this phase is linear, with a constant, in displacement and rate of its points.
+    fn linearity(&self, _phase: &Phase) -> Linearity {
+        if self.is_linear() { Linearity::Whole } else { Linearity::None }
     }
 
     /// Distance to the beginning of the force, and its rate; while the force acts, less the deformation that it is
@@ -73,11 +72,6 @@ pub trait Device: DeviceReadings + std::fmt::Debug + Send + Sync {
         (self.force(phase, motion), self.evolution(phase, motion))
     }
 
-    /// Whether no force can begin any more.
-    fn has_ended(&self, _phase: &Phase) -> bool {
-        false
-    }
-
     /// Whether the support that it is has been lost in this phase.
     fn is_lost(&self, _phase: &Phase) -> bool {
         false
@@ -109,6 +103,35 @@ pub trait Device: DeviceReadings + std::fmt::Debug + Send + Sync {
     fn next(&self, _event: Switch, phase: &Phase, _motion: &Separation) -> (Phase, f64) {
         (*phase, 0.0)
     }
+}
+
+/// Whether a force acts in a phase.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Activity {
+    /// None acts; one begins where the gap closes.
+    Idle,
+    /// A force acts.
+    Acts,
+    /// None acts, and none can begin any more.
+    Ended,
+}
+
+impl Activity {
+    /// Of a device whose force can begin at any time where it does not act.
+    pub fn of(acts: bool) -> Self {
+        if acts { Self::Acts } else { Self::Idle }
+    }
+}
+
+/// What of a phase is linear, with a constant, in displacement and rate of a device's points; ascending.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord)]
+pub enum Linearity {
+    /// Not the force.
+    None,
+    /// The force alone; a switching function is not, as that of a yield circle.
+    Force,
+    /// Force, gap and switching functions, of which one that is a length changes by no more than the points are displaced.
+    Whole,
 }
 
 /// Unit of a switching function: its rounding is that of the motion which it is a function of.

@@ -14,7 +14,7 @@ pub mod separation;
 
 use glam::DVec3;
 
-pub use device::{Device, Evolution, Switch, SwitchUnit};
+pub use device::{Activity, Device, Evolution, Linearity, Switch, SwitchUnit};
 pub use device_readings::{DeviceReadings, acts_or_open};
 pub use link::{Anchor, Link};
 pub use phase::{IS_BROKEN, Phase};

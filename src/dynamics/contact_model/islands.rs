@@ -10,7 +10,7 @@ use crate::dynamics::penalty3d::active_link::ActiveLink;
 use crate::dynamics::penalty3d::coupled_system::Members;
 use crate::dynamics::penalty3d::island::Island;
 use crate::dynamics::world::World;
-use crate::dynamics::world::tracks::{LinkTrack, Trajectory};
+use crate::dynamics::world::tracks::{LinkTrack, Trajectory, flown};
 
 /// Numbers and implicit integrators of ended islands, for reuse.
 #[derive(Debug, Default)]
@@ -126,7 +126,7 @@ pub(in crate::dynamics) fn end_flight(world: &mut World, slot: usize, t: f64) {
     if let Trajectory::Flight(flight) = &track.now
         && t > flight.start()
     {
-        let segments = track.flown(flight, t);
+        let segments = flown(flight, t);
         segments.into_iter().for_each(|segment| track.path.push(segment));
     }
 }

@@ -104,7 +104,9 @@ mod tests {
     use glam::{DMat3, DVec3};
 
     use crate::dynamics::Model;
-    use crate::dynamics::connection::{Anchor, Connection, Device, DeviceReadings, SeparationBounds, acts_or_open};
+    use crate::dynamics::connection::{
+        Activity, Anchor, Connection, Device, DeviceReadings, SeparationBounds, acts_or_open,
+    };
     use crate::dynamics::penalty3d::example::wall;
     use crate::language::Text;
 
@@ -144,8 +146,8 @@ mod tests {
             Phase { branch: 7, memory: motion.vector().to_array() }
         }
 
-        fn acts(&self, _: &Phase) -> bool {
-            false
+        fn activity(&self, _: &Phase) -> Activity {
+            Activity::Idle
         }
 
         fn gap(&self, _: &Phase, _: &Separation) -> [f64; 2] {

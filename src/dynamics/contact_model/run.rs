@@ -166,8 +166,9 @@ impl ContactRun {
         for (own, &slot) in slots.iter().enumerate() {
             end_flight(&mut self.world, slot, t);
             let track = &mut self.world.bodies[slot];
-            if let Some(free_motion) = &track.free_motion {
-                track.now = Trajectory::Flight(free_motion.fly_among(t, states, own));
+            let flight = track.free_motion.as_ref().and_then(|free_motion| free_motion.fly_among(t, states, own));
+            if let Some(flight) = flight {
+                track.now = Trajectory::Flight(flight);
             }
         }
     }

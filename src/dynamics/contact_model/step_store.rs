@@ -13,7 +13,7 @@ use crate::dynamics::trajectory::packed_states::PackedStates;
 use crate::dynamics::trajectory::segment::{Segment, SegmentMotion};
 use crate::dynamics::trajectory::stored_path::Swept;
 use crate::dynamics::world::World;
-use crate::dynamics::world::tracks::Trajectory;
+use crate::dynamics::world::tracks::{Trajectory, flown};
 
 /// Steps of a run that are stored by their initial states, and the memory of the polynomials of the others.
 #[derive(Debug, Default)]
@@ -54,7 +54,7 @@ impl StepStore {
     pub(in crate::dynamics) fn commit_all(&mut self, world: &mut World, t: f64) {
         for track in &mut world.bodies {
             if let Trajectory::Flight(flight) = &track.now {
-                for segment in track.flown(flight, t) {
+                for segment in flown(flight, t) {
                     if track.path.is_empty() { track.path.push_only(segment) } else { track.path.push(segment) }
                 }
             }

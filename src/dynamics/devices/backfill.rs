@@ -7,7 +7,8 @@
 use glam::DVec3;
 
 use crate::dynamics::connection::{
-    Connection, Device, DeviceReadings, Excursion, Phase, Separation, SeparationBounds, Switch, SwitchUnit,
+    Activity, Connection, Device, DeviceReadings, Excursion, Linearity, Phase, Separation, SeparationBounds, Switch,
+    SwitchUnit,
 };
 use crate::language::Text;
 
@@ -156,12 +157,12 @@ impl Device for Backfill {
         Phase { branch: if push > 0.0 { self.on_envelope(push) } else { APART }, ..Phase::default() }
     }
 
-    fn acts(&self, phase: &Phase) -> bool {
-        phase.branch != APART
+    fn activity(&self, phase: &Phase) -> Activity {
+        Activity::of(phase.branch != APART)
     }
 
-    fn is_linear_in(&self, phase: &Phase) -> bool {
-        phase.branch != ENVELOPE || self.envelope.curvature == 0.0
+    fn linearity(&self, phase: &Phase) -> Linearity {
+        if phase.branch != ENVELOPE || self.envelope.curvature == 0.0 { Linearity::Whole } else { Linearity::None }
     }
 
     fn gap(&self, phase: &Phase, motion: &Separation) -> [f64; 2] {

@@ -6,7 +6,9 @@
 
 use glam::DVec3;
 
-use crate::dynamics::connection::{Connection, Device, DeviceReadings, Phase, Separation, SeparationBounds, Switch};
+use crate::dynamics::connection::{
+    Activity, Connection, Device, DeviceReadings, Phase, Separation, SeparationBounds, Switch,
+};
 use crate::language::Text;
 
 /// A bumper.
@@ -132,8 +134,8 @@ impl Device for Bumper {
         if depth > 0.0 { Self::on_line(ON, self.line_at(depth)) } else { Phase { branch: OPEN, ..Phase::default() } }
     }
 
-    fn acts(&self, phase: &Phase) -> bool {
-        phase.branch != OPEN
+    fn activity(&self, phase: &Phase) -> Activity {
+        Activity::of(phase.branch != OPEN)
     }
 
     fn gap(&self, _: &Phase, motion: &Separation) -> [f64; 2] {

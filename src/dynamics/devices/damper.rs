@@ -10,7 +10,7 @@ use glam::DVec3;
 
 use super::line::Line;
 use crate::dynamics::connection::{
-    Connection, Device, DeviceReadings, Excursion, Phase, Separation, SeparationBounds, Switch, SwitchUnit,
+    Activity, Connection, Device, DeviceReadings, Excursion, Phase, Separation, SeparationBounds, Switch, SwitchUnit,
     acts_or_open,
 };
 use crate::language::Text;
@@ -74,8 +74,8 @@ impl Device for ViscousDamper {
         Phase { branch: self.branch(Line::of(motion).rate), ..Phase::default() }
     }
 
-    fn acts(&self, _: &Phase) -> bool {
-        true
+    fn activity(&self, _: &Phase) -> Activity {
+        Activity::Acts
     }
 
     fn gap(&self, _: &Phase, motion: &Separation) -> [f64; 2] {

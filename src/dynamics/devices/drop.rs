@@ -3,7 +3,9 @@
 
 use glam::DVec3;
 
-use crate::dynamics::connection::{Connection, Device, DeviceReadings, Phase, Separation, SeparationBounds, Switch};
+use crate::dynamics::connection::{
+    Activity, Connection, Device, DeviceReadings, Phase, Separation, SeparationBounds, Switch,
+};
 use crate::language::Text;
 
 /// Ends the run where its point has dropped by this depth \[m\].
@@ -42,8 +44,8 @@ impl Device for DropWatch {
         Phase::default()
     }
 
-    fn acts(&self, _: &Phase) -> bool {
-        false
+    fn activity(&self, phase: &Phase) -> Activity {
+        if phase.branch == DROPPED { Activity::Ended } else { Activity::Idle }
     }
 
     fn gap(&self, _: &Phase, motion: &Separation) -> [f64; 2] {
@@ -52,10 +54,6 @@ impl Device for DropWatch {
 
     fn gap_curvature(&self, _: &Phase, bounds: &SeparationBounds) -> f64 {
         bounds.acceleration
-    }
-
-    fn has_ended(&self, phase: &Phase) -> bool {
-        phase.branch == DROPPED
     }
 
     fn ends_run(&self, phase: &Phase) -> bool {

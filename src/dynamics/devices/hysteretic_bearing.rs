@@ -7,7 +7,8 @@
 use glam::{DVec2, DVec3};
 
 use crate::dynamics::connection::{
-    Connection, Device, DeviceReadings, Evolution, Excursion, Phase, Separation, SeparationBounds, Switch, SwitchUnit,
+    Activity, Connection, Device, DeviceReadings, Evolution, Excursion, Linearity, Phase, Separation, SeparationBounds,
+    Switch, SwitchUnit,
 };
 use crate::language::Text;
 
@@ -130,13 +131,12 @@ impl Connection for Hysteresis {
 }
 
 impl Device for Hysteresis {
-    fn is_linear_in(&self, _: &Phase) -> bool {
-        matches!(self, Hysteresis::PerAxis(_))
-    }
-
-    /// All but the yield circle in yield.
-    fn has_linear_force_in(&self, phase: &Phase) -> bool {
-        !self.evolves(phase)
+    fn linearity(&self, phase: &Phase) -> Linearity {
+        match self {
+            Hysteresis::PerAxis(_) => Linearity::Whole,
+            Hysteresis::Circle(_) if self.evolves(phase) => Linearity::None,
+            Hysteresis::Circle(_) => Linearity::Force,
+        }
     }
 
     /// Its hysteretic part at rest as placed, and displaced from there in a straight line: elastic, with no more than Q.
@@ -152,8 +152,8 @@ impl Device for Hysteresis {
         self.going_on(0, z, motion)
     }
 
-    fn acts(&self, _: &Phase) -> bool {
-        true
+    fn activity(&self, _: &Phase) -> Activity {
+        Activity::Acts
     }
 
     fn gap(&self, _: &Phase, motion: &Separation) -> [f64; 2] {

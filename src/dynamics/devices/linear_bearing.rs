@@ -4,7 +4,7 @@
 use glam::DVec3;
 
 use crate::dynamics::connection::{
-    Connection, Device, DeviceReadings, Phase, Separation, SeparationBounds, acts_or_open,
+    Activity, Connection, Device, DeviceReadings, Phase, Separation, SeparationBounds, acts_or_open,
 };
 use crate::language::Text;
 
@@ -48,8 +48,8 @@ impl Device for LinearBearing {
         Phase::default()
     }
 
-    fn acts(&self, _: &Phase) -> bool {
-        true
+    fn activity(&self, _: &Phase) -> Activity {
+        Activity::Acts
     }
 
     fn linear(&self) -> Option<[DVec3; 2]> {

@@ -5,7 +5,7 @@ use glam::DVec3;
 
 use super::line::Line;
 use crate::dynamics::connection::{
-    Connection, Device, DeviceReadings, Evolution, Phase, Separation, SeparationBounds, acts_or_open,
+    Activity, Connection, Device, DeviceReadings, Evolution, Phase, Separation, SeparationBounds, acts_or_open,
 };
 use crate::language::Text;
 
@@ -58,8 +58,8 @@ impl Device for MaxwellDamper {
         Phase::default()
     }
 
-    fn acts(&self, _: &Phase) -> bool {
-        true
+    fn activity(&self, _: &Phase) -> Activity {
+        Activity::Acts
     }
 
     fn gap(&self, _: &Phase, motion: &Separation) -> [f64; 2] {

@@ -7,7 +7,8 @@ use glam::DVec3;
 
 use super::line::Line;
 use crate::dynamics::connection::{
-    Connection, Device, DeviceReadings, Excursion, IS_BROKEN, Phase, Separation, SeparationBounds, Switch, SwitchUnit,
+    Activity, Connection, Device, DeviceReadings, Excursion, IS_BROKEN, Phase, Separation, SeparationBounds, Switch,
+    SwitchUnit,
 };
 use crate::language::Text;
 
@@ -128,12 +129,12 @@ impl Device for Restrainer {
         Phase { branch, memory: [plastic, from, 0.0] }
     }
 
-    fn acts(&self, phase: &Phase) -> bool {
-        matches!(phase.branch, TAUT | YIELD)
-    }
-
-    fn has_ended(&self, phase: &Phase) -> bool {
-        phase.branch == BROKEN
+    fn activity(&self, phase: &Phase) -> Activity {
+        match phase.branch {
+            TAUT | YIELD => Activity::Acts,
+            BROKEN => Activity::Ended,
+            _ => Activity::Idle,
+        }
     }
 
     /// `(ℓ² − r²)/(2ℓ)` with the length ℓ at which it is taut: smooth where its points meet.

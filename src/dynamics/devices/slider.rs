@@ -11,7 +11,7 @@
 use glam::{DVec2, DVec3};
 
 use crate::dynamics::connection::{
-    Connection, Device, DeviceReadings, Evolution, Phase, Separation, SeparationBounds, Switch, SwitchUnit,
+    Activity, Connection, Device, DeviceReadings, Evolution, Phase, Separation, SeparationBounds, Switch, SwitchUnit,
 };
 use crate::language::Text;
 
@@ -182,8 +182,8 @@ impl Device for Slider {
         }
     }
 
-    fn acts(&self, _: &Phase) -> bool {
-        true
+    fn activity(&self, _: &Phase) -> Activity {
+        Activity::Acts
     }
 
     fn gap(&self, _: &Phase, motion: &Separation) -> [f64; 2] {

@@ -6,7 +6,8 @@
 use glam::DVec3;
 
 use crate::dynamics::connection::{
-    Connection, Device, DeviceReadings, Excursion, IS_BROKEN, Phase, Separation, SeparationBounds, Switch, SwitchUnit,
+    Activity, Connection, Device, DeviceReadings, Excursion, IS_BROKEN, Linearity, Phase, Separation, SeparationBounds,
+    Switch, SwitchUnit,
 };
 use crate::language::Text;
 
@@ -107,16 +108,16 @@ impl Device for Stopper {
         Phase { branch, memory: [plastic, 0.0, 0.0] }
     }
 
-    fn acts(&self, phase: &Phase) -> bool {
-        matches!(phase.branch, ON | YIELD)
+    fn activity(&self, phase: &Phase) -> Activity {
+        match phase.branch {
+            ON | YIELD => Activity::Acts,
+            BROKEN => Activity::Ended,
+            _ => Activity::Idle,
+        }
     }
 
-    fn is_linear_in(&self, _: &Phase) -> bool {
-        true
-    }
-
-    fn has_ended(&self, phase: &Phase) -> bool {
-        phase.branch == BROKEN
+    fn linearity(&self, _: &Phase) -> Linearity {
+        Linearity::Whole
     }
 
     fn gap(&self, phase: &Phase, motion: &Separation) -> [f64; 2] {

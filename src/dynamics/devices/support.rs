@@ -10,7 +10,8 @@ use glam::{DVec2, DVec3};
 
 use super::LinearBearing;
 use crate::dynamics::connection::{
-    Connection, Device, DeviceReadings, Evolution, Excursion, Phase, Separation, SeparationBounds, Switch, SwitchUnit,
+    Activity, Connection, Device, DeviceReadings, Evolution, Excursion, Linearity, Phase, Separation, SeparationBounds,
+    Switch, SwitchUnit,
 };
 use crate::language::Text;
 use crate::scene::seating::Room;
@@ -98,8 +99,8 @@ impl Device for Support {
         self.law.as_ref().map(|law| law.initial(motion)).unwrap_or_default()
     }
 
-    fn acts(&self, phase: &Phase) -> bool {
-        self.law.is_some() || phase.branch == LOST
+    fn activity(&self, phase: &Phase) -> Activity {
+        Activity::of(self.law.is_some() || phase.branch == LOST)
     }
 
     fn is_lost(&self, phase: &Phase) -> bool {
@@ -110,8 +111,9 @@ impl Device for Support {
         self.ends_run && phase.branch == LOST
     }
 
-    fn has_linear_force_in(&self, phase: &Phase) -> bool {
-        self.standing(phase).is_none_or(|law| law.has_linear_force_in(phase))
+    /// Whether it stands is no linear function.
+    fn linearity(&self, phase: &Phase) -> Linearity {
+        self.standing(phase).map_or(Linearity::Force, |law| law.linearity(phase).min(Linearity::Force))
     }
 
     fn gap(&self, phase: &Phase, motion: &Separation) -> [f64; 2] {

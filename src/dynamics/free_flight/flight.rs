@@ -5,8 +5,6 @@
 //! and sines far slower than the run go through [`CoupledPropagator`]. Whatever the form, a flight also bounds its own speed and acceleration, so that a search for
 //! crossings misses none.
 
-use std::sync::Arc;
-
 use glam::{DMat3, DVec3};
 
 use crate::dynamics::free_flight::constants::CACHED_SAMPLES;
@@ -54,8 +52,6 @@ pub struct Flight {
     pub start: f64,
     /// State at its beginning.
     pub state: PlanarState,
-    /// Its system, where other springs than the girder's bearings act in it.
-    pub(in crate::dynamics) springs: Option<Arc<FreeMotion>>,
     form: FlightForm,
 }
 
@@ -80,8 +76,7 @@ impl Flight {
     /// What it takes \[bytes\].
     pub fn bytes(&self) -> usize {
         let anchors = if let FlightForm::Record { anchors, .. } = &self.form { anchors.len() } else { 0 };
-        let springs = self.springs.as_ref().map_or(0, |_| size_of::<FreeMotion>());
-        size_of::<Self>() + anchors * size_of::<PlanarState>() + springs
+        size_of::<Self>() + anchors * size_of::<PlanarState>()
     }
 }
 
@@ -150,7 +145,7 @@ impl FreeMotion {
                 FreeMotionForm::Coupled(..) => FlightForm::Coupled(self.augmented(start, &state)),
             }
         };
-        Flight { start, state, springs: None, form }
+        Flight { start, state, form }
     }
 
     /// Steady response to the sine at `t`.

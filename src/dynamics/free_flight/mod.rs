@@ -1,5 +1,6 @@
 //! Free motion between contacts in closed form, and bounds on it.
 
+pub mod body_flight;
 pub mod body_motion;
 pub(in crate::dynamics) mod constants;
 pub mod flight;

@@ -1,9 +1,11 @@
 //! The run of one group of bodies under the impact model: bodies, event queue and log; the planning of steps and searches.
 //! What an event does is in `handlers`.
 
+use std::sync::Arc;
+
 use crate::dynamics::event_loop::schedule::Schedule;
 use crate::dynamics::event_loop::work_bounds::{Spent, WorkBounds};
-use crate::dynamics::free_flight::body_motion::BodyFlight;
+use crate::dynamics::free_flight::body_flight::{BodyFlight, FlightInPlan};
 use crate::dynamics::impact2d::closing::next_impact::next_impact;
 use crate::dynamics::impact2d::constants::{
     CONSISTENCY_HALVINGS, CUT_SHORT_WORK, EVENTS_BEFORE_LEAST_DURATION, LEAST_DURATION, LEAST_SCALE, SWITCHING_SAMPLES,
@@ -140,7 +142,11 @@ impl ImpactRun {
         }
         self.world.remember(slot, t);
         let path = match &self.world.bodies[slot].motion {
-            Motion::Flight(flight) => Some(SegmentMotion::Flight(Box::new(BodyFlight::RigidInPlan(flight.clone())))),
+            Motion::Flight(flight) => {
+                let system = Arc::clone(&self.world.bodies[slot].free_motion);
+                let flight = FlightInPlan::on_bearings(system, flight.clone());
+                Some(SegmentMotion::Flight(Box::new(BodyFlight::InPlan(flight))))
+            }
             Motion::Lasting(number, place) => {
                 self.world.lasting[*number].as_ref().and_then(|contact| contact.path(*place))
             }

@@ -1,5 +1,7 @@
 //! Data of each body, pair and declared contact of a group during a run of the impact model.
 
+use std::sync::Arc;
+
 use crate::dynamics::free_flight::flight::{Flight, FreeMotion};
 use crate::dynamics::impact2d::State;
 use crate::dynamics::impact2d::closing::planar_gap::PlanarSite;
@@ -21,7 +23,7 @@ pub(in crate::dynamics) struct BodyTrack {
     /// Number in the model.
     pub body: usize,
     /// Free motion.
-    pub free_motion: FreeMotion,
+    pub free_motion: Arc<FreeMotion>,
     /// Motion in force.
     pub motion: Motion,
     /// Motion so far.

@@ -210,7 +210,7 @@ impl World {
 }
 
 fn body_track(model: &Model, body: usize) -> BodyTrack {
-    let free_motion = FreeMotion::new(&model.bodies[body], &model.ground, model.duration);
+    let free_motion = Arc::new(FreeMotion::new(&model.bodies[body], &model.ground, model.duration));
     let initial = model.bodies[body].initial();
     let state: PlanarState = std::array::from_fn(|i| initial[i]);
     let motion = Motion::Flight(free_motion.fly(0.0, state));

@@ -1,6 +1,6 @@
 //! A segment of a body's trajectory: its interval of time and the representation of its motion.
 
-use crate::dynamics::free_flight::body_motion::BodyFlight;
+use crate::dynamics::free_flight::body_flight::BodyFlight;
 use crate::dynamics::free_flight::sliding_face::SlidingFace;
 use crate::dynamics::trajectory::step_polynomial::StepPolynomial;
 

@@ -4,7 +4,7 @@
 //! recomputed steps ([`crate::dynamics::record::recomputed_steps`]). A segment ends where the next one begins; only
 //! exceptions store an end.
 
-use crate::dynamics::free_flight::body_motion::BodyFlight;
+use crate::dynamics::free_flight::body_flight::BodyFlight;
 use crate::dynamics::free_flight::sliding_face::SlidingFace;
 use crate::dynamics::model::body::Body;
 use crate::dynamics::model::coordinates::planar::PlanarState;
@@ -250,7 +250,7 @@ mod tests {
     use glam::DVec2;
 
     use crate::dynamics::Model;
-    use crate::dynamics::free_flight::flight::FreeMotion;
+    use crate::dynamics::free_flight::body_motion::BodyMotion;
     use crate::dynamics::integrator::dense_output::DenseOutput;
     use crate::dynamics::model::coordinates::planar::WIDTH;
     use crate::motion::Ground;
@@ -274,8 +274,8 @@ mod tests {
         let model = Model::compile(&presets::load("straight-abutment").expect("a preset")).expect("a scene");
         let (body, ground) = (&model.bodies[0], Ground::Still);
         let state = [0.1, -0.2, 0.3, 1.0, 2.0, -3.0];
-        let motion = FreeMotion::new(body, &ground, 9.0);
-        let flight = |start: f64| SegmentMotion::Flight(Box::new(BodyFlight::RigidInPlan(motion.fly(start, state))));
+        let motion = BodyMotion::of(body, &ground, 9.0).expect("a girder in plan");
+        let flight = |start: f64| SegmentMotion::Flight(Box::new(motion.fly(start, &state).expect("its state")));
         let dense = DenseOutput::new(2.0, 1.0, vec![[7.0, 1.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0]; WIDTH]);
         let slide = SlidingFace::new((body, &ground), [DVec2::X; 2], &ground.piece(0), (4.0, &state), 1.0);
         let motions = [

@@ -34,7 +34,7 @@ pub(in crate::dynamics) fn in_flight(scene: &Scene, states: &[PlanarState]) -> W
     let mut world = World::of(&Arc::new(model), 0);
     for (body, state) in world.bodies.iter_mut().zip(states) {
         let free_motion = body.free_motion.as_ref().expect("a free motion in closed form");
-        body.now = Trajectory::Flight(free_motion.fly(0.0, state));
+        body.now = Trajectory::Flight(free_motion.fly(0.0, state).expect("a state of a girder in plan"));
     }
     world
 }

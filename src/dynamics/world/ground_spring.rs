@@ -4,8 +4,8 @@
 use glam::{DMat3, DVec3};
 
 use crate::contact::Frame;
-use crate::dynamics::connection::{Kinematics, Link};
-use crate::dynamics::free_flight::body_motion::BodyFlight;
+use crate::dynamics::connection::{Kinematics, Linearity, Link};
+use crate::dynamics::free_flight::body_flight::BodyFlight;
 use crate::dynamics::free_flight::ground_springs::{GroundSprings, PlanarSprings};
 use crate::dynamics::model::body::{Body, BodyCoordinates, Point};
 use crate::dynamics::model::closed_form::GroundSpring;
@@ -27,10 +27,8 @@ impl World {
         let linear = |&number: &usize| {
             let own = &self.links[number];
             let link = &self.model.links[own.link];
-            let device = &link.device;
-            let linear =
-                if is_planar { device.has_linear_force_in(&own.phase) } else { device.is_linear_in(&own.phase) };
-            (linear && own.slots == [Some(slot), None]).then_some((own, link))
+            let needed = if is_planar { Linearity::Force } else { Linearity::Whole };
+            (link.device.linearity(&own.phase) >= needed && own.slots == [Some(slot), None]).then_some((own, link))
         };
         let acting: Option<Vec<(&LinkTrack, &Link)>> =
             track.links.iter().filter(|&&number| self.link_acts(number)).map(linear).collect();
@@ -46,7 +44,7 @@ impl World {
 
     /// Begins a flight of a body in this state at `t` on its own bearings.
     pub(in crate::dynamics) fn fly(&self, slot: usize, state: &[f64], t: f64) -> Option<BodyFlight> {
-        Some(self.bodies[slot].free_motion.as_ref()?.fly(t, state))
+        self.bodies[slot].free_motion.as_ref()?.fly(t, state)
     }
 
     /// The same on connections to the ground; `None` where that has no closed form.
@@ -65,7 +63,7 @@ impl World {
     /// Links on a girder in flight in plan whose phases can end, ascending.
     pub(in crate::dynamics) fn phases_in_flight(&self, slot: usize) -> impl Iterator<Item = usize> {
         let track = &self.bodies[slot];
-        let flies = track.flight().is_some_and(|(flight, _)| flight.is_on_springs());
+        let flies = track.flight().is_some_and(BodyFlight::is_on_springs);
         let ends = move |&link: &usize| flies && self.link_acts(link) && !self.is_linear_link(link);
         track.links.iter().copied().filter(ends)
     }

@@ -11,10 +11,7 @@ impl World {
         let track = &self.bodies[slot];
         match &track.now {
             Trajectory::Placed => self.model.bodies[track.body].initial(),
-            Trajectory::Flight(flight) => match &track.free_motion {
-                Some(free_motion) => free_motion.state(flight, t).into_vec(),
-                None => flight.state().to_vec(),
-            },
+            Trajectory::Flight(flight) => flight.state(t).into_vec(),
             Trajectory::Island { island, index } => match &self.islands[*island] {
                 Some(island) => {
                     let mut state = island.state_at(&self.model, *index, t);
@@ -44,13 +41,13 @@ impl World {
     pub(in crate::dynamics) fn frame(&self, slot: usize, section: usize, t: f64) -> Frame {
         let track = &self.bodies[slot];
         let body = &self.model.bodies[track.body];
-        match (&track.now, &track.free_motion) {
-            (Trajectory::Flight(flight), Some(free_motion)) => free_motion.frame(body, section, flight, t),
-            (Trajectory::Island { island, index }, _) => match &self.islands[*island] {
+        match &track.now {
+            Trajectory::Placed => Frame::fixed(body.home),
+            Trajectory::Flight(flight) => flight.frame(body, section, t),
+            Trajectory::Island { island, index } => match &self.islands[*island] {
                 Some(island) => island.frame(&self.model, *index, section, t),
                 None => Frame::fixed(body.home),
             },
-            _ => Frame::fixed(body.home),
         }
     }
 
@@ -71,19 +68,18 @@ impl World {
 
     /// Displacement and rate at `t` of a body of one coordinate in flight.
     pub(in crate::dynamics) fn coordinate(&self, slot: usize, t: f64) -> Option<[f64; 2]> {
-        let (flight, free_motion) = self.bodies[slot].flight()?;
-        free_motion.coordinate(flight, t)
+        self.bodies[slot].flight()?.coordinate(t)
     }
 
     /// End of the stretch of a body's flight from `t` on within which it swings by about a radian at most \[s\].
     pub(in crate::dynamics) fn window_end(&self, slot: usize, t: f64) -> f64 {
-        self.bodies[slot].flight().map_or(f64::INFINITY, |(flight, free_motion)| free_motion.window_end(flight, t))
+        self.bodies[slot].flight().map_or(f64::INFINITY, |flight| flight.window_end(t))
     }
 
     /// Least and greatest value of the one coordinate of a body in flight over an interval without a kink \[m\]; all values where
     /// that is not known.
     pub(in crate::dynamics) fn flight_range(&self, slot: usize, span: [f64; 2]) -> [f64; 2] {
-        let range = self.bodies[slot].flight().and_then(|(flight, free_motion)| free_motion.range(flight, span));
+        let range = self.bodies[slot].flight().and_then(|flight| flight.range(span));
         range.unwrap_or([f64::NEG_INFINITY, f64::INFINITY])
     }
 }

@@ -5,7 +5,8 @@ use glam::DVec2;
 use smallvec::SmallVec;
 
 use crate::dynamics::connection::{Phase, Switch};
-use crate::dynamics::free_flight::body_motion::{BodyFlight, BodyMotion};
+use crate::dynamics::free_flight::body_flight::BodyFlight;
+use crate::dynamics::free_flight::body_motion::BodyMotion;
 use crate::dynamics::locate::subdivision::GapClosing;
 use crate::dynamics::model::edge_node::node_place::NodePlace;
 use crate::dynamics::penalty3d::contact_state::Contact;
@@ -47,31 +48,28 @@ pub(in crate::dynamics) struct BodyTrack {
 }
 
 impl BodyTrack {
-    /// The present flight with the closed form that it is of; `None` of a body that does not fly.
-    pub(in crate::dynamics) fn flight(&self) -> Option<(&BodyFlight, &BodyMotion)> {
-        match (&self.now, &self.free_motion) {
-            (Trajectory::Flight(flight), Some(free_motion)) => Some((flight, free_motion)),
-            _ => None,
+    /// The present flight; `None` of a body that does not fly.
+    pub(in crate::dynamics) fn flight(&self) -> Option<&BodyFlight> {
+        match &self.now {
+            Trajectory::Flight(flight) => Some(flight),
+            Trajectory::Placed | Trajectory::Island { .. } => None,
         }
     }
+}
 
-    /// A flight as segments of the path that end at `t`: one, with its states at the samples of a record, unless it swings
-    /// faster than its stretches.
-    pub(in crate::dynamics) fn flown(&self, flight: &BodyFlight, t: f64) -> SmallVec<[Segment; 1]> {
-        let mut flight = flight.clone();
-        let mut segments = SmallVec::new();
-        if let Some(free_motion) = &self.free_motion {
-            free_motion.remember(&mut flight, t);
-            let mut until = free_motion.window_end(&flight, flight.start());
-            while until < t {
-                let rest = free_motion.resume(&flight, until);
-                segments.push(segment(std::mem::replace(&mut flight, rest), until));
-                until = free_motion.window_end(&flight, until);
-            }
-        }
-        segments.push(segment(flight, t));
-        segments
+/// A flight as segments of the path that end at `t`: one, with its states at the samples of a record, unless it swings
+/// faster than its stretches.
+pub(in crate::dynamics) fn flown(flight: &BodyFlight, t: f64) -> SmallVec<[Segment; 1]> {
+    let (mut flight, mut segments) = (flight.clone(), SmallVec::new());
+    flight.remember(t);
+    let mut until = flight.window_end(flight.start());
+    while until < t {
+        let rest = flight.resume(until);
+        segments.push(segment(std::mem::replace(&mut flight, rest), until));
+        until = flight.window_end(until);
     }
+    segments.push(segment(flight, t));
+    segments
 }
 
 fn segment(flight: BodyFlight, until: f64) -> Segment {

@@ -1,6 +1,6 @@
 //! What a run did to the devices of its scene.
 
-use crate::dynamics::connection::Phase;
+use crate::dynamics::connection::{Activity, Phase};
 use crate::dynamics::model::compiled_model::ModelDevice;
 use crate::sim::connections::view::Connections;
 use crate::sim::peaks::largest_of_each;
@@ -71,7 +71,7 @@ impl Connections<'_> {
             times: begins.len(),
             first: earliest(&mut begins.into_iter()),
             yielded_at: when(&|link, (_, phase)| device(link).yields(phase)),
-            broke_at: when(&|link, (_, phase)| device(link).has_ended(phase)),
+            broke_at: when(&|link, (_, phase)| device(link).activity(phase) == Activity::Ended),
         })
     }
 

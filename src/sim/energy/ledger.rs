@@ -194,8 +194,8 @@ fn body_account(history: &History, body: usize) -> Account<4> {
 
 /// Work of the ground and of pushes, losses in the bearings and in the body, over a cell \[J\].
 fn body_works(history: &History, body: usize, [a, b]: [f64; 2]) -> [f64; 4] {
-    let flown = || match (history.trajectories.path(body).at(a)?.1, history.trajectories.free_motion(body)?) {
-        (StoredMotion::Flight(flight), motion) => motion.works(flight, [a, b]),
+    let flown = || match history.trajectories.path(body).at(a)?.1 {
+        StoredMotion::Flight(flight) => flight.works([a, b]),
         _ => None,
     };
     flown().unwrap_or_else(|| integrate(a, b, |t| body_powers(history, body, t)))

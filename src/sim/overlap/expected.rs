@@ -63,15 +63,14 @@ fn reach(solids: &Solids, model: &Model, number: usize) -> f64 {
     // In space, too, the motion in plan decides what comes near.
     let body = Body { coordinates: BodyCoordinates::Planar, ..model.bodies[girder].clone() };
     let Some(motion) = BodyMotion::of(&body, &model.ground, model.duration) else { return 0.0 };
-    let start = body.initial();
-    let flight = motion.fly(0.0, &start);
-    let bounds = motion.bounds(&flight, 0.0, model.duration);
+    let Some(flight) = motion.fly(0.0, &body.initial()) else { return 0.0 };
+    let bounds = flight.bounds(0.0, model.duration);
     let corner = |reach: f64, turn: f64| reach + solids.radius(number) * turn.min(2.0);
     if bounds.window >= model.duration {
         return corner(bounds.reach, bounds.turn);
     }
     let at = |look: u32| {
-        let state = motion.state(&flight, model.duration * f64::from(look) / f64::from(LOOKS));
+        let state = flight.state(model.duration * f64::from(look) / f64::from(LOOKS));
         corner(state[0].hypot(state[1]), state[2].abs())
     };
     (0..=LOOKS).map(at).fold(0.0, f64::max)

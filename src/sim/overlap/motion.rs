@@ -132,10 +132,14 @@ fn end_of(history: &History, body: usize, number: usize) -> f64 {
 /// Bounds on segment `number`, a flight, from `t` on.
 fn in_flight(history: &History, body: usize, number: usize, t: f64) -> MotionBounds {
     let horizon = end_of(history, body, number) - t;
-    match (history.trajectories.path(body).motion_of(number), history.trajectories.free_motion(body)) {
-        ((from, StoredMotion::Start(start)), Some(system)) => system.bounds(&system.fly(from, &start), t, horizon),
-        ((_, StoredMotion::Flight(flight)), Some(system)) => system.bounds(flight, t, horizon),
-        // Without a closed form nothing flies.
-        _ => MotionBounds::still(horizon),
-    }
+    let bounds = match history.trajectories.path(body).motion_of(number) {
+        (_, StoredMotion::Flight(flight)) => Some(flight.bounds(t, horizon)),
+        (from, StoredMotion::Start(start)) => {
+            let flight = history.trajectories.free_motion(body).and_then(|system| system.fly(from, &start));
+            flight.map(|flight| flight.bounds(t, horizon))
+        }
+        // Not in flight.
+        _ => None,
+    };
+    bounds.unwrap_or(MotionBounds::still(horizon))
 }

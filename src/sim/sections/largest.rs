@@ -1,7 +1,8 @@
 //! Largest section forces and stress of an elastic girder: in flights bounds of their second derivatives leave no peak unseen, in steps
 //! they are looked for several times.
 
-use crate::dynamics::free_flight::body_motion::{BodyFlight, BodyMotion};
+use crate::dynamics::free_flight::body_flight::BodyFlight;
+use crate::dynamics::free_flight::body_motion::BodyMotion;
 use crate::dynamics::model::coordinates::section_forces::{Equilibrium, SectionForces, Station, Strained};
 use crate::dynamics::model::elastic_body::ElasticBody;
 use crate::dynamics::trajectory::stored_path::StoredMotion;
@@ -124,8 +125,7 @@ impl<'a> Sections<'a> {
         let values = |t: f64| reading.values(&self.equilibrium_in(girder, made, (t, &self.history.state(girder, t))));
         let gains = self.gains(girder, made, &reading);
         let bound = |interval: &Interval<'_>| -> Option<[f64; VALUES]> {
-            let second =
-                self.history.trajectories.free_motion(girder)?.second_derivatives(interval.flight?, interval.span);
+            let second = interval.flight?.second_derivatives(interval.span);
             let mut sum = [0.0; VALUES];
             for (gain, second) in gains.iter().zip(second) {
                 sum.iter_mut().zip(gain).for_each(|(sum, gain)| *sum += MARGIN * gain * second);

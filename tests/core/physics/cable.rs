@@ -6,7 +6,7 @@ use std::sync::Arc;
 
 use girderbench::dynamics::Model;
 use girderbench::dynamics::connection::{
-    Anchor, Connection, Device, DeviceReadings, Phase, Separation, SeparationBounds, Switch, acts_or_open,
+    Activity, Anchor, Connection, Device, DeviceReadings, Phase, Separation, SeparationBounds, Switch, acts_or_open,
 };
 use girderbench::dynamics::model::links::LinkError;
 use girderbench::language::Text;
@@ -78,8 +78,8 @@ impl Device for Cable {
         Phase { branch: law, ..Phase::default() }
     }
 
-    fn acts(&self, phase: &Phase) -> bool {
-        phase.branch == TAUT
+    fn activity(&self, phase: &Phase) -> Activity {
+        Activity::of(phase.branch == TAUT)
     }
 
     /// `(L² − r²)/(2L)`: smooth, where the ends meet, too.
