@@ -232,7 +232,7 @@ impl Ground {
         let Self::Record { dt, samples, .. } = self else { return 0 };
         let last = samples.len() - 1;
         #[expect(clippy::cast_possible_truncation, clippy::cast_sign_loss, reason = "clamped to the samples")]
-        let mut j = ((t / dt).floor().max(0.0) as usize).min(last);
+        let mut j = ((t / dt).max(0.0) as usize).min(last);
         // The quotient may round across a sample; the product is what a piece begins with.
         if j < last && (j + 1) as f64 * dt <= t {
             j += 1;

@@ -19,11 +19,16 @@ pub(super) const ARROW_REACH: f32 = 5.0;
 /// How far a shadow reaches beyond its caster's outline: look-ups beside the point and the lift off its surface, in
 /// texels of the map.
 const SHADOW_REACH: f32 = 8.0;
+/// Share of its distance from the middle of the scene by which a place on a body's surface may round, where a shader asks for it \[–\].
+const NEARNESS_ROUNDING: f32 = 1e-4;
 
-/// The instances of a list that a picture needs, in the list's order.
+/// The instances of a list that a picture needs, in the list's order but for the solids.
 #[derive(Debug, Default)]
 pub(super) struct Seen<'l> {
+    /// Those that hide whatever is behind them first.
     pub(super) solids: Vec<&'l Solid>,
+    /// How many of the solids do.
+    pub(super) opaque: usize,
     /// Solids out of view whose shadow may fall into it.
     pub(super) casters: Vec<&'l Solid>,
     pub(super) ghosts: Vec<&'l Solid>,
@@ -37,8 +42,10 @@ pub(super) struct Seen<'l> {
 impl<'l> Seen<'l> {
     /// Everything, seen or not: what culling is measured against.
     pub(super) fn all(list: &'l DrawList) -> Self {
+        let (solids, opaque) = opaque_first(list.solids.iter().collect(), list);
         Self {
-            solids: list.solids.iter().collect(),
+            solids,
+            opaque,
             casters: Vec::new(),
             ghosts: list.ghosts.iter().collect(),
             lines: list.lines.iter().collect(),
@@ -54,6 +61,7 @@ impl<'l> Seen<'l> {
         let view = |margin| View::new(list.frame.clip_from_world, size, margin);
         let bodies = view(MARGIN);
         let (solids, hidden): (Vec<_>, Vec<_>) = list.solids.iter().partition(|s| bodies.reaches(&corners(s), 0.0));
+        let (solids, opaque) = opaque_first(solids, list);
         let shade = Shade::of(list, quality);
         let widest = list.lines.iter().chain(&list.xray_lines).map(|l| l.width).fold(0.0, f32::max);
         let strokes = view(MARGIN + widest);
@@ -61,6 +69,7 @@ impl<'l> Seen<'l> {
         Self {
             casters: hidden.into_iter().filter(|s| bodies.reaches(&shade.volume(s), shade.reach)).collect(),
             solids,
+            opaque,
             ghosts: list.ghosts.iter().filter(|s| bodies.reaches(&corners(s), 0.0)).collect(),
             lines: list.lines.iter().filter(line).collect(),
             xray_lines: list.xray_lines.iter().filter(line).collect(),
@@ -87,6 +96,22 @@ impl<'l> Seen<'l> {
         }
         gpu.count(Thing::Drawn, "casters", self.casters.len());
     }
+}
+
+/// Solids with those first that hide whatever is behind them, and how many these are.
+fn opaque_first<'l>(solids: Vec<&'l Solid>, list: &DrawList) -> (Vec<&'l Solid>, usize) {
+    let (mut solids, fading): (Vec<_>, Vec<_>) = solids.into_iter().partition(|solid| is_opaque(solid, list));
+    let opaque = solids.len();
+    solids.extend(fading);
+    (solids, opaque)
+}
+
+/// Whether no part of a solid lets anything through, by its colour or because it is far from the scene.
+fn is_opaque(solid: &Solid, list: &DrawList) -> bool {
+    // Places between the corners round.
+    let near = list.frame.fade[0] * (1.0 - NEARNESS_ROUNDING);
+    let is_near = |corner: &Vec3| corner.truncate().distance(list.frame.middle) <= near;
+    solid.color.0[3] == u8::MAX && corners(solid).iter().all(is_near)
 }
 
 /// The half spaces that a view lies in: a point is inside where the product with each is not negative.

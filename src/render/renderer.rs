@@ -260,11 +260,11 @@ impl Passes {
         }
         if !(seen.solids.is_empty() && seen.casters.is_empty()) {
             let solids = self.solids.get_or_insert_with(|| Solids::new("solids"));
-            solids.fill(gpu, &seen.solids, &seen.casters);
+            solids.fill(gpu, (&seen.solids, seen.opaque), &seen.casters);
         }
         if !seen.ghosts.is_empty() {
             self.ghost.get_or_insert_with(pass("ghost", Depth::Test));
-            self.ghosts.get_or_insert_with(|| Solids::new("ghosts")).fill(gpu, &seen.ghosts, &[]);
+            self.ghosts.get_or_insert_with(|| Solids::new("ghosts")).fill(gpu, (&seen.ghosts, 0), &[]);
         }
     }
 
@@ -283,32 +283,39 @@ impl Passes {
         pass.set_bind_group(0, &to.frame.group, &[]);
         for part in parts {
             part.cut(&mut pass);
-            self.encode_bodies(&mut pass, in_parts, shadow, list, seen);
+            self.encode_bodies(&mut pass, (to.target.size, in_parts), shadow, list, seen);
             self.encode_on_top(&mut pass, seen);
         }
     }
 
-    /// The background and what is hidden by bodies.
+    /// Bodies, and what they hide. Opaque ones come before the background and the ground, which then are shaded only where they are seen.
     fn encode_bodies(
         &self,
         pass: &mut wgpu::RenderPass<'_>,
-        in_parts: bool,
+        (size, in_parts): ([u32; 2], bool),
         shadow: Option<&Shadow>,
         list: &DrawList,
         seen: &Seen<'_>,
     ) {
+        let lit = shadow.zip(self.prism.as_ref());
+        let solids = self.solid.as_ref().zip(self.solids.as_ref()).filter(|_| !seen.solids.is_empty());
+        let solids = solids.zip(lit);
+        if let Some(((solid, solids), (shadow, prism))) = solids {
+            solid.begin(pass, shadow);
+            solids.draw_opaque(pass, prism);
+        }
+        at_depth(pass, size, [1.0, 1.0]);
         if let Some(backdrop) = self.backdrop.as_ref().filter(|_| in_parts || list.frame.sky != list.frame.floor) {
             backdrop.draw(pass);
         }
         if let (Some(ground), Some(shadow), true) = (&self.ground, shadow, list.ground.is_some()) {
             ground.draw(pass, shadow);
         }
-        let solids = self.solid.as_ref().zip(self.solids.as_ref()).filter(|_| !seen.solids.is_empty());
+        at_depth(pass, size, [0.0, 1.0]);
         let ghosts = self.ghost.as_ref().zip(self.ghosts.as_ref()).filter(|_| !seen.ghosts.is_empty());
-        for (solid, solids) in solids.into_iter().chain(ghosts) {
-            if let Some((shadow, prism)) = shadow.zip(self.prism.as_ref()) {
-                solid.draw(pass, shadow, prism, solids);
-            }
+        for ((solid, solids), (shadow, prism)) in solids.into_iter().chain(ghosts.zip(lit)) {
+            solid.begin(pass, shadow);
+            solids.draw_clear(pass, prism);
         }
         if let Some(lines) = self.lines.as_ref().filter(|_| !seen.lines.is_empty()) {
             lines.draw(pass);
@@ -338,6 +345,11 @@ impl Recording<'_> {
     fn parts(&self) -> Vec<Region> {
         self.parts.map_or_else(|| vec![Region::whole(self.target.size)], |parts| parts.picture.iter().collect())
     }
+}
+
+/// Maps depth from the near to the far plane into this range: with 1 at both ends, what is drawn is behind all that has depth.
+fn at_depth(pass: &mut wgpu::RenderPass<'_>, [width, height]: [u32; 2], [near, far]: [f32; 2]) {
+    pass.set_viewport(0.0, 0.0, width as f32, height as f32, near, far);
 }
 
 /// Whether the background hides what it is drawn over.

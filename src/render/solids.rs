@@ -1,5 +1,7 @@
 //! Bodies: instances of one mesh, shared by the shadow map and the picture.
 
+use std::ops::Range;
+
 use super::Gpu;
 use super::buffer::Filled;
 use super::mesh::{PrismVertex, count, prism};
@@ -28,10 +30,11 @@ impl Prism {
     }
 }
 
-/// Solids of the picture in hand: those in view, then those that only throw shadows into it.
+/// Solids of the picture in hand: those in view, of which the opaque ones come first, then those that only throw shadows into it.
 #[derive(Debug)]
 pub(super) struct Solids {
     instances: Filled,
+    opaque: u32,
     in_view: u32,
 }
 
@@ -41,7 +44,7 @@ pub(super) type Attributes = ([wgpu::VertexAttribute; 3], [wgpu::VertexAttribute
 impl Solids {
     /// No solids; nothing is allocated.
     pub(super) fn new(label: &'static str) -> Self {
-        Self { instances: Filled::vertices(label), in_view: 0 }
+        Self { instances: Filled::vertices(label), opaque: 0, in_view: 0 }
     }
 
     pub(super) fn attributes() -> Attributes {
@@ -57,29 +60,35 @@ impl Solids {
         [per_vertex::<PrismVertex>(vertex), per_instance::<Instance>(instance)]
     }
 
-    pub(super) fn fill(&mut self, gpu: &Gpu, in_view: &[&Solid], casters: &[&Solid]) {
+    /// Takes in the solids in view, of which the first `opaque` are opaque, and those that throw shadows.
+    pub(super) fn fill(&mut self, gpu: &Gpu, (in_view, opaque): (&[&Solid], usize), casters: &[&Solid]) {
         let instance =
             |s: &&Solid| Instance { face: s.face.map(|p| p.to_array()), sweep: s.sweep.to_array(), color: s.color.0 };
         let instances: Vec<_> = in_view.iter().chain(casters).map(instance).collect();
         self.instances.fill(gpu, &instances);
-        self.in_view = count(in_view);
+        (self.opaque, self.in_view) = (count(&in_view[..opaque]), count(in_view));
     }
 
-    fn draw(&self, pass: &mut wgpu::RenderPass<'_>, prism: &Prism, count: u32) {
-        if let Some(instances) = self.instances.filled() {
+    fn draw(&self, pass: &mut wgpu::RenderPass<'_>, prism: &Prism, which: Range<u32>) {
+        if let Some(instances) = self.instances.filled().filter(|_| !which.is_empty()) {
             pass.set_vertex_buffer(0, prism.mesh.slice(..));
             pass.set_vertex_buffer(1, instances.slice(..));
-            pass.draw(0..prism.vertices, 0..count);
+            pass.draw(0..prism.vertices, which);
         }
     }
 
-    /// Draws those in view.
-    pub(super) fn draw_in_view(&self, pass: &mut wgpu::RenderPass<'_>, prism: &Prism) {
-        self.draw(pass, prism, self.in_view);
+    /// Draws those in view that are opaque.
+    pub(super) fn draw_opaque(&self, pass: &mut wgpu::RenderPass<'_>, prism: &Prism) {
+        self.draw(pass, prism, 0..self.opaque);
+    }
+
+    /// Draws those in view that let something through.
+    pub(super) fn draw_clear(&self, pass: &mut wgpu::RenderPass<'_>, prism: &Prism) {
+        self.draw(pass, prism, self.opaque..self.in_view);
     }
 
     /// Draws those in view and those that throw shadows into it.
     pub(super) fn draw_casters(&self, pass: &mut wgpu::RenderPass<'_>, prism: &Prism) {
-        self.draw(pass, prism, self.instances.count());
+        self.draw(pass, prism, 0..self.instances.count());
     }
 }

@@ -106,7 +106,7 @@ impl History {
             count: left.len(),
             energy,
             share: energy / scale,
-            contact: most.contact(),
+            contact: most.site(),
             t: most.t,
         })
     }
@@ -117,7 +117,7 @@ impl History {
         let mut left: Vec<(&Event, f64)> = Vec::new();
         let mut between: BTreeMap<[SolidId; 2], HandOver> = BTreeMap::new();
         for event in self.events() {
-            let pair = &self.model().pairs[self.model().sites[event.contact()].pair];
+            let pair = &self.model().pairs[self.model().sites[event.site()].pair];
             let solids = pair.solids();
             let hand_over = between.entry(solids).or_default();
             match event.kind {

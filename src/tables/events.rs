@@ -17,7 +17,7 @@ pub fn events(history: &History, out: &mut dyn Write) -> std::io::Result<()> {
 
 fn row(history: &History, event: &Event) -> Vec<String> {
     let model = history.model();
-    let site = &model.sites[event.contact()];
+    let site = &model.sites[event.site()];
     vec![
         number(event.t),
         model.pairs[site.pair].name.clone(),

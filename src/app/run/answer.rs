@@ -324,9 +324,9 @@ fn spans(history: &History) -> Vec<Span> {
             // A hit takes no time; a node that is moved stays in its state.
             continue;
         }
-        let Some(slot) = open.get_mut(event.contact()) else { continue };
+        let Some(slot) = open.get_mut(event.site()) else { continue };
         if let Some((state, start)) = slot.take().filter(|(_, start)| event.t > *start) {
-            let pair = history.model().sites[event.contact()].pair;
+            let pair = history.model().sites[event.site()].pair;
             spans.push(Span { pair, state, start, end: event.t });
         }
         *slot = after(event.kind).map(|state| (state, event.t));

@@ -1,5 +1,5 @@
 //! Frames between two layouts of the window. While an answer is played where a processor draws, the views go on in every frame and what
-//! stands around them in every third: the layout of all panels takes about as much of a frame as the views (`docs/cost.md`).
+//! stands around them now and then: the layout of all panels takes about as much of a frame as the views (`docs/cost.md`).
 
 use egui::Context;
 
@@ -8,9 +8,10 @@ use crate::app::host::Instant;
 use crate::app::shell::redraw::Redraw;
 use crate::app::shell::surface::Surface;
 
-/// Most frames between two layouts: at 30 frames a second numbers change 10 times a second, and at the usual speed, a tenth, the mark of
-/// the time goes on by a pixel from one layout to the next (10 s over 1000 pixels).
-const MOST: u32 = 2;
+/// Most frames between two layouts: at 30 frames a second numbers change 5 times a second, which an eye can still read.
+const MOST: u32 = 5;
+/// How far the time shown goes on between two layouts at most, in the stretch that timeline and plots show \[–\]: 10 points of 1000.
+const MOST_TIME: f64 = 0.01;
 
 /// The frames since the last layout.
 #[derive(Default)]
@@ -19,12 +20,14 @@ pub(super) struct Between {
     left: u32,
     /// When the last frame of either kind began.
     since: Option<Instant>,
+    /// Time that was shown before the first of them \[s\].
+    shown: Option<f64>,
 }
 
 impl Between {
     /// A frame that is laid out begins.
     pub(super) fn lay_out(&mut self, began: Instant) {
-        *self = Self { left: MOST, since: Some(began) };
+        *self = Self { left: MOST, since: Some(began), shown: None };
     }
 
     /// Something but time has happened: the next frame is laid out.
@@ -51,9 +54,12 @@ impl Between {
             return None;
         }
         let dt = self.next(began)?;
+        let shown = *self.shown.get_or_insert(bench.replay.t());
         bench.replay.advance_between(dt);
+        let [from, to] = bench.replay.stretch();
+        let is_near = (bench.replay.t() - shown).abs() <= MOST_TIME * (to - from);
         // At the end of an answer the window says that nothing is played any more.
-        if !bench.replay.playback.clock.playing {
+        if !(is_near && bench.replay.playback.clock.playing) {
             return None;
         }
         let (viewport, seen) = bench.view_and_seen();
@@ -70,12 +76,12 @@ mod tests {
     use crate::app::host::now;
 
     #[test]
-    fn every_third_frame_is_laid_out_and_each_after_something_has_happened() {
+    fn every_sixth_frame_is_laid_out_and_each_after_something_has_happened() {
         let (begun, mut between) = (now(), Between::default());
         let mut laid_out = Vec::new();
-        for number in 0..12 {
+        for number in 0..20 {
             let began = begun + Duration::from_millis(30 * number);
-            if number == 7 {
+            if number == 8 {
                 between.end();
             }
             if let Some(dt) = between.next(began) {
@@ -85,6 +91,6 @@ mod tests {
                 laid_out.push(number);
             }
         }
-        assert_eq!(laid_out, [0, 3, 6, 7, 10]);
+        assert_eq!(laid_out, [0, 6, 8, 14]);
     }
 }

@@ -6,6 +6,7 @@ use crate::contact::law_of_pair;
 use crate::dynamics::model::bearing::{Bearing, PlanarBearings, UnbalancedWeight, carry};
 use crate::dynamics::model::body::{Body, BodyCoordinates};
 use crate::dynamics::model::compiled_model::{Backwall, Model};
+use crate::dynamics::model::edge_sites::EdgePair;
 use crate::dynamics::model::ground::compiled;
 use crate::dynamics::model::met_solids::meetings;
 use crate::dynamics::model::moving_ground::MovingGround;
@@ -64,7 +65,8 @@ impl Model {
         for (number, pair) in pairs.iter_mut().enumerate() {
             let from = sites.len();
             let have_met = met.binary_search(&[pair.first.solid(), pair.second.solid()]).is_ok();
-            edge_sites::edge_nodes(scene, &bodies, [pair.first, pair.second], (number, have_met), &mut sites)?;
+            let edges = EdgePair { number, sides: pair.sides(), met: have_met };
+            edge_sites::edge_nodes(scene, &bodies, edges, &mut sites)?;
             pair.edges = from..sites.len();
         }
         let meetings = meetings(scene, &bodies, &met)?;

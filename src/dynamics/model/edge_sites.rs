@@ -3,6 +3,8 @@
 
 use std::sync::Arc;
 
+use glam::DVec3;
+
 use crate::contact::{ContactGeometry, Frame};
 use crate::dynamics::model::body::Body;
 use crate::dynamics::model::contact_sites::{PairSide, face_choice, pair_side, placed_at};
@@ -18,32 +20,63 @@ const EDGES: [&str; 4] = ["bottom", "right", "top", "left"];
 /// Steepness up to which two edges are alike \[–\]: round-off of axes.
 const STEEPNESS_ROUNDING: f64 = 1e-9;
 
-/// Declares the edge nodes of a pair; of a planar scene none. With `met`, where every face of the two bodies is in a pair, a crossing
-/// belongs to the two faces that look along its normal the most.
+/// The pair whose edge nodes are declared.
+#[derive(Clone, Copy)]
+pub(in crate::dynamics) struct EdgePair {
+    /// Number in the model.
+    pub number: usize,
+    /// Its two sides.
+    pub sides: [Side; 2],
+    /// Whether every face of the two bodies is in a pair: a crossing belongs to the two faces that look along its normal the most.
+    pub met: bool,
+}
+
+/// An edge of a face.
+#[derive(Clone, Copy)]
+struct FaceEdge<'a> {
+    side: &'a PairSide,
+    /// Number of its first corner, seen from outside.
+    first: usize,
+}
+
+impl FaceEdge<'_> {
+    /// Its corners \[m\].
+    fn ends(&self) -> [DVec3; 2] {
+        [self.first, (self.first + 1) % 4].map(|corner| self.side.face.corners[corner])
+    }
+
+    /// Sine of its angle to the horizontal as placed \[–\].
+    fn steepness(&self, bodies: &[Body]) -> f64 {
+        let [from, to] = self.ends();
+        (placed_at(bodies, self.side).1 * (to - from)).z.abs() / (to - from).length()
+    }
+}
+
+/// Declares the edge nodes of a pair; of a planar scene none.
 ///
 /// # Errors
 /// When an abutment's four corners are no face.
 pub(in crate::dynamics) fn edge_nodes(
     scene: &Scene,
     bodies: &[Body],
-    sides: [Side; 2],
-    (pair, met): (usize, bool),
+    pair: EdgePair,
     sites: &mut Vec<ContactSite>,
 ) -> Result<(), SceneErrors> {
     if scene.kind == Kind::Planar {
         return Ok(());
     }
-    let [first, second] = [pair_side(scene, bodies, sides[0])?, pair_side(scene, bodies, sides[1])?];
-    let faces = met.then(|| faces(scene, bodies, [&first, &second])).transpose()?;
-    let nodes = (0..4).flat_map(|i| (0..4).map(move |j| (i, j)));
-    for (i, j) in nodes {
-        let (one, other) = ((&first, i), (&second, j));
-        let steeper = steepness(bodies, one) - steepness(bodies, other);
-        let both = [(steeper >= -STEEPNESS_ROUNDING, one, other, 0), (steeper <= STEEPNESS_ROUNDING, other, one, 1)];
-        let nodes = both.into_iter().filter(|(carries, ..)| *carries);
-        let shared = steeper.abs() <= STEEPNESS_ROUNDING;
-        let among = |first: usize| faces.as_ref().map(|faces| Arc::clone(&faces[first]));
-        sites.extend(nodes.map(|(_, own, facing, first)| node(bodies, own, facing, (pair, shared, among(first)))));
+    let [first, second] = [pair_side(scene, bodies, pair.sides[0])?, pair_side(scene, bodies, pair.sides[1])?];
+    let faces = pair.met.then(|| faces(scene, bodies, [&first, &second])).transpose()?;
+    for (i, j) in (0..4).flat_map(|i| (0..4).map(move |j| (i, j))) {
+        let edges = [FaceEdge { side: &first, first: i }, FaceEdge { side: &second, first: j }];
+        let steeper = edges[0].steepness(bodies) - edges[1].steepness(bodies);
+        let carries = [steeper >= -STEEPNESS_ROUNDING, steeper <= STEEPNESS_ROUNDING];
+        for own in [0, 1].into_iter().filter(|&own| carries[own]) {
+            let among = faces.as_ref().map(|faces| Arc::clone(&faces[own]));
+            let [own, facing] = [edges[own], edges[1 - own]];
+            let edge = edge(bodies, [own, facing]).with_other(carries == [true; 2]).among(among);
+            sites.push(site(bodies, pair.number, [own, facing], edge));
+        }
     }
     Ok(())
 }
@@ -55,36 +88,30 @@ fn faces(scene: &Scene, bodies: &[Body], sides: [&PairSide; 2]) -> Result<[Arc<[
     Ok([Arc::new([first.clone(), second.clone()]), Arc::new([second, first])])
 }
 
-/// Sine of the angle of an edge to the horizontal as placed \[–\].
-fn steepness(bodies: &[Body], (side, i): (&PairSide, usize)) -> f64 {
-    let edge = side.face.corners[(i + 1) % 4] - side.face.corners[i];
-    (placed_at(bodies, side).1 * edge).z.abs() / edge.length()
+/// An edge with the side of a face that its node is at.
+fn edge(bodies: &[Body], edges: [FaceEdge<'_>; 2]) -> Edge {
+    let [own, facing] = edges;
+    let placed = edges.map(|edge| placed_at(bodies, edge.side));
+    let stands = placed.map(|(home, _)| Frame::fixed(home));
+    let end = |end| (home(bodies, edges, end), own.side.face.coordinates(end));
+    let outward = placed[0].1 * own.side.face.normal;
+    Edge::of(&own.ends().map(end), outward, (&facing.side.face, facing.first), [&stands[0], &stands[1]])
 }
 
-/// The node of an edge of `own` at a side of the face of `facing`; with `shared`, the other's edge has a node there as well.
-fn node(
-    bodies: &[Body],
-    (own, i): (&PairSide, usize),
-    (facing, j): (&PairSide, usize),
-    (pair, shared, faces): (usize, bool, Option<Arc<[FaceChoice; 2]>>),
-) -> ContactSite {
-    let ends = [own.face.corners[i], own.face.corners[(i + 1) % 4]];
-    let [own_placed, facing_placed] = [own, facing].map(|side| placed_at(bodies, side));
-    let home = |point| ContactGeometry::of(point, own_placed, &facing.face, facing_placed);
-    let stands = [own_placed, facing_placed].map(|(home, _)| Frame::fixed(home));
-    let outward = own_placed.1 * own.face.normal;
-    let edge = Edge::of(
-        &ends.map(|end| (home(end), own.face.coordinates(end))),
-        outward,
-        (&facing.face, j),
-        [&stands[0], &stands[1]],
-    )
-    .with_other(shared)
-    .among(faces);
+/// A point of an edge's body against the face that the edge is at.
+fn home(bodies: &[Body], edges: [FaceEdge<'_>; 2], point: DVec3) -> ContactGeometry {
+    let [own, facing] = edges.map(|edge| placed_at(bodies, edge.side));
+    ContactGeometry::of(point, own, &edges[1].side.face, facing)
+}
+
+/// The contact site of an edge's node.
+fn site(bodies: &[Body], pair: usize, edges: [FaceEdge<'_>; 2], edge: Edge) -> ContactSite {
+    let [own, facing] = edges.map(|edge| edge.side);
     let fixed = if own.body.is_none() { own.fixed } else { facing.fixed };
-    let middle = ends[0].midpoint(ends[1]);
+    let [from, to] = edges[0].ends();
+    let middle = from.midpoint(to);
     ContactSite {
-        node: format!("{}.{}-edge-at-{}", own.name, EDGES[i], EDGES[j]),
+        node: format!("{}.{}-edge-at-{}", own.name, EDGES[edges[0].first], EDGES[edges[1].first]),
         face_name: Arc::clone(&facing.name),
         pair,
         carriers: [own.carrier(), facing.carrier()],
@@ -93,7 +120,7 @@ fn node(
         node_body: own.body,
         point: middle,
         face_body: facing.body,
-        geometry: home(middle),
+        geometry: home(bodies, edges, middle),
         face: facing.face.clone(),
         fixed,
         stand: Frame::fixed(fixed),

@@ -66,8 +66,8 @@ impl EventKind {
 pub struct Event {
     /// Time \[s\].
     pub t: f64,
-    /// Number of the contact in the model, in 4 bytes: a row of girders has millions of events.
-    contact: u32,
+    /// Number of the contact's site in the model, in 4 bytes: a row of girders has millions of events.
+    site: u32,
     /// Kind.
     pub kind: EventKind,
     /// Energy released by a jump of the anchor (`docs/physics.md#energy-ledger`), or lost in a hit \[J\].
@@ -75,14 +75,14 @@ pub struct Event {
 }
 
 impl Event {
-    pub(crate) fn new(t: f64, contact: usize, kind: EventKind, released: f64) -> Self {
-        // Memory ends before a u32 overflows: four billion contacts.
-        Self { t, contact: u32::try_from(contact).unwrap_or(u32::MAX), kind, released }
+    pub(crate) fn new(t: f64, site: usize, kind: EventKind, released: f64) -> Self {
+        // Memory ends before a u32 overflows: four billion sites.
+        Self { t, site: u32::try_from(site).unwrap_or(u32::MAX), kind, released }
     }
 
-    /// Number of the contact in the model.
-    pub fn contact(&self) -> usize {
-        self.contact as usize
+    /// Number of the contact's site in [`Model::sites`](crate::dynamics::Model::sites).
+    pub fn site(&self) -> usize {
+        self.site as usize
     }
 }
 

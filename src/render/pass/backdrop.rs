@@ -22,7 +22,7 @@ impl Backdrop {
             fragment: "fragment",
             groups: &[&frame.layout],
             buffers: &[],
-            depth: Depth::Ignore,
+            depth: Depth::Test,
             cull: None,
             samples,
             constants: &[],

@@ -39,7 +39,7 @@ impl GroundPass {
             fragment: "fragment",
             groups: &[&frame.layout, &shadow.layout, &layout],
             buffers: &[],
-            depth: Depth::Ignore,
+            depth: Depth::Test,
             cull: None,
             samples,
             constants: &[shadow.look_ups],

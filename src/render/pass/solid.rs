@@ -4,7 +4,7 @@ use super::shadow::Shadow;
 use crate::render::Gpu;
 use crate::render::frame::Frame;
 use crate::render::pipeline::{Depth, Recipe};
-use crate::render::solids::{Prism, Solids};
+use crate::render::solids::Solids;
 
 pub(in crate::render) const SHADER: &str = concat!(
     include_str!("../../../shaders/shared/frame.wgsl"),
@@ -45,16 +45,9 @@ impl SolidPass {
         Self { pipeline: recipe.build(gpu) }
     }
 
-    /// Draws those in view.
-    pub(in crate::render) fn draw(
-        &self,
-        pass: &mut wgpu::RenderPass<'_>,
-        shadow: &Shadow,
-        prism: &Prism,
-        solids: &Solids,
-    ) {
+    /// Begins with drawing bodies.
+    pub(in crate::render) fn begin(&self, pass: &mut wgpu::RenderPass<'_>, shadow: &Shadow) {
         pass.set_pipeline(&self.pipeline);
         pass.set_bind_group(1, &shadow.group, &[]);
-        solids.draw_in_view(pass, prism);
     }
 }

@@ -38,7 +38,7 @@ fn events(case: &Case, history: &History) {
         .iter()
         .filter(|e| e.kind != EventKind::Missed)
         .map(|e| {
-            let site = &history.model().sites[e.contact()];
+            let site = &history.model().sites[e.site()];
             (e.t, format!("{}->{}", site.node, site.face_name), e.kind.label().to_owned())
         })
         .collect();

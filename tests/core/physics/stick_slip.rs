@@ -139,7 +139,7 @@ fn a_shaken_block_follows_its_exact_solution() {
         let switches: Vec<f64> = history
             .events()
             .iter()
-            .filter(|e| e.contact() == 0 && matches!(e.kind, EventKind::StickToSlip | EventKind::SlipToStick))
+            .filter(|e| e.site() == 0 && matches!(e.kind, EventKind::StickToSlip | EventKind::SlipToStick))
             .map(|e| e.t)
             .collect();
         assert_eq!(switches.len(), pieces.len() - 1, "{law:?}: as many changes");

@@ -15,7 +15,7 @@ fn every_preset_runs_to_its_end_and_every_pair_of_it_pounds() {
         assert_eq!((history.stop(), history.end()), (None, history.scene().duration), "{}", preset.name);
         for pair in history.listed_pairs().into_iter().map(|number| &history.model().pairs[number]) {
             let touches =
-                history.events().iter().filter(|e| pair.sites.contains(&e.contact()) && e.kind.is_touch()).count();
+                history.events().iter().filter(|e| pair.sites.contains(&e.site()) && e.kind.is_touch()).count();
             assert!(touches > 0, "{}: {} never touches", preset.name, pair.name);
         }
     }

@@ -60,7 +60,7 @@ impl GuidedFlight {
             state = self.advance(spring, &piece, at, state, piece.until - at);
             (number, at) = (number + 1, piece.until);
         }
-        self.advance(spring, &self.ground.piece(number), at, state, t - at)
+        if t == at { state } else { self.advance(spring, &self.ground.piece(number), at, state, t - at) }
     }
 }
 

@@ -54,7 +54,7 @@ fn deepest(history: &History, contact: usize, times: &[f64], frames: &[Vec<Frame
     let side = |body: Option<usize>, all: &[Frame]| body.map_or(Frame::fixed(site.fixed), |b| all[b]);
     let size = site.face.size();
     let passed: Vec<f64> =
-        history.events().iter().filter(|e| e.contact() == contact && passes(e.kind)).map(|e| e.t).collect();
+        history.events().iter().filter(|e| e.site() == contact && passes(e.kind)).map(|e| e.t).collect();
     let (mut ignored, mut next, mut worst) = (false, 0, None::<(f64, f64)>);
     for (i, (&t, all)) in times.iter().zip(frames).enumerate() {
         let (node, face) = (side(site.node_body, all), side(site.face_body, all));
