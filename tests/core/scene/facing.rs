@@ -1,7 +1,8 @@
 //! Who faces whom: found by itself, declared, and with which numbers.
 
-use girderbench::scene::facing::{self, Facing, Side};
+use girderbench::scene::facing::{self, Facing};
 use girderbench::scene::{FrictionLaw, Scene, Sharing, Tension, format, overrides, presets};
+use girderbench::sim::History;
 
 /// Girders of 30 × 10 × 1.5 m: name, skew, heading, position.
 fn scene(girders: &[(&str, f64, f64, [f64; 3])], rest: &str) -> Scene {
@@ -165,9 +166,35 @@ fn stiffness_is_given_or_e_a_over_l_of_the_softer_girder() {
     );
 }
 
+/// A pair's sides are in the order of its bodies, girders before abutments, wherever these stand and whichever was declared first:
+/// pairs of two bodies that have met are looked up by it.
 #[test]
-fn sides_sort_girders_before_abutments() {
-    let wall = "[[abutment]]\nname = \"w\"\nfaces = \"a\"\ngap_m = 0.05\n";
-    let pairs = find(&scene(&[("a", 90.0, 0.0, [0.0; 3])], wall));
-    assert!(matches!((pairs[0].first, pairs[0].second), (Side::Girder(0, _), Side::Abutment(0))), "{:?}", pairs[0]);
+fn girders_come_before_abutments_and_by_number_in_every_pair_wherever_they_stand() {
+    let wall = |gap: f64| format!("[[abutment]]\nname = \"w\"\nfaces = \"a\"\ngap_m = {gap}\n");
+    let alone = scene(&[("a", 90.0, 0.0, [0.0; 3])], &wall(0.05));
+    let behind = scene(&[("a", 90.0, 0.0, [30.1, 0.0, 0.0]), ("b", 90.0, 0.0, [0.0; 3])], &wall(0.05));
+    let turned = scene(&[("a", 90.0, 180.0, [30.1, 0.0, 0.0]), ("b", 90.0, 180.0, [0.0; 3])], "");
+    let shipped =
+        presets::all().iter().map(|preset| presets::load(preset.name).unwrap_or_else(|errors| panic!("{errors}")));
+    for scene in [alone, behind, turned].into_iter().chain(shipped) {
+        let pairs = find(&scene);
+        assert!(!pairs.is_empty(), "{}", scene.name);
+        for pair in pairs {
+            let [first, second] = [pair.first.solid(), pair.second.solid()];
+            assert!(first < second, "{}, {}: {first:?} and {second:?}", scene.name, pair.name);
+        }
+    }
+}
+
+#[test]
+fn pairs_of_bodies_that_have_met_are_in_the_same_order() {
+    let decks = scene(&[("a", 90.0, 0.0, [0.0, 10.2, 0.0]), ("b", 90.0, 0.0, [0.0; 3])], "");
+    let thrown = overrides::apply_all(&decks, &["girder.a.initial.velocity_m_s=[0.0,-1.0]"]);
+    let scene = thrown.unwrap_or_else(|errors| panic!("{errors}"));
+    let history = History::of(&scene).unwrap_or_else(|errors| panic!("{errors}"));
+    let met: Vec<_> = history.model().pairs.iter().filter(|pair| pair.met).collect();
+    assert!(!met.is_empty(), "side by side, 0.2 m apart");
+    for pair in met {
+        assert!(pair.first.solid() < pair.second.solid(), "{}", pair.name);
+    }
 }
