@@ -13,8 +13,10 @@ pub(in crate::dynamics) fn search(world: &mut World, pair: usize, t: f64, shared
         Parted::Near => {}
         Parted::Until(from) => return in_flight::search(world, pair, from, shared),
         Parted::Throughout(until) => {
-            // The first pair of the two bodies leads the search of all.
-            return NextClosing::at(if world.leads(pair) { until } else { f64::INFINITY });
+            // The first pair of the two bodies leads the search of all that wait, unless it comes to its own only later.
+            let leader = world.meeting_of(pair).start;
+            let is_led = leader != pair && world.pairs[leader].due <= until;
+            return NextClosing::at(if is_led { f64::INFINITY } else { until });
         }
     }
     for contact in world.pairs[pair].contacts.clone() {

@@ -51,6 +51,7 @@ impl ClosingSearch<'_> {
 
     fn pair_among(&mut self, number: usize, t: f64, shared: &mut Shared) {
         let found = next_closing::search(self.world, number, t, shared);
+        self.world.pairs[number].due = found.due;
         self.enter(EventSource::Pair(number), found);
     }
 

@@ -119,6 +119,7 @@ impl World {
             axial,
             meeting,
             search_state: SearchState::Near,
+            due: f64::INFINITY,
         });
     }
 

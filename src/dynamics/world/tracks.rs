@@ -101,6 +101,8 @@ pub(in crate::dynamics) struct PairTrack {
     pub meeting: Option<usize>,
     /// Where the two bodies of a meeting were at the last search.
     pub search_state: SearchState,
+    /// When its next closing is due, or its next search; infinite without either \[s\].
+    pub due: f64,
 }
 
 /// Where two bodies that have met were when a pair of theirs was searched last.

@@ -4,6 +4,7 @@
 mod crossing;
 mod edges;
 mod flush_corners;
+mod later;
 mod offset;
 mod passing;
 mod ramp;
