@@ -1,7 +1,7 @@
 //! Law of a contact: stiffness and dashpots of its pair, divided among the nodes that face each other when the pair
 //! first closes (`docs/physics.md#sharing-of-a-pairs-stiffness`).
 
-use crate::contact::{Law, parameters};
+use crate::contact::{Law, locate, parameters};
 use crate::dynamics::contact_model::event_poses::{ContactPoses, EventPoses};
 use crate::dynamics::world::{World, contact_points};
 use crate::scene::{Kind, Sharing};
@@ -57,7 +57,11 @@ fn sharers(at: ContactPoses<'_>, pair: usize) -> (usize, Vec<usize>) {
         (Sharing::PerNode, _) => (1, alone),
         (Sharing::Tributary, Kind::Planar) => {
             let node = |contact: usize| (&world.site(contact).face, at.local(contact).at);
-            (parameters::sharers(track.contacts.clone().map(node)), alone)
+            // The first contact is of a node of the first side.
+            let [first, second] = at.sides(track.contacts.start);
+            let beside = world.model_pair(pair).beside.iter();
+            let beside = beside.map(|node| (&node.face, locate(&node.geometry, &second, &first).at));
+            (parameters::sharers(track.contacts.clone().map(node).chain(beside)), alone)
         }
         (Sharing::Tributary, Kind::Spatial) => contact_points::sharers(world, pair, &|contact| at.sides(contact)),
     }

@@ -58,9 +58,11 @@ impl Model {
             let from = sites.len();
             let number = pairs.len();
             let have_met = met.binary_search(&[facing.first.solid(), facing.second.solid()]).is_ok();
-            contact_sites::contacts(scene, &bodies, &facing, (number, have_met), &mut sites)?;
+            let beside = contact_sites::contacts(scene, &bodies, &facing, (number, have_met), &mut sites)?;
             let vertical = sites[from..].iter().all(|site: &ContactSite| site.face.has_level_normal());
-            pairs.push(pair(scene, vertical, (&bodies, &walls), facing, from..sites.len()));
+            let pair = pair(scene, vertical, (&bodies, &walls), facing, from..sites.len());
+            pairs
+                .push(Pair { beside: if scene.contact.between == Between::All { beside } else { Vec::new() }, ..pair });
         }
         for (number, pair) in pairs.iter_mut().enumerate() {
             let from = sites.len();
@@ -204,6 +206,7 @@ fn pair(
         mass: facing.mass,
         sites,
         edges: 0..0,
+        beside: Vec::new(),
         one_way,
         passes_on: !planar || scene.contact.between == Between::All,
         name: facing.name,

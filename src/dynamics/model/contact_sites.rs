@@ -9,7 +9,7 @@ use crate::contact::{ContactGeometry, Frame};
 use crate::dynamics::model::backwall;
 use crate::dynamics::model::body::Body;
 use crate::dynamics::model::face_choice::FaceChoice;
-use crate::dynamics::model::pair::{Carrier, ContactSite};
+use crate::dynamics::model::pair::{Carrier, ContactSite, NodeBeside};
 use crate::geometry::shape::block_behind;
 use crate::geometry::{End, Face, Prism};
 use crate::language::{Message, Text};
@@ -50,7 +50,8 @@ impl PairSide {
 }
 
 /// Declares all contacts of a pair: nodes of the first side against the face of the second, then back. With `met`, where
-/// every face of the two bodies is in a pair, each node belongs to that of its faces which is the most opposed.
+/// every face of the two bodies is in a pair, each node belongs to that of its faces which is the most opposed. Gives the nodes that are left
+/// out, which lie too far beside the face of the first side.
 ///
 /// # Errors
 /// When an abutment's four corners are no face.
@@ -60,12 +61,20 @@ pub(in crate::dynamics) fn contacts(
     facing: &Facing,
     (pair, met): (usize, bool),
     sites: &mut Vec<ContactSite>,
-) -> Result<(), SceneErrors> {
+) -> Result<Vec<NodeBeside>, SceneErrors> {
     let mut first = pair_side(scene, bodies, facing.first)?;
     let mut second = pair_side(scene, bodies, facing.second)?;
+    let mut left_out = Vec::new();
     if let (Some(girder), SolidId::Abutment(_), false) = (first.body, second.side.solid(), met) {
         let fixed = second.fixed;
-        second.nodes.retain(|node| can_enter(&bodies[girder], &first.face, fixed + node.point));
+        let (kept, beside): (Vec<Node>, Vec<Node>) = std::mem::take(&mut second.nodes)
+            .into_iter()
+            .partition(|node| can_enter(&bodies[girder], &first.face, fixed + node.point));
+        second.nodes = kept;
+        let places = [placed_at(bodies, &second), placed_at(bodies, &first)];
+        let geometry = |node: Node| ContactGeometry::of(node.point, places[0], &first.face, places[1]);
+        left_out
+            .extend(beside.into_iter().map(|node| NodeBeside { geometry: geometry(node), face: first.face.clone() }));
     }
     let fixed = if first.body.is_none() { first.fixed } else { second.fixed };
     let nodes = [std::mem::take(&mut first.nodes), std::mem::take(&mut second.nodes)];
@@ -92,7 +101,7 @@ pub(in crate::dynamics) fn contacts(
             });
         }
     }
-    Ok(())
+    Ok(left_out)
 }
 
 /// Height of a point of a side's body \[m\].

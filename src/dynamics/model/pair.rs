@@ -38,11 +38,23 @@ pub struct Pair {
     pub sites: std::ops::Range<usize>,
     /// Its edge nodes, behind the contacts of all pairs in the same list; none in plan.
     pub edges: std::ops::Range<usize>,
+    /// Of contact between all faces, nodes of the second side that are no contacts, since they lie far beside the first side's face as placed.
+    /// While they are over it they share K and C, as they do once the two bodies have met and they are contacts.
+    pub beside: Vec<NodeBeside>,
     /// Whether sliding has one direction only: the faces are vertical and no body can move vertically, roll or pitch.
     pub one_way: bool,
     /// Whether the part in K and C of a node that leaves its face over an edge passes to the nodes that are at its place then: in space,
     /// and in plan between all faces. Between ends alone it is released there, as in the paper.
     pub passes_on: bool,
+}
+
+/// A node of a pair that is no contact.
+#[derive(Clone, Debug)]
+pub struct NodeBeside {
+    /// The node against the face.
+    pub geometry: ContactGeometry,
+    /// The face that it is beside.
+    pub face: Face,
 }
 
 impl Pair {
