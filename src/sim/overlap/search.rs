@@ -133,13 +133,16 @@ impl Meeting<'_> {
         let mut before = self.sample(followed, from);
         let mut bounds = self.bounds(from);
         let mut since = self.counts(&before).then_some(from);
+        let seen = |found: &mut Option<Found>, sample: &Sample| {
+            let deepest = Extreme { value: sample.excess, t: sample.t };
+            let so_far = found.get_or_insert_with(|| Found { intervals: Vec::new(), deepest, followed });
+            if deepest.value > so_far.deepest.value {
+                so_far.deepest = deepest;
+            }
+        };
         loop {
             if self.counts(&before) {
-                let deepest = Extreme { value: before.excess, t: before.t };
-                let so_far = found.get_or_insert_with(|| Found { intervals: Vec::new(), deepest, followed });
-                if deepest.value > so_far.deepest.value {
-                    so_far.deepest = deepest;
-                }
+                seen(&mut found, &before);
             }
             if before.t >= until || before.watched {
                 break;
@@ -148,10 +151,15 @@ impl Meeting<'_> {
             (next, bounds) = self.next(&before, bounds, until);
             let after = self.sample(followed, next);
             match (since, self.counts(&after)) {
-                (None, true) => since = Some(self.change(followed, [before.t, after.t])),
+                (None, true) => since = Some(self.change(followed, [before.t, after.t])[1]),
                 (Some(from), false) => {
                     since = None;
-                    let until = self.change(followed, [before.t, after.t]);
+                    let [last, until] = self.change(followed, [before.t, after.t]);
+                    // Where a contact closes the excess ends at its deepest.
+                    let last = self.sample(followed, last);
+                    if self.counts(&last) {
+                        seen(&mut found, &last);
+                    }
                     if let Some(found) = &mut found {
                         found.intervals.push([from, until]);
                     }
@@ -262,8 +270,8 @@ impl Meeting<'_> {
         2.0 * left / (now + (now * now + 2.0 * acceleration * left).sqrt())
     }
 
-    /// When the excess begins or ceases to count between two samples of which one counts \[s\].
-    fn change(&self, followed: Followed, [mut before, mut after]: Interval) -> f64 {
+    /// When the excess begins or ceases to count between two samples of which one counts: the last time before and the first after \[s\].
+    fn change(&self, followed: Followed, [mut before, mut after]: Interval) -> Interval {
         let counts = |t| self.counts(&self.sample(followed, t));
         let at_first = counts(before);
         for _ in 0..HALVINGS {
@@ -273,7 +281,7 @@ impl Meeting<'_> {
             }
             if counts(middle) == at_first { before = middle } else { after = middle }
         }
-        after
+        [before, after]
     }
 
     fn overlap(&self, intervals: Vec<Interval>, &Found { deepest, followed, .. }: &Found) -> Overlap {
