@@ -33,7 +33,7 @@ table! {
             "where the record is cut to begin, after its first sample, s";
         until: Option<f64> = "to_s" as "field-cut-to", Range::NotNegative, Fallback::Words("its end"), "where it is cut to end, after its first sample, s";
         baseline: Baseline = "baseline" as "field-baseline", Range::Words(Baseline::WORDS), Baseline::FALLBACK,
-            "what is taken off: nothing, its mean, its line of least squares, or the parabola that leaves the least velocity (Berg and Housner)";
+            "what is taken off: nothing, its mean, its line of least squares, or the parabola that leaves the least sum of squares of the velocity at the samples (Berg and Housner)";
         taper: f64 = "taper_s" as "field-taper", Range::NotNegative, Fallback::Number(0.0),
             "length of the half cosine over which it rises at its start and falls at its end, s", slider [0.0, 5.0];
         pad: f64 = "pad_s" as "field-padding", Range::NotNegative, Fallback::Number(0.0), "stillness before its start and after its end, s", slider [0.0, 10.0];

@@ -86,7 +86,14 @@ impl EndFace {
         let slack = 2.0 * SAME * (self.length + longest) + 1e-12 * (middle.length() + half.length());
         ahead + deep >= -slack
             && ahead - deep <= self.wall + slack
-            && beside.abs() - wide <= f64::midpoint(self.length, longest) + slack
+            && beside.abs() - wide <= self.aside(longest, ahead + deep) + slack
+    }
+
+    /// How far sideways an end at most `longest` long can be that is seen at most `ahead` \[m\]: `|s cos φ ± a sin φ|` is its offset along a
+    /// face turned by φ against this one.
+    fn aside(&self, longest: f64, ahead: f64) -> f64 {
+        let (sin, cos) = LARGEST_TURN_DEG.to_radians().sin_cos();
+        (f64::midpoint(self.length, longest) + ahead.max(0.0) * sin) / cos
     }
 
     /// How far along a world axis an end at most `longest` long that this one sees can be at most \[m\].
@@ -95,20 +102,21 @@ impl EndFace {
             return f64::INFINITY;
         }
         let slack = SAME * (self.length + longest);
-        let beside = f64::midpoint(self.length, longest);
+        let beside = self.aside(longest, self.wall.max(slack));
         let [ahead, aside] = [self.normal[axis].abs(), DVec3::Z.cross(self.normal)[axis].abs()];
         (self.wall.max(slack) * ahead + beside * aside) * (1.0 + SAME) + slack
     }
 
-    /// Whether this end looks at that one, and how far it is.
+    /// Whether this end and that one look at each other, and how far they are: the same from both.
     fn sees(&self, other: &Self) -> Option<f64> {
         let across = other.centre - self.centre;
         let slack = SAME * (self.length + other.length);
-        let opposed = self.normal.dot(other.normal) <= -LARGEST_TURN_DEG.to_radians().cos();
+        // An angle that is the largest but for rounding, on either hand.
+        let opposed = self.normal.dot(other.normal) <= SAME - LARGEST_TURN_DEG.to_radians().cos();
         let in_front = across.dot(self.normal) >= -slack && across.dot(other.normal) <= slack;
-        // Sideways is along the face, in plan.
-        let side = DVec3::Z.cross(self.normal);
-        let beside = across.dot(side).abs() < f64::midpoint(self.length, other.length);
+        // Sideways is along either face, in plan.
+        let mean = f64::midpoint(self.length, other.length);
+        let beside = [self, other].iter().any(|end| across.dot(DVec3::Z.cross(end.normal)).abs() < mean);
         let level = self.height[0] < other.height[1] && other.height[0] < self.height[1];
         let free = across.dot(self.normal) < self.wall && -across.dot(other.normal) < other.wall;
         (opposed && in_front && beside && level && free).then(|| across.length())

@@ -186,6 +186,35 @@ fn girders_come_before_abutments_and_by_number_in_every_pair_wherever_they_stand
     }
 }
 
+/// Sideways is along either face: whom an end faces does not depend on which girder is the first in the file.
+#[test]
+fn two_ends_face_each_other_in_either_order_and_in_the_mirror_image() {
+    let girder = |skew: f64, heading: f64, place: [f64; 3]| move |name| (name, skew, heading, place);
+    for turned in [0.0, 10.0, 20.0, 29.0] {
+        for (ahead, beside) in [(2.0, 0.0), (2.0, 6.0), (2.0, -6.0), (2.0, 9.0), (2.0, 11.0), (5.0, 13.0), (9.0, -12.0)]
+        {
+            let (sin, cos) = f64::to_radians(turned).sin_cos();
+            let one = girder(90.0, 0.0, [0.0; 3]);
+            let other =
+                |side: f64| girder(90.0, side * turned, [15.0 + ahead + 15.0 * cos, side * (beside + 15.0 * sin), 0.0]);
+            let faces = |first: bool, side: f64| {
+                let both = if first { [one("a"), other(side)("b")] } else { [other(side)("b"), one("a")] };
+                !names(&scene(&both, "")).is_empty()
+            };
+            let all = [faces(true, 1.0), faces(false, 1.0), faces(true, -1.0), faces(false, -1.0)];
+            assert!(all.iter().all(|is| *is == all[0]), "{turned}°, {ahead} m ahead, {beside} m beside: {all:?}");
+        }
+    }
+    for heading in [0.0, 37.0, 90.0, 180.0, -143.0] {
+        let (sin, cos) = f64::to_radians(heading).sin_cos();
+        let before = |skew: f64| {
+            names(&scene(&[("a", skew, heading, [0.0; 3]), ("b", 90.0, heading, [40.0 * cos, 40.0 * sin, 0.0])], ""))
+        };
+        assert_eq!(before(60.0), before(120.0), "turned by 30° on either hand, heading {heading}°");
+        assert_eq!(before(60.0).len(), 1, "30° are within 30°");
+    }
+}
+
 #[test]
 fn pairs_of_bodies_that_have_met_are_in_the_same_order() {
     let decks = scene(&[("a", 90.0, 0.0, [0.0, 10.2, 0.0]), ("b", 90.0, 0.0, [0.0; 3])], "");
