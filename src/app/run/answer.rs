@@ -186,6 +186,15 @@ impl Answer {
         self.falls().iter().any(off) && self.history.seats().lost_supports(self.history.end()).is_empty()
     }
 
+    /// Until when the run is the motion of the bridge: until the first end has come off its seat, where it goes on as if that were carried;
+    /// infinite otherwise \[s\].
+    pub fn sound_until(&self) -> f64 {
+        if !self.goes_on_as_carried() {
+            return f64::INFINITY;
+        }
+        self.falls().iter().map(|(_, verdict)| verdict.t()).fold(f64::INFINITY, f64::min)
+    }
+
     /// Girders that come off their seats, lose a support or tip, with their verdicts, the earliest first, among the first
     /// `MOST_VERDICTS` that could; found when first asked for.
     pub fn falls(&self) -> &[(usize, Verdict)] {
