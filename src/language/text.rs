@@ -28,6 +28,11 @@ impl Text {
         Self(key)
     }
 
+    /// Its key, the same in every language.
+    pub const fn key(self) -> &'static str {
+        self.0
+    }
+
     /// Its words. A text that takes values is had by [`Text::with`].
     pub fn as_str(self) -> &'static str {
         look(|catalog| catalog.words(self.0)).unwrap_or(self.0)

@@ -4,7 +4,7 @@ use std::fmt::Write as _;
 
 use glam::DVec2;
 
-use super::units::force;
+use super::units::{force, forces};
 use crate::geometry::{End, Prism};
 use crate::language::{Text, said};
 use crate::plot::draw::{escape, line, text};
@@ -96,11 +96,12 @@ fn in_contact(now: &ContactNow, touch: &Touch) -> String {
         ContactState::Open | ContactState::Stick => Text::new("state-stick"),
     };
     let milliseconds = |seconds: f64| format!("{:.2}", 1e3 * seconds);
+    let [normal, tangential] = forces([now.normal_force, now.tangential_force.length()]);
     said!(
         "report-hit-state",
         "state" => state.as_str(),
-        "normal" => force(now.normal_force),
-        "tangential" => force(now.tangential_force.length()),
+        "normal" => normal,
+        "tangential" => tangential,
         "share" => format!("{:.0}", 100.0 * now.cone_use()),
         "stick" => milliseconds(touch.stick),
         "slip" => milliseconds(touch.slip)

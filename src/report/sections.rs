@@ -82,18 +82,14 @@ pub(super) fn verdicts(report: &Report) -> String {
         let words = said!("report-verdict", "girder" => verdict.girder.as_str(), "told" => verdict.told.as_str());
         let _ = writeln!(html, "<p{class}>{}</p>", escape(&words));
     }
-    let short: Vec<String> = report
-        .seats
-        .iter()
-        .filter_map(|seat| {
-            let rules = seat.codes.iter().filter(|code| !code.met).map(|code| code.demand.rule.as_str());
-            let rules = rules.collect::<Vec<_>>().join(", ");
-            (!rules.is_empty()).then(|| format!("{}{} ({rules})", seat.girder, seat.end))
-        })
-        .collect();
-    if !short.is_empty() {
-        let words = said!("report-seats-short", "seats" => short.join("; "));
-        let _ = writeln!(html, "<p class=\"no\">{}</p>", escape(&words));
+    for seat in &report.seats {
+        let rules = seat.codes.iter().filter(|code| !code.met).map(|code| code.demand.rule.as_str());
+        // Names of rules have commas in them.
+        let rules = rules.collect::<Vec<_>>().join("; ");
+        if !rules.is_empty() {
+            let words = said!("report-seat-short", "seat" => format!("{}{}", seat.girder, seat.end), "rules" => rules);
+            let _ = writeln!(html, "<p class=\"no\">{}</p>", escape(&words));
+        }
     }
     html
 }
@@ -183,17 +179,19 @@ pub(super) fn readings(history: &History) -> String {
         &Text::new("report-rotation"),
         &Text::new("report-drift"),
         &Text::new("report-least-gap"),
-        &Text::new("report-largest-force"),
+        &Text::new("report-max-total"),
+        &Text::new("report-max-force"),
     ]);
     for (number, body) in history.model().girders().iter().enumerate() {
         let reading = readings::reading(history, number);
         let drift = reading.drift.map(|e| format!("{:.1}", 1e3 * e.value)).join(", ");
         let gap = reading.gap.map_or("–".to_owned(), |e| at(format!("{:.2}", 1e3 * e.value), e.t));
-        let force = reading.force.map_or("–".to_owned(), |e| at(force(e.value), e.t));
+        let total = history.largest_total_on(number).map(|(_, most)| most);
+        let [total, corner] = [total, reading.force].map(|e| e.map_or("–".to_owned(), |e| at(force(e.value), e.t)));
         let _ = writeln!(
             html,
             "<tr><td>{}</td><td class=\"number\">{}</td><td class=\"number\">{drift}</td>\
-             <td class=\"number\">{gap}</td><td class=\"number\">{force}</td></tr>",
+             <td class=\"number\">{gap}</td><td class=\"number\">{total}</td><td class=\"number\">{corner}</td></tr>",
             escape(&body.name),
             at(format!("{:.4}°", reading.rotation.value.to_degrees()), reading.rotation.t)
         );

@@ -4,7 +4,18 @@ use crate::language::six;
 
 /// A force \[N\]: in MN from 10 MN on, to a hundredth; in kN from 10 kN on, to a tenth; below in N, to four digits.
 pub(super) fn force(newtons: f64) -> String {
-    match newtons.abs() {
+    of_size(newtons, newtons)
+}
+
+/// Forces that are compared \[N\]: all in the unit of the largest.
+pub(super) fn forces<const N: usize>(newtons: [f64; N]) -> [String; N] {
+    let largest = newtons.into_iter().fold(0.0, |most: f64, force| most.max(force.abs()));
+    newtons.map(|force| of_size(force, largest))
+}
+
+/// A force in the unit for one of this size \[N\].
+fn of_size(newtons: f64, size: f64) -> String {
+    match size.abs() {
         below if below < 1e4 => format!("{} N", four(newtons)),
         below if below < 1e7 => format!("{:.1} kN", newtons / 1e3),
         _ => format!("{:.2} MN", newtons / 1e6),
@@ -44,6 +55,7 @@ mod tests {
             ["9999 N", "861.6 kN", "36.30 MN"],
             "kN from 10 kN on"
         );
+        assert_eq!(forces([14.93e6, 2.24e6]), ["14.93 MN", "2.24 MN"], "in one unit");
         assert_eq!([1.55e5, 2e9, 9.87e8, 12.5].map(stiffness), ["155 kN/m", "2 GN/m", "987 MN/m", "12.5 N/m"]);
         assert_eq!([mass(0.0015), mass(2.0), mass(600e3)], ["0.0015 kg", "2 kg", "600 t"], "tonnes from one on");
     }

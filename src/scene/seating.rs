@@ -77,13 +77,14 @@ pub fn stands_off(girder: &Girder, bearing: &ResolvedBearing) -> Option<bool> {
 
 /// Girders with bearings that stand beyond the front edge of their seats as placed, and the numbers of these bearings from 1.
 pub fn all_off(scene: &Scene) -> Vec<(&str, Vec<usize>)> {
-    let of = |girder: &'_ Girder| {
-        let bearings = girder.supports(scene.setting()).into_iter().enumerate();
-        let off = bearings.filter(|(_, bearing)| stands_off(girder, bearing) == Some(true));
-        off.map(|(number, _)| number + 1).collect::<Vec<_>>()
-    };
-    let all = scene.girders.iter().map(|girder| (girder.name.as_str(), of(girder)));
+    let all = scene.girders.iter().map(|girder| (girder.name.as_str(), bearings_off(scene, girder)));
     all.filter(|(_, off)| !off.is_empty()).collect()
+}
+
+/// Numbers from 1 of the bearings of a girder that stand beyond the front edge of their seats as placed.
+pub fn bearings_off(scene: &Scene, girder: &Girder) -> Vec<usize> {
+    let bearings = girder.supports(scene.setting()).into_iter().enumerate();
+    bearings.filter(|(_, bearing)| stands_off(girder, bearing) == Some(true)).map(|(number, _)| number + 1).collect()
 }
 
 /// Seats of the ends on a pier that are together longer than the cap.

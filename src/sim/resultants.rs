@@ -77,6 +77,14 @@ impl History {
         self.found.poundings.get_or_init(|| self.find_poundings())
     }
 
+    /// The largest force between a girder and another body, all their contacts together, with the number of a pair of the two \[N\];
+    /// `None` where the girder touched nobody.
+    pub fn largest_total_on(&self, girder: usize) -> Option<(usize, Extreme)> {
+        let on = self.poundings().iter().filter(|of| self.model().pairs[of.pair].bodies.contains(&Some(girder)));
+        let most = on.filter_map(|of| Some((of.pair, of.most().filter(|most| most.value > 0.0)?)));
+        most.reduce(|a, b| if b.1.value > a.1.value { b } else { a })
+    }
+
     fn find_poundings(&self) -> Vec<Pounding> {
         let mut between: BTreeMap<[SolidId; 2], Vec<&Touch>> = BTreeMap::new();
         // In order of their start.

@@ -67,14 +67,21 @@ pub(super) fn labels(input: &ViewInput<'_>, moment: &Moment, palette: &Palette, 
     let told = all.flat_map(|(seat, corners)| {
         let less = usize::from(seat.remaining[1] < seat.remaining[0]);
         let tells = move |which: usize| if seat.is_left() { seat.remaining[which] < 0.0 } else { which == less };
-        (0..2).filter(move |which| tells(*which)).map(move |which| (seat.remaining[which], corners[which]))
+        let numbers = Prism::end_corners(seat.end).map(|corner| corner + 1);
+        let of = move |which: usize| (numbers[which], seat.remaining[which], corners[which]);
+        (0..2).filter(move |which| tells(*which)).map(of)
     });
-    let label = |(remaining, place): (f64, DVec3)| {
-        let name = if remaining < 0.0 { "view-off-seat" } else { "view-seat-left" };
+    let label = |(number, remaining, place): (usize, f64, DVec3)| {
+        let length = scale::length(remaining.abs());
+        let text = if remaining < 0.0 {
+            Text::new("view-off-seat").with(&values!["corner" => number, "length" => length])
+        } else {
+            Text::new("view-seat-left").with(&values!["length" => length])
+        };
         Some(Label {
             at: pixel(input, place)?,
             clear: 10.0 * ppp,
-            text: Text::new(name).with(&values!["length" => scale::length(remaining.abs())]),
+            text,
             size: TEXT * ppp,
             color: palette.ink,
             plate: palette.plate,

@@ -121,7 +121,7 @@ pub(super) fn menu(response: &Response, own: &Own) -> bool {
 
 /// The name of a value: in italics where it was not given, with a sign where those that are selected have several, in the colour of
 /// problems where it is wrong.
-pub(super) fn named(ui: &Ui, place: Place<'_>, Named { key, label }: Named<'_>) -> RichText {
+pub(in crate::app) fn named(ui: &Ui, place: Place<'_>, Named { key, label }: Named<'_>) -> RichText {
     let text = if place.differs(key) { RichText::new(format!("{label} ≠")) } else { RichText::new(label) };
     let text = if place.is_assumed(key) { text.italics() } else { text };
     if place.complaint(key).is_some() { text.color(Palette::of(ui).problem).strong() } else { text }

@@ -18,7 +18,7 @@ mod table;
 
 pub(in crate::app) use choice::{choice, choice_line};
 pub(in crate::app) use form::Form;
-pub(in crate::app) use frame::{act, complain, mark, tag};
+pub(in crate::app) use frame::{act, complain, mark, named, tag};
 pub(in crate::app) use narrowed::narrowed;
 pub(in crate::app) use number::{number, optional, switched};
 pub(in crate::app) use place::{CLICK, Change, Named, Place};

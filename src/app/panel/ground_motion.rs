@@ -266,6 +266,7 @@ fn kept_rows(ui: &mut Ui, look: &Look<'_>, record: &mut RecordMotion) -> Option<
         record.dt = Some(dt);
     }
     let typed = egui::CollapsingHeader::new(text::SAMPLES_FOLD)
+        .id_salt(text::SAMPLES_FOLD.key())
         .default_open(false)
         .show_unindented(ui, |ui| samples::show(ui, look.place, text::SAMPLES.as_str(), &list));
     if let Some(samples) = typed.body_returned.flatten() {

@@ -76,10 +76,13 @@ pub(super) fn processing(ui: &mut Ui, look: &Look<'_>, record: &mut RecordMotion
         _ => 0.0,
     };
     let look = Look { place, without: Without::Off(&first), ..*look };
-    let folded = CollapsingHeader::new(text::PROCESSING_FOLD).default_open(false).show_unindented(ui, |ui| {
-        let grid = Grid::new("processing").num_columns(2).spacing([8.0, 3.0]);
-        grid.show(ui, |ui| rows(ui, &look, &mut record.processing, &[])).inner
-    });
+    let folded = CollapsingHeader::new(text::PROCESSING_FOLD)
+        .id_salt(text::PROCESSING_FOLD.key())
+        .default_open(false)
+        .show_unindented(ui, |ui| {
+            let grid = Grid::new("processing").num_columns(2).spacing([8.0, 3.0]);
+            grid.show(ui, |ui| rows(ui, &look, &mut record.processing, &[])).inner
+        });
     folded.body_returned.flatten()
 }
 

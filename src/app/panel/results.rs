@@ -12,6 +12,7 @@ use crate::app::{text, unit};
 use crate::codes::RotationCondition;
 use crate::dynamics::model::bearing::BearingQuantities;
 use crate::language::Text;
+use crate::scene::seating;
 use crate::scene::{DeviceId, Girder};
 use crate::sim::quantity::{OfPair, Quantity};
 use crate::sim::readings::{Extreme, Reading};
@@ -53,7 +54,8 @@ pub(in crate::app) fn show_girder(
         ui.add_space(4.0);
         ui.label(RichText::new(text::READINGS).strong());
         verdict(ui, (i, &girder.name), (answer, reading), out);
-        links(ui, "readings", readings(&answer.history, i, reading), out);
+        goes_on(ui, answer);
+        links(ui, "readings", readings(answer, i, reading), out);
         show_seats(ui, answer, i, t);
     }
 }
@@ -68,6 +70,11 @@ fn verdict(ui: &mut Ui, (girder, name): (usize, &str), (answer, reading): (&Answ
     let words = if verdict.stays() { words } else { words.color(Palette::of(ui).problem) };
     if ui.add(egui::Button::new(words).wrap()).on_hover_text(text::GO_THERE).clicked() {
         Spot::verdict(girder, &verdict).go(out);
+    }
+    let scene = answer.history.scene();
+    let off = scene.girders.get(girder).map_or(Vec::new(), |girder| seating::bearings_off(scene, girder));
+    if !off.is_empty() {
+        ui.add(egui::Label::new(RichText::new(text::off_seats(name, &off)).color(Palette::of(ui).problem)).wrap());
     }
 }
 
@@ -92,6 +99,11 @@ pub(in crate::app) fn show_verdicts(ui: &mut Ui, answer: Option<&Answer>, out: &
     if more > 0 {
         ui.label(RichText::new(text::more(more)).weak());
     }
+    goes_on(ui, answer);
+}
+
+/// That the run goes on as if ends were carried that have come off, where it does.
+fn goes_on(ui: &mut Ui, answer: &Answer) {
     if answer.goes_on_as_carried() {
         ui.add(egui::Label::new(RichText::new(text::GOES_ON).color(Palette::of(ui).problem)).wrap());
     }
@@ -113,8 +125,12 @@ fn links(ui: &mut Ui, salt: &str, rows: Vec<(&'static str, String, Spot)>, out: 
 }
 
 /// What a designer reads off the run for one girder, each with where it is seen.
-fn readings(history: &History, girder: usize, reading: &Reading) -> Vec<(&'static str, String, Spot)> {
-    let at = |words: &str, e: &Extreme| text::reached_at(words, e.t);
+fn readings(answer: &Answer, girder: usize, reading: &Reading) -> Vec<(&'static str, String, Spot)> {
+    let (history, sound) = (&answer.history, answer.sound_until());
+    let at = |words: &str, e: &Extreme| {
+        let reached = text::reached_at(words, e.t);
+        if e.t > sound { text::reached_after(&reached) } else { reached }
+    };
     let length = |e: &Extreme| at(&text::length(e.value), e);
     let turned = &reading.rotation;
     let degrees = format!("{}°", text::short(turned.value.to_degrees()));
@@ -130,7 +146,8 @@ fn readings(history: &History, girder: usize, reading: &Reading) -> Vec<(&'stati
         let words = text::seat_left(&length(&seat.least()), seat.ledge.placed(), least);
         let end = |t: f64| Spot { look: Look::End(girder, seat.ledge.end), ..Spot::girder(girder, t) };
         rows.push((text::seat_at(seat.ledge.end), words, end(seat.least().t)));
-        rows.extend(seat.off_at().map(|t| (text::CORNER_OFF.as_str(), text::at_time(t), end(t))));
+        let off = seat.first_off();
+        rows.extend(off.map(|(corner, t)| (text::CORNER_OFF.as_str(), text::corner_off_at(corner, t), end(t))));
         rows.extend(seat.lost_at.map(|t| (text::UNSEATS.as_str(), text::at_time(t), end(t))));
     }
     rows.extend(

@@ -33,11 +33,11 @@ pub(in crate::app) fn show(ui: &Ui, view: Rect, (files, draft): (&SceneFiles, Br
     area.constrain_to(room).show(ui.ctx(), |ui| {
         Frame::popup(ui.style()).show(ui, |ui| {
             ui.set_width(WIDTH.min(room.width() - 16.0));
-            ScrollArea::vertical().id_salt("start").max_height(room.height() - 24.0).show(ui, |ui| {
-                ui.columns(2, |columns| {
-                    bridge(&mut columns[0], draft, out);
-                    others(&mut columns[1], files, out);
-                });
+            let scrolled = |name: &str| ScrollArea::vertical().id_salt(name).max_height(room.height() - 24.0);
+            ui.columns(2, |columns| {
+                // A bridge stays in sight however far the others are scrolled.
+                scrolled("start bridge").show(&mut columns[0], |ui| bridge(ui, draft, out));
+                scrolled("start others").show(&mut columns[1], |ui| others(ui, files, out));
             });
         });
     });
@@ -82,6 +82,11 @@ fn whole(spans: f64) -> usize {
 }
 
 fn others(ui: &mut Ui, files: &SceneFiles, out: &mut Vec<Command>) {
+    if !files.session.recent().is_empty() {
+        ui.label(RichText::new(text::OPEN_RECENT).strong());
+        recent::show(ui, files.session.recent(), out);
+        ui.add_space(4.0);
+    }
     ui.label(RichText::new(text::PRESETS).strong());
     for (number, preset) in presets::all().iter().enumerate() {
         let card = ui.horizontal(|ui| {
@@ -110,10 +115,5 @@ fn others(ui: &mut Ui, files: &SceneFiles, out: &mut Vec<Command>) {
         if ui.add(Button::new(&lesson.title).frame(false).truncate()).clicked() {
             out.push(LearnCommand::Open(number).into());
         }
-    }
-    if !files.session.recent().is_empty() {
-        ui.add_space(4.0);
-        ui.label(RichText::new(text::OPEN_RECENT).strong());
-        recent::show(ui, files.session.recent(), out);
     }
 }

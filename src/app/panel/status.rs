@@ -216,9 +216,17 @@ fn numbers(ui: &mut Ui, answer: &Answer, room: f32, out: &mut Vec<Command>) {
             ui.label(words).on_hover_text(meaning);
             continue;
         };
+        let spot = there(&answer.history);
+        let is_after = spot.as_ref().is_some_and(|spot| spot.t > answer.sound_until());
+        let (words, meaning) = if is_after {
+            let meaning = format!("{}\n{}", text::reached_after(&meaning), text::GOES_ON);
+            (RichText::new(words).color(Palette::of(ui).problem), meaning)
+        } else {
+            (RichText::new(words), meaning.to_string())
+        };
         let response = ui.add(egui::Button::new(words).frame(false));
         if response.on_hover_text(format!("{meaning}\n{}", text::GO_THERE)).clicked()
-            && let Some(spot) = there(&answer.history)
+            && let Some(spot) = spot
         {
             spot.go(out);
         }

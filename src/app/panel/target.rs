@@ -13,7 +13,8 @@ const PERIODS: [f64; 6] = [0.1, 0.2, 0.5, 1.0, 2.0, 4.0];
 
 /// Shows the target, or the way to have one.
 pub(super) fn show(ui: &mut Ui, place: Place<'_>, quake: &mut SyntheticMotion) -> Option<Change> {
-    let folded = CollapsingHeader::new(text::TARGET_FOLD).default_open(quake.target.is_some());
+    let folded =
+        CollapsingHeader::new(text::TARGET_FOLD).id_salt(text::TARGET_FOLD.key()).default_open(quake.target.is_some());
     folded.show_unindented(ui, |ui| target(ui, place, quake)).body_returned.flatten()
 }
 

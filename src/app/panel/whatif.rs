@@ -12,7 +12,7 @@ use crate::app::time::replay::Replay;
 use crate::app::unit::Size;
 use crate::app::viewport::display::Display;
 use crate::app::{edits, text};
-use crate::language::Message;
+use crate::language::{Message, Text};
 use crate::scene::edit::Edit;
 use crate::view::Target;
 
@@ -35,21 +35,23 @@ pub(in crate::app) fn show(ui: &mut Ui, shown: Shown<'_>, out: &mut Vec<Command>
     let form = Form { scene: document.scene(), problems: replay.runner.problems() };
     fold::head(ui, Pane::WhatIf, out, |_, _| ());
     geometry(ui, form, &chosen(document), out);
-    section(ui, text::MOTION_SECTION.as_str(), |ui| {
+    section(ui, text::MOTION_SECTION, |ui| {
         motion(ui, form, replay.runner.answer().map_or(&[], |answer| &answer.unused), out);
     });
-    section(ui, text::CONTACT_SECTION.as_str(), |ui| contact(ui, form, out));
-    section(ui, text::MODEL_SECTION.as_str(), |ui| models::show(ui, form, replay, out));
-    section(ui, text::LIMITS_SECTION.as_str(), |ui| limits::show(ui, form, &replay.runner, out));
-    section(ui, text::PLOTS_SECTION.as_str(), |ui| user_plots::show(ui, &plots, out));
-    section(ui, text::PINS_SECTION.as_str(), |ui| {
+    section(ui, text::CONTACT_SECTION, |ui| contact(ui, form, out));
+    section(ui, text::MODEL_SECTION, |ui| models::show(ui, form, replay, out));
+    section(ui, text::LIMITS_SECTION, |ui| limits::show(ui, form, &replay.runner, out));
+    section(ui, text::PLOTS_SECTION, |ui| user_plots::show(ui, &plots, out));
+    section(ui, text::PINS_SECTION, |ui| {
         comparison::show(ui, (plots.pins, plots.differences), replay.runner.fresh_answer().map(|a| &**a), out);
     });
-    section(ui, text::SHOW_SECTION.as_str(), |ui| overlays::show(ui, form, display, out));
+    section(ui, text::SHOW_SECTION, |ui| overlays::show(ui, form, display, out));
 }
 
-fn section(ui: &mut Ui, title: &str, body: impl FnOnce(&mut Ui)) {
-    egui::CollapsingHeader::new(RichText::new(title).strong()).default_open(true).show_unindented(ui, body);
+/// A section that can be folded away; it stays as it is in every language.
+fn section(ui: &mut Ui, title: Text, body: impl FnOnce(&mut Ui)) {
+    let header = egui::CollapsingHeader::new(RichText::new(title).strong()).id_salt(title.key()).default_open(true);
+    header.show_unindented(ui, body);
 }
 
 fn push(out: &mut Vec<Command>, change: Option<Change>, edit: impl FnOnce() -> Edit) {

@@ -76,9 +76,7 @@ impl Spot {
 
     /// The largest force on a girder, at the contact that has most of it, and that force.
     pub(in crate::app) fn hardest_on(history: &History, girder: usize) -> Option<(Self, Extreme)> {
-        let on = history.poundings().iter().filter(|of| history.model().pairs[of.pair].bodies.contains(&Some(girder)));
-        let most = on.filter_map(|of| Some((of.pair, of.most().filter(|most| most.value > 0.0)?)));
-        let (pair, most) = most.reduce(|a, b| if b.1.value > a.1.value { b } else { a })?;
+        let (pair, most) = history.largest_total_on(girder)?;
         let spot = Self::contact(history.strongest_contact(pair, most.t)?, most.t);
         Some((spot, most))
     }

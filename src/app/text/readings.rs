@@ -71,6 +71,22 @@ pub(in crate::app) fn reached_at(words: &str, t: f64) -> String {
     Text::new("reached-at").with(&values!["value" => words, "t" => format!("{t:.3}")])
 }
 
+/// That bearings of a girder, by their numbers from 1, stand beyond the front edge of their seats as placed.
+pub(in crate::app) fn off_seats(girder: &str, bearings: &[usize]) -> String {
+    let bearings = bearings.iter().map(ToString::to_string).collect::<Vec<_>>().join(", ");
+    Text::new("off-seats").with(&values!["girder" => girder, "bearings" => bearings])
+}
+
+/// A value that was reached after an end had come off its seat.
+pub(in crate::app) fn reached_after(reached: &str) -> String {
+    Text::new("reached-after").with(&values!["reached" => reached])
+}
+
+/// Which corner of a seat came off first, by its number in plan, and when.
+pub(in crate::app) fn corner_off_at(corner: usize, t: f64) -> String {
+    Text::new("corner-off-at").with(&values!["corner" => corner, "t" => format!("{t:.4}")])
+}
+
 /// A time.
 pub(in crate::app) fn at_time(t: f64) -> String {
     Text::new("at-time").with(&values!["t" => format!("{t:.4}")])

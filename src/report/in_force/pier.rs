@@ -6,11 +6,16 @@ use crate::geometry::End;
 use crate::language::{Text, said, six};
 use crate::scene::{ResolvedPier, Scene};
 
+/// Largest place that is told as 0 \[m\].
+const ROUNDING: f64 = 1e-9;
+
 /// All piers, two lines each, or three where the base yields: place and mass, springs, yield.
 pub fn piers(scene: &Scene) -> impl Iterator<Item = Vec<String>> + '_ {
     scene.piers.iter().enumerate().map(|(number, pier)| {
         let resolved = scene.pier(number);
-        let [x, y] = [resolved.top.x, resolved.top.y].map(six);
+        // What is no distance but the rounding of a mean of places is 0.
+        let metres = |v: f64| six(if v.abs() < ROUNDING { 0.0 } else { v });
+        let [x, y] = [resolved.top.x, resolved.top.y].map(metres);
         let two = |[along, across]: [f64; 2]| format!("{}, {}", six(along), six(across));
         let [f_along, f_across, _] = resolved.frequencies().map(|omega| omega / TAU);
         let place = said!(

@@ -116,7 +116,13 @@ impl Seat {
 
     /// When the first corner came off, over the front edge or over a side \[s\].
     pub fn off_at(&self) -> Option<f64> {
-        self.corners.into_iter().filter_map(|corner| corner.off_at()).reduce(f64::min)
+        self.first_off().map(|(_, t)| t)
+    }
+
+    /// The corner that came off first, by its number in plan, and when \[s\].
+    pub fn first_off(&self) -> Option<(usize, f64)> {
+        let off = self.corners.into_iter().filter_map(|corner| Some((corner.corner, corner.off_at()?)));
+        off.reduce(|first, next| if next.1 < first.1 { next } else { first })
     }
 }
 

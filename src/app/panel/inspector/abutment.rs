@@ -47,8 +47,9 @@ pub(super) fn show(
         faces.or(corners).or(ground).or(rows(ui, &look, &mut new, &[&["name", "faces", "end"], by_corners].concat()))
     });
     let change = change.or(way_of_face(ui, place, scene, &mut new));
-    let soil =
-        section(ui, text::BACKFILL_SECTION.as_str(), false, |ui| backfill::show(ui, form, place, size, &mut new));
+    let soil = section(ui, (text::BACKFILL_SECTION.key(), &text::BACKFILL_SECTION), false, |ui| {
+        backfill::show(ui, form, place, size, &mut new)
+    });
     let change = change.or(soil.flatten());
     push(change, out, || edits::abutment(i, new));
     if let Some(soil) = answer.and_then(|answer| answer.soil(&abutment.name)) {

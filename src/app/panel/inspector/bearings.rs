@@ -4,7 +4,9 @@ use egui::{ComboBox, RichText, Ui};
 
 use super::rows::{grid, note};
 use super::sliders;
-use crate::app::field::{CLICK, Change, Look, Named, Place, Without, act, number, optional, rows, switched, tag};
+use crate::app::field::{
+    CLICK, Change, Look, Named, Place, Without, act, named, number, optional, rows, switched, tag,
+};
 use crate::app::unit::{HERTZ, PURE, Size, Unit, damping_unit, force_unit, length_unit, stiffness_unit};
 use crate::app::{edits, text};
 use crate::scene::keys::Key;
@@ -198,7 +200,8 @@ fn list(
     let mut change = None;
     let mut gone = None;
     for (n, bearing) in each.iter_mut().enumerate() {
-        super::rows::section(ui, &format!("{} {}", text::BEARING, n + 1), n == 0, |ui| {
+        let title = format!("{} {}", text::BEARING, n + 1);
+        super::rows::section(ui, (&format!("bearing {n}"), &title), n == 0, |ui| {
             change = change.or(grid(ui, &format!("bearing {n}"), |ui| {
                 let numbers = single(ui, place, row, first_yield, n, bearing);
                 let key = format!("bearings[{n}].height_m");
@@ -299,7 +302,7 @@ fn on_row(
         return None;
     }
     let before = on.clone();
-    let name = ui.label(label);
+    let name = ui.label(named(ui, place, Named { key, label }));
     let now = on.as_deref().unwrap_or(text::ON_GROUND.as_str()).to_owned();
     let combo = ComboBox::from_id_salt(key).width(79.0).selected_text(now).show_ui(ui, |ui| {
         if ui.selectable_label(on.is_none(), text::ON_GROUND).clicked() {

@@ -5,7 +5,7 @@ use egui::Ui;
 use super::rows::{grid, push, section};
 use super::{bearings, elastic};
 use crate::app::command::Command;
-use crate::app::field::{Change, Form, Look, Named, Place, Without, rows, tag};
+use crate::app::field::{Change, Form, Look, Named, Place, Without, named, rows, tag};
 use crate::app::panel::name_field;
 use crate::app::unit::Size;
 use crate::app::{edits, text};
@@ -39,10 +39,11 @@ pub(super) fn show(
         name_field::show(ui, place, Target::Girder(i), &girder.name, out);
         rows(ui, &look(place), &mut new, &["name"])
     });
-    let stands =
-        section(ui, text::BEARINGS.as_str(), true, |ui| bearings::show(ui, (place, form.scene), kind, &mut new))
-            .flatten();
-    let more = section(ui, text::START_SECTION.as_str(), false, |ui| {
+    let stands = section(ui, (text::BEARINGS.key(), &text::BEARINGS), true, |ui| {
+        bearings::show(ui, (place, form.scene), kind, &mut new)
+    })
+    .flatten();
+    let more = section(ui, (text::START_SECTION.key(), &text::START_SECTION), false, |ui| {
         grid(ui, "start", |ui| {
             let start = rows(ui, &look(Place { table: &starts, ..place }), &mut new.initial, &[]);
             let push = rows(ui, &look(Place { table: &pushes, ..place }), &mut new.push, &[]);
@@ -50,11 +51,13 @@ pub(super) fn show(
         })
     });
     let some = |_: &Key| girder.length * 0.05;
-    let seat = section(ui, text::SEAT_SECTION.as_str(), false, |ui| {
+    let seat = section(ui, (text::SEAT_SECTION.key(), &text::SEAT_SECTION), false, |ui| {
         let look = Look { without: Without::Off(&some), ..look(Place { table: &seats, ..place }) };
         grid(ui, "seat", |ui| rows(ui, &look, &mut new.seat, &[]))
     });
-    let bends = section(ui, text::ELASTIC_SECTION.as_str(), false, |ui| elastic::show(ui, form, place, &mut new));
+    let bends = section(ui, (text::ELASTIC_SECTION.key(), &text::ELASTIC_SECTION), false, |ui| {
+        elastic::show(ui, form, place, &mut new)
+    });
     let change = first.or(stands).or(more.flatten()).or(seat.flatten()).or(bends.flatten());
     push(change, out, || edits::girders_alike(form.scene, i, &new, selected));
 }
@@ -65,7 +68,7 @@ fn held_rows(ui: &mut Ui, place: Place<'_>, kind: Kind, g: &mut Girder) -> Optio
     let spatial = [Direction::X, Direction::Y, Direction::Z, Direction::Roll, Direction::Pitch, Direction::Yaw];
     let ways: &[Direction] = if kind == Kind::Planar { &planar } else { &spatial };
     let mut changed = false;
-    ui.label(text::HELD);
+    ui.label(named(ui, place, Named { key: "held", label: text::HELD.as_str() }));
     ui.vertical(|ui| {
         for way in ways {
             let mut held = g.held.contains(way);

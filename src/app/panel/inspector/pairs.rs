@@ -27,10 +27,10 @@ pub(super) fn show(ui: &mut Ui, form: Form<'_>, answer: Option<&Answer>, of: Opt
     if ours.is_empty() {
         return;
     }
-    section(ui, text::PAIRS_SECTION.as_str(), true, |ui| {
+    section(ui, (text::PAIRS_SECTION.key(), &text::PAIRS_SECTION), true, |ui| {
         for pair in ours.iter().take(MOST_PAIRS) {
             let title = format!("{} {}", text::PAIR, pair.name);
-            section(ui, &title, ours.len() == 1, |ui| one(ui, form, answer, pair, out));
+            section(ui, (&pair.name, &title), ours.len() == 1, |ui| one(ui, form, answer, pair, out));
         }
         if ours.len() > MOST_PAIRS {
             ui.label(RichText::new(text::more(ours.len() - MOST_PAIRS)).weak());

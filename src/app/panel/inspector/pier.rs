@@ -70,7 +70,7 @@ pub(super) fn show(
         let turns: &[&str] = if new.turn_stiffness.is_some() { &[] } else { &["turn_inertia_kg_m2"] };
         way.or(rows(ui, &look, &mut new, &[&["name"], columns, yields, turns].concat()))
     });
-    let more = section(ui, text::PIER_MORE.as_str(), false, |ui| {
+    let more = section(ui, (text::PIER_MORE.key(), &text::PIER_MORE), false, |ui| {
         grid(ui, "pier more", |ui| more(ui, (place, scene), size, &mut new, &resolved))
     });
     let change = first.or(more.flatten());

@@ -13,9 +13,14 @@ pub(super) fn grid<R>(ui: &mut Ui, salt: &str, rows: impl FnOnce(&mut Ui) -> R) 
     Grid::new(salt).num_columns(2).min_col_width(column.min(112.0)).spacing([8.0, 3.0]).show(ui, rows).inner
 }
 
-/// A section that can be folded away.
-pub(super) fn section<R>(ui: &mut Ui, title: &str, open: bool, rows: impl FnOnce(&mut Ui) -> R) -> Option<R> {
-    let header = CollapsingHeader::new(RichText::new(title).strong()).default_open(open);
+/// A section that can be folded away, with its name in every language and its title in the present one.
+pub(super) fn section<R>(
+    ui: &mut Ui,
+    (name, title): (&str, &str),
+    open: bool,
+    rows: impl FnOnce(&mut Ui) -> R,
+) -> Option<R> {
+    let header = CollapsingHeader::new(RichText::new(title).strong()).id_salt(name).default_open(open);
     header.show_unindented(ui, rows).body_returned
 }
 

@@ -18,16 +18,16 @@ fn kinds() -> [(Kind, &'static str); 2] {
 
 /// Shows what belongs to no body.
 pub(super) fn show(ui: &mut Ui, form: Form<'_>, out: &mut Vec<Command>) {
-    section(ui, text::SCENE_SECTION.as_str(), true, |ui| {
+    section(ui, (text::SCENE_SECTION.key(), &text::SCENE_SECTION), true, |ui| {
         general(ui, form, out);
         solver(ui, form, out);
     });
-    section(ui, text::ALL_PAIRS_SECTION.as_str(), false, |ui| contact(ui, form, out));
+    section(ui, (text::ALL_PAIRS_SECTION.key(), &text::ALL_PAIRS_SECTION), false, |ui| contact(ui, form, out));
     if !form.scene.assumed.is_empty() {
-        section(ui, text::ASSUMED_SECTION.as_str(), false, |ui| assumed(ui, form, out));
+        section(ui, (text::ASSUMED_SECTION.key(), &text::ASSUMED_SECTION), false, |ui| assumed(ui, form, out));
     }
-    section(ui, text::CODES_SECTION.as_str(), false, |ui| codes(ui, form, out));
-    section(ui, text::DECLARED_SECTION.as_str(), false, |ui| declared::show(ui, form, out));
+    section(ui, (text::CODES_SECTION.key(), &text::CODES_SECTION), false, |ui| codes(ui, form, out));
+    section(ui, (text::DECLARED_SECTION.key(), &text::DECLARED_SECTION), false, |ui| declared::show(ui, form, out));
 }
 
 fn general(ui: &mut Ui, form: Form<'_>, out: &mut Vec<Command>) {
