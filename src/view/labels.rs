@@ -101,13 +101,11 @@ impl Placer {
         });
         let mut best: Option<(f32, f32, Area)> = None;
         for (far, direction) in spots {
-            let area = self.in_picture(label.at + direction * (half + label.clear * far), half);
+            let middle = label.at + direction * (half + label.clear * far);
+            let area = self.in_picture(middle, half);
             // What the picture's edge has pushed back must not lie on its own point.
-            let own = if direction == Vec2::ZERO {
-                0.0
-            } else {
-                area.overlap(&Area::about(label.at, Vec2::splat(label.clear)))
-            };
+            let is_pushed = area != Area::about(middle, half);
+            let own = if is_pushed { area.overlap(&Area::about(label.at, Vec2::splat(label.clear))) } else { 0.0 };
             // A text half hidden says less than none.
             let most = best.map_or(half.x * half.y, |(_, least, _)| least);
             let Some(cost) = self.cost(&area, most).map(|cost| cost + own).filter(|cost| *cost <= most) else {
