@@ -216,8 +216,9 @@ fn numbers(ui: &mut Ui, answer: &Answer, room: f32, out: &mut Vec<Command>) {
             ui.label(words).on_hover_text(meaning);
             continue;
         };
-        let spot = there(&answer.history);
-        let is_after = spot.as_ref().is_some_and(|spot| spot.t > answer.sound_until());
+        // Where a number is seen is looked for in a frame only where that matters.
+        let sound = answer.sound_until();
+        let is_after = sound.is_finite() && there(&answer.history).is_some_and(|spot| spot.t > sound);
         let (words, meaning) = if is_after {
             let meaning = format!("{}\n{}", text::reached_after(&meaning), text::GOES_ON);
             (RichText::new(words).color(Palette::of(ui).problem), meaning)
@@ -226,7 +227,7 @@ fn numbers(ui: &mut Ui, answer: &Answer, room: f32, out: &mut Vec<Command>) {
         };
         let response = ui.add(egui::Button::new(words).frame(false));
         if response.on_hover_text(format!("{meaning}\n{}", text::GO_THERE)).clicked()
-            && let Some(spot) = spot
+            && let Some(spot) = there(&answer.history)
         {
             spot.go(out);
         }
