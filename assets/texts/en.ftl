@@ -782,6 +782,7 @@ too-short = too short
 used-up = long enough by the code, not in this run
 from-memory = ; quoted from memory, not confirmed
 demand = needs { $needed }, has { $there }, used { $used }: { $verdict }{ $doubt }
+orbit-corner = corner { $corner }
 orbit-of = Corner { $corner } over its seat, to scale: red its front edge, the ring where least remains, the dot now; stronger is later
 seat-left = { $least } left of { $seat } square to the edge; { $corners }
 seat-left-corner = corner { $corner }: { $left }

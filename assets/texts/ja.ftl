@@ -765,6 +765,7 @@ too-short = 不足
 used-up = 必要長はあるが、この計算では不足
 from-memory = （記憶による引用、未確認）
 demand = 必要 { $needed }、現況 { $there }、移動量 { $used }：{ $verdict }{ $doubt }
+orbit-corner = 隅角部 { $corner }
 orbit-of = 桁かかり上の隅角部 { $corner }（実寸比）。赤は前縁、輪は最小の位置、点は今、はっきりしているほど後
 seat-left = 前縁に直角に { $seat } のうち残り { $least }。{ $corners }
 seat-left-corner = 隅角部 { $corner }：{ $left }

@@ -38,7 +38,7 @@ pub(super) struct Changes {
 #[derive(Clone, Copy, Debug, Default, clap::Args)]
 pub(super) struct Threads {
     /// Compute on so many threads (runs of a sweep, bodies that no pair joins); `RAYON_NUM_THREADS` when left out, else one a processor
-    #[arg(long, value_name = "N", value_parser = clap::value_parser!(u16).range(1..=1024))]
+    #[arg(long, value_name = "N", value_parser = clap::value_parser!(u16).range(1..=1024), allow_negative_numbers = true)]
     threads: Option<u16>,
 }
 

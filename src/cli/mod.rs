@@ -201,3 +201,32 @@ fn dispatch(cli: Cli, console: &mut Console) -> Result<(), Failure> {
         }
     }
 }
+
+#[cfg(test)]
+mod tests {
+    use clap::CommandFactory;
+
+    use super::*;
+
+    /// Names of values that are numbers.
+    const NUMBERS: [&str; 12] = ["S", "N", "HZ", "X", "MM", "G", "T", "SEED", "R", "N_PER_M", "MS", "DEG"];
+
+    /// A number below the range of an option is told that range, and not taken for another option.
+    #[test]
+    fn every_option_that_is_a_number_takes_a_negative_one() {
+        fn look(command: &clap::Command, found: &mut usize) {
+            for arg in command.get_arguments() {
+                let is_number = |name: &clap::builder::Str| NUMBERS.contains(&name.as_str());
+                if arg.get_long().is_some() && arg.get_value_names().is_some_and(|names| names.iter().all(is_number)) {
+                    *found += 1;
+                    let name = arg.get_id();
+                    assert!(arg.is_allow_negative_numbers_set(), "--{name} of {}", command.get_name());
+                }
+            }
+            command.get_subcommands().for_each(|command| look(command, found));
+        }
+        let mut found = 0;
+        look(&Cli::command(), &mut found);
+        assert!(found > 40, "{found} options");
+    }
+}

@@ -23,10 +23,10 @@ pub(super) struct MotionArgs {
     #[arg(value_name = "FILE", required = true)]
     files: Vec<PathBuf>,
     /// Only this channel of each file, from 1
-    #[arg(long, value_name = "N", value_parser = at_least_one)]
+    #[arg(long, value_name = "N", value_parser = at_least_one, allow_negative_numbers = true)]
     channel: Option<usize>,
     /// Interval between samples, for files that do not state it [s]
-    #[arg(long, value_name = "S", value_parser = positive)]
+    #[arg(long, value_name = "S", value_parser = positive, allow_negative_numbers = true)]
     dt: Option<f64>,
     /// Unit of the numbers, for files that do not state it: g, gal (cm/s2), m/s2
     #[arg(long, value_name = "UNIT", value_parser = record_unit)]

@@ -13,26 +13,26 @@ use crate::scene::{Baseline, Processing};
 #[derive(Clone, Debug, clap::Args)]
 pub(super) struct ProcessingArgs {
     /// Cut the record to begin here, after its first sample [s]
-    #[arg(long, value_name = "S", value_parser = not_negative)]
+    #[arg(long, value_name = "S", value_parser = not_negative, allow_negative_numbers = true)]
     from: Option<f64>,
     /// Cut the record to end here, after its first sample [s]
-    #[arg(long, value_name = "S", value_parser = not_negative)]
+    #[arg(long, value_name = "S", value_parser = not_negative, allow_negative_numbers = true)]
     to: Option<f64>,
     /// Take off the mean, the line of least squares, or the parabola that leaves the least velocity: none, mean, linear,
     /// berg-housner
     #[arg(long, value_name = "METHOD", value_parser = baseline)]
     baseline: Option<Baseline>,
     /// Half cosine over which the record rises at its start and falls at its end [s]
-    #[arg(long, value_name = "S", value_parser = not_negative)]
+    #[arg(long, value_name = "S", value_parser = not_negative, allow_negative_numbers = true)]
     taper: Option<f64>,
     /// Stillness before the start and after the end [s]
-    #[arg(long, value_name = "S", value_parser = not_negative)]
+    #[arg(long, value_name = "S", value_parser = not_negative, allow_negative_numbers = true)]
     pad: Option<f64>,
     /// Factor of the interval between samples
-    #[arg(long, value_name = "X", value_parser = positive)]
+    #[arg(long, value_name = "X", value_parser = positive, allow_negative_numbers = true)]
     time_scale: Option<f64>,
     /// Scale to this peak [g]
-    #[arg(long, value_name = "G", value_parser = positive)]
+    #[arg(long, value_name = "G", value_parser = positive, allow_negative_numbers = true)]
     peak_g: Option<f64>,
     /// Multiply every sample, after the rest
     #[arg(long, value_name = "X", allow_negative_numbers = true, value_parser = finite)]

@@ -1,7 +1,7 @@
 //! The corner's orbit over its seat, drawn in the window: seat, front edge, orbit from light to dark through time, the corner at the
 //! time shown.
 
-use egui::{Color32, Pos2, Rect, Sense, Stroke, Ui, Vec2, pos2};
+use egui::{Align2, Color32, Pos2, Rect, Sense, Stroke, TextStyle, Ui, Vec2, pos2};
 
 use crate::app::style::theme::Palette;
 use crate::app::text;
@@ -55,6 +55,9 @@ pub(super) fn show(ui: &mut Ui, history: &History, (girder, seat): (usize, &Seat
             let (rect, response) = ui.allocate_exact_size(Vec2::new(width, HEIGHT), Sense::hover());
             let panel = Panel::of(rect, seat, which, orbit);
             draw(ui, &panel, seat, orbit, (which, here));
+            let font = TextStyle::Small.resolve(ui.style());
+            let place = rect.left_top() + Vec2::splat(4.0);
+            ui.painter().text(place, Align2::LEFT_TOP, text::orbit_corner(corner.corner), font, Palette::of(ui).weak);
             response.on_hover_text(text::orbit_of(corner.corner));
         }
     });

@@ -61,6 +61,11 @@ pub(in crate::app) fn demand(demand: &Demand) -> String {
     Text::new("demand").with(&values)
 }
 
+/// Which corner a picture shows.
+pub(in crate::app) fn orbit_corner(corner: usize) -> String {
+    Text::new("orbit-corner").with(&values!["corner" => corner + 1])
+}
+
 /// What the picture of a corner over its seat shows.
 pub(in crate::app) fn orbit_of(corner: usize) -> String {
     Text::new("orbit-of").with(&values!["corner" => corner + 1])
@@ -82,9 +87,9 @@ pub(in crate::app) fn reached_after(reached: &str) -> String {
     Text::new("reached-after").with(&values!["reached" => reached])
 }
 
-/// Which corner of a seat came off first, by its number in plan, and when.
+/// Which corner of a seat came off first, by its number in plan from 0, and when.
 pub(in crate::app) fn corner_off_at(corner: usize, t: f64) -> String {
-    Text::new("corner-off-at").with(&values!["corner" => corner, "t" => format!("{t:.4}")])
+    Text::new("corner-off-at").with(&values!["corner" => corner + 1, "t" => format!("{t:.4}")])
 }
 
 /// A time.

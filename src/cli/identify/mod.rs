@@ -52,12 +52,12 @@ pub(super) struct IdentifyArgs {
     #[arg(long, conflicts_with_all = ["scene", "record", "scaled", "from", "to"])]
     response: bool,
     /// Amplitude of these sines, where it is known [g]
-    #[arg(long, value_name = "G", value_parser = positive, requires = "response")]
+    #[arg(long, value_name = "G", value_parser = positive, requires = "response", allow_negative_numbers = true)]
     amplitude_g: Option<f64>,
     #[command(flatten)]
     pounding: pounding::PoundingArgs,
     /// The natural frequency is known: find the damping ratio alone, as the paper does at resonance [Hz]
-    #[arg(long, value_name = "HZ", value_parser = positive)]
+    #[arg(long, value_name = "HZ", value_parser = positive, allow_negative_numbers = true)]
     frequency: Option<f64>,
     /// Write plot, table and JSON into this folder
     #[arg(long, value_name = "DIR")]
@@ -80,10 +80,10 @@ struct GroundArgs {
     #[arg(long, value_name = "FILE")]
     record: Option<PathBuf>,
     /// Which channel of the record, from 1
-    #[arg(long, value_name = "N", value_parser = at_least_one, requires = "record")]
+    #[arg(long, value_name = "N", value_parser = at_least_one, requires = "record", allow_negative_numbers = true)]
     channel: Option<usize>,
     /// Interval between its samples, where it does not state it [s]
-    #[arg(long, value_name = "S", value_parser = positive, requires = "record")]
+    #[arg(long, value_name = "S", value_parser = positive, requires = "record", allow_negative_numbers = true)]
     dt: Option<f64>,
     /// Unit of its numbers, where it does not state it: g, gal (cm/s2), m/s2
     #[arg(long, value_name = "UNIT", value_parser = record_unit, requires = "record")]

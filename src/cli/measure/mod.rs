@@ -33,16 +33,16 @@ pub(super) struct MeasureArgs {
     #[arg(long, value_name = "FILE")]
     layout: Option<PathBuf>,
     /// Pictures a second, whatever the layout says; 30 without a layout [Hz]
-    #[arg(long, value_name = "HZ", value_parser = positive)]
+    #[arg(long, value_name = "HZ", value_parser = positive, allow_negative_numbers = true)]
     fps: Option<f64>,
     /// Length of a pixel, whatever the layout says [mm]
-    #[arg(long, value_name = "MM", value_parser = positive)]
+    #[arg(long, value_name = "MM", value_parser = positive, allow_negative_numbers = true)]
     mm_per_pixel: Option<f64>,
     /// Brightness above which a pixel is of a mark, 0 to 255; half-way between background and brightest when left out
     #[arg(long, value_name = "B", value_parser = brightness)]
     threshold: Option<f32>,
     /// Fewest pixels of a mark
-    #[arg(long, value_name = "N", default_value_t = 6)]
+    #[arg(long, value_name = "N", default_value_t = 6, allow_negative_numbers = true)]
     least_pixels: usize,
     #[command(flatten)]
     reference: reference::ReferenceArgs,

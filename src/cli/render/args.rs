@@ -33,7 +33,7 @@ pub(crate) struct RenderArgs {
     #[arg(long, value_name = "S|peak", value_parser = instant, default_value = "peak", allow_negative_numbers = true)]
     pub(super) at: Vec<Instant>,
     /// A film: this many pictures at even intervals, seen by a camera that stands still, numbered from 1
-    #[arg(long, value_name = "N", value_parser = clap::value_parser!(u32).range(1..=100_000), conflicts_with = "at", group = "film")]
+    #[arg(long, value_name = "N", value_parser = clap::value_parser!(u32).range(1..=100_000), conflicts_with = "at", group = "film", allow_negative_numbers = true)]
     pub(super) frames: Option<u32>,
     #[command(flatten)]
     pub(super) marks: MarkArgs,

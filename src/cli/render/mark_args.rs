@@ -21,13 +21,13 @@ pub(super) struct MarkArgs {
     #[arg(long, conflicts_with_all = ["at", "background", "show", "hide", "force_scale", "title", "fps"], group = "film")]
     marks: bool,
     /// Diameter of the marks [mm]; 0.08 of the narrowest girder's width when left out
-    #[arg(long, value_name = "MM", value_parser = positive, requires = "marks")]
+    #[arg(long, value_name = "MM", value_parser = positive, requires = "marks", allow_negative_numbers = true)]
     mark_mm: Option<f64>,
     /// Pictures a second of the film of marks [Hz]
-    #[arg(long, value_name = "HZ", value_parser = positive, requires = "marks", default_value_t = 30.0)]
+    #[arg(long, value_name = "HZ", value_parser = positive, requires = "marks", default_value_t = 30.0, allow_negative_numbers = true)]
     rate: f64,
     /// Time for which each picture of the film of marks is exposed, about its instant: what moves is blurred [ms]
-    #[arg(long, value_name = "MS", value_parser = not_negative, requires = "marks", default_value_t = 0.0)]
+    #[arg(long, value_name = "MS", value_parser = not_negative, requires = "marks", default_value_t = 0.0, allow_negative_numbers = true)]
     exposure_ms: f64,
 }
 

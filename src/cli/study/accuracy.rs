@@ -24,7 +24,7 @@ pub(super) struct AccuracyArgs {
     #[arg(long, value_name = "METHOD,…", value_delimiter = ',')]
     methods: Vec<String>,
     /// Runs that are timed, after a warm-up; the least counts
-    #[arg(long, value_name = "N", default_value_t = 5, value_parser = at_least_one)]
+    #[arg(long, value_name = "N", default_value_t = 5, value_parser = at_least_one, allow_negative_numbers = true)]
     repeat: usize,
     /// Fewer settings and shorter sweeps: a minute instead of many
     #[arg(long)]

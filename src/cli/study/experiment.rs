@@ -34,10 +34,10 @@ pub(super) struct ExperimentArgs {
     #[arg(long, value_name = "FILE")]
     record: Option<PathBuf>,
     /// Which channel of the file, from 1
-    #[arg(long, value_name = "N", value_parser = at_least_one, requires = "record")]
+    #[arg(long, value_name = "N", value_parser = at_least_one, requires = "record", allow_negative_numbers = true)]
     channel: Option<usize>,
     /// Interval between samples, for a file that does not state it [s]
-    #[arg(long, value_name = "S", value_parser = positive, requires = "record")]
+    #[arg(long, value_name = "S", value_parser = positive, requires = "record", allow_negative_numbers = true)]
     dt: Option<f64>,
     /// Unit of the numbers, for a file that does not state it: g, gal (cm/s2), m/s2
     #[arg(long, value_name = "UNIT", value_parser = record_unit, requires = "record")]

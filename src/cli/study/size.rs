@@ -17,7 +17,7 @@ pub(super) struct SizeArgs {
     #[arg(long, value_name = "DIR")]
     out: PathBuf,
     /// Runs that are timed, after a warm-up; the least counts
-    #[arg(long, value_name = "N", default_value_t = 5, value_parser = at_least_one)]
+    #[arg(long, value_name = "N", default_value_t = 5, value_parser = at_least_one, allow_negative_numbers = true)]
     repeat: usize,
     /// Rows of up to 100 girders only
     #[arg(long)]

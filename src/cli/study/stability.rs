@@ -17,10 +17,10 @@ use crate::study::stability::{self, Asked, Limits, Verdict};
 #[derive(Clone, Debug, clap::Args)]
 pub(super) struct StabilityArgs {
     /// How many seeds
-    #[arg(long, value_name = "N", default_value_t = 500, value_parser = clap::value_parser!(u64).range(1..=100_000_000))]
+    #[arg(long, value_name = "N", default_value_t = 500, value_parser = clap::value_parser!(u64).range(1..=100_000_000), allow_negative_numbers = true)]
     seeds: u64,
     /// The first seed
-    #[arg(long, value_name = "SEED", default_value_t = 0)]
+    #[arg(long, value_name = "SEED", default_value_t = 0, allow_negative_numbers = true)]
     from: u64,
     /// Take only seeds whose scenes lie inside the domain of the program
     #[arg(long)]
@@ -29,10 +29,10 @@ pub(super) struct StabilityArgs {
     #[arg(long, value_name = "DIR")]
     out: PathBuf,
     /// Seeds at once [default: as many as there are processors]
-    #[arg(long, value_name = "N", value_parser = clap::value_parser!(u32).range(1..=4096))]
+    #[arg(long, value_name = "N", value_parser = clap::value_parser!(u32).range(1..=4096), allow_negative_numbers = true)]
     threads: Option<u32>,
     /// Events after which a scene is long enough (not for those that shake for an hour)
-    #[arg(long, value_name = "N", default_value_t = 20_000, value_parser = clap::value_parser!(u32).range(1..))]
+    #[arg(long, value_name = "N", default_value_t = 20_000, value_parser = clap::value_parser!(u32).range(1..), allow_negative_numbers = true)]
     events: u32,
     /// Most processor time that the runs of one seed may take [s]
     #[arg(long, value_name = "S", default_value_t = 60.0, value_parser = positive, allow_negative_numbers = true)]
