@@ -103,12 +103,10 @@ impl Placer {
         for (far, direction) in spots {
             let middle = label.at + direction * (half + label.clear * far);
             let area = self.in_picture(middle, half);
-            // What the picture's edge has pushed back must not lie on its own point.
-            let is_pushed = area != Area::about(middle, half);
-            let own = if is_pushed { area.overlap(&Area::about(label.at, Vec2::splat(label.clear))) } else { 0.0 };
+            let pushed = self.pushed(&Area::about(middle, half), label);
             // A text half hidden says less than none.
             let most = best.map_or(half.x * half.y, |(_, least, _)| least);
-            let Some(cost) = self.cost(&area, most).map(|cost| cost + own).filter(|cost| *cost <= most) else {
+            let Some(cost) = self.cost(&area, most).map(|cost| cost + pushed).filter(|cost| *cost <= most) else {
                 continue;
             };
             if best.is_none_or(|(_, least, _)| cost < least) {
@@ -127,12 +125,19 @@ impl Placer {
         Area::about(middle.clamp(least.min(most), most.max(least)), half)
     }
 
-    /// What a spot would cover: other labels, and the outside of the picture \[pixels²\]; `None` above `most`.
+    /// How much of an area is outside the picture, and, where any is, of its own point it covers when it is moved inside \[pixels²\]: a spot
+    /// that has room as it is is better.
+    fn pushed(&self, wanted: &Area, label: &Label) -> f32 {
+        let size = wanted.size();
+        let outside = (size.x * size.y - wanted.overlap(&self.picture)).max(0.0);
+        let moved = self.in_picture((wanted.min + wanted.max) / 2.0, size / 2.0);
+        let own = if moved == *wanted { 0.0 } else { moved.overlap(&Area::about(label.at, Vec2::splat(label.clear))) };
+        outside + own
+    }
+
+    /// How much of other labels a spot would cover \[pixels²\]; `None` above `most`.
     fn cost(&self, area: &Area, most: f32) -> Option<f32> {
-        let size = area.size();
-        let outside = (size.x * size.y - area.overlap(&self.picture)).max(0.0);
-        let cost = self.taken.covered(area, most)? + outside;
-        (cost <= most).then_some(cost)
+        self.taken.covered(area, most).filter(|cost| *cost <= most)
     }
 
     fn settle(&mut self, label: &Label, far: f32, area: Area) -> Vec<Mark> {
