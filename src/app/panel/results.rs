@@ -126,10 +126,10 @@ fn links(ui: &mut Ui, salt: &str, rows: Vec<(&'static str, String, Spot)>, out: 
 
 /// What a designer reads off the run for one girder, each with where it is seen.
 fn readings(answer: &Answer, girder: usize, reading: &Reading) -> Vec<(&'static str, String, Spot)> {
-    let (history, sound) = (&answer.history, answer.sound_until());
+    let (history, carried) = (&answer.history, answer.carried_from());
     let at = |words: &str, e: &Extreme| {
         let reached = text::reached_at(words, e.t);
-        if e.t > sound { text::reached_after(&reached) } else { reached }
+        if e.t > carried { text::reached_after(&reached) } else { reached }
     };
     let length = |e: &Extreme| at(&text::length(e.value), e);
     let turned = &reading.rotation;

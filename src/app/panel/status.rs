@@ -217,8 +217,8 @@ fn numbers(ui: &mut Ui, answer: &Answer, room: f32, out: &mut Vec<Command>) {
             continue;
         };
         // Where a number is seen is looked for in a frame only where that matters.
-        let sound = answer.sound_until();
-        let is_after = sound.is_finite() && there(&answer.history).is_some_and(|spot| spot.t > sound);
+        let carried = answer.carried_from();
+        let is_after = carried.is_finite() && there(&answer.history).is_some_and(|spot| spot.t > carried);
         let (words, meaning) = if is_after {
             let meaning = format!("{}\n{}", text::reached_after(&meaning), text::GOES_ON);
             (RichText::new(words).color(Palette::of(ui).problem), meaning)

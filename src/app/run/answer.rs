@@ -186,9 +186,8 @@ impl Answer {
         self.falls().iter().any(off) && self.history.seats().lost_supports(self.history.end()).is_empty()
     }
 
-    /// Until when the run is the motion of the bridge: until the first end has come off its seat, where it goes on as if that were carried;
-    /// infinite otherwise \[s\].
-    pub fn sound_until(&self) -> f64 {
+    /// When the first end comes off its seat that the run goes on to carry; infinite where none does \[s\].
+    pub fn carried_from(&self) -> f64 {
         if !self.goes_on_as_carried() {
             return f64::INFINITY;
         }

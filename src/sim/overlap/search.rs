@@ -31,9 +31,9 @@ const COUNTS: f64 = 2.0 * UNCARRIED;
 const RESOLVED: f64 = 1e-2;
 /// Least samples of a stretch in which bodies stay nearer than their motion resolves.
 const STRETCH_SAMPLES: f64 = 16.0;
-/// Most samples of two bodies in a run: seconds of work. Bodies of a metre that stay nearer than their motion resolves go 40 km in them, far
-/// more than inside the domain; of faster ones less is seen. Chosen.
-const MOST_SAMPLES: f64 = 4e6;
+/// Samples of an interval after which the rest has as many again, evenly spaced: seconds of work. Two bodies of a metre that stay nearer than
+/// their motion resolves have gone 10 km by then. Chosen; beyond it less is seen, and such speeds are outside the domain.
+const MOST_SAMPLES: u32 = 1_000_000;
 /// Samples of a step with a closed contact.
 const CLOSED_STEP_SAMPLES: f64 = 2.0;
 /// Most halvings by which the first instant is found between two samples.
@@ -135,7 +135,7 @@ impl Meeting<'_> {
         let mut found: Option<Found> = None;
         let mut before = self.sample(followed, from);
         let mut bounds = self.bounds(from);
-        let mut since = self.counts(&before).then_some(from);
+        let (mut since, mut taken) = (self.counts(&before).then_some(from), 0);
         let seen = |found: &mut Option<Found>, sample: &Sample| {
             let deepest = Extreme { value: sample.excess, t: sample.t };
             let so_far = found.get_or_insert_with(|| Found { intervals: Vec::new(), deepest, followed });
@@ -150,8 +150,12 @@ impl Meeting<'_> {
             if before.t >= until || before.watched {
                 break;
             }
-            let next;
+            let mut next;
             (next, bounds) = self.next(&before, bounds, until);
+            taken += 1;
+            if taken > MOST_SAMPLES {
+                next = next.max(before.t + (until - from) / f64::from(MOST_SAMPLES)).min(until);
+            }
             let after = self.sample(followed, next);
             match (since, self.counts(&after)) {
                 (None, true) => since = Some(self.change(followed, [before.t, after.t])[1]),
@@ -257,7 +261,6 @@ impl Meeting<'_> {
         } else {
             (left / bounds.speed).max(self.least_time(t, left, bounds.acceleration)).max(resolving)
         };
-        let step = step.max(self.history.end() / MOST_SAMPLES);
         // A window may be shorter than the spacing of times.
         ((t + step).min(until).max(now.t.next_up()), bounds)
     }
