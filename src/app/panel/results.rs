@@ -55,6 +55,9 @@ pub(in crate::app) fn show_girder(
         ui.label(RichText::new(text::READINGS).strong());
         verdict(ui, (i, &girder.name), (answer, reading), out);
         goes_on(ui, answer);
+        if answer.carried_from().is_finite() {
+            ui.label(RichText::new(text::REACHED_AFTER_MEANS).weak());
+        }
         links(ui, "readings", readings(answer, i, reading), out);
         show_seats(ui, answer, i, t);
     }

@@ -216,12 +216,13 @@ fn numbers(ui: &mut Ui, answer: &Answer, room: f32, out: &mut Vec<Command>) {
             ui.label(words).on_hover_text(meaning);
             continue;
         };
-        // Where a number is seen is looked for in a frame only where that matters.
+        // Of the peaks; where one is seen is looked for in a frame only where that matters.
         let carried = answer.carried_from();
-        let is_after = carried.is_finite() && there(&answer.history).is_some_and(|spot| spot.t > carried);
+        let is_after =
+            carried.is_finite() && number < PEAKS && there(&answer.history).is_some_and(|spot| spot.t > carried);
         let (words, meaning) = if is_after {
-            let meaning = format!("{}\n{}", text::reached_after(&meaning), text::GOES_ON);
-            (RichText::new(words).color(Palette::of(ui).problem), meaning)
+            let words = RichText::new(text::reached_after(&words)).color(Palette::of(ui).problem);
+            (words, format!("{meaning}\n{}\n{}", text::GOES_ON, text::REACHED_AFTER_MEANS))
         } else {
             (RichText::new(words), meaning.to_string())
         };
@@ -234,5 +235,7 @@ fn numbers(ui: &mut Ui, answer: &Answer, room: f32, out: &mut Vec<Command>) {
     }
 }
 
+/// How many of them, from the first on, are peaks of the run.
+const PEAKS: usize = 3;
 /// Where the first of the numbers are seen: what moves farthest, what turns most, the hardest touch, the first hit.
 const THERE: [fn(&History) -> Option<Spot>; 4] = [Spot::farthest, Spot::most_turned, Spot::hardest, Spot::first_touch];

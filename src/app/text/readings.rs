@@ -140,6 +140,7 @@ pub(in crate::app) fn periods(count: f64) -> String {
 
 /// What the run shows after an end has come off its seat.
 pub(in crate::app) const GOES_ON: Text = Text::new("report-goes-on");
+pub(in crate::app) const REACHED_AFTER_MEANS: Text = Text::new("reached-after-means");
 
 /// That a girder does not stay on its seats, and when, in few words.
 pub(in crate::app) fn falls(verdict: &Verdict) -> String {
