@@ -173,7 +173,7 @@ impl ContactRun {
         }
     }
 
-    /// What the run has spent at `t`; a step takes a time and a code in a path beside what the store counts.
+    /// Cost of the run at `t`: work, and memory \[bytes\] of steps, of a time and a code per path segment, and of events.
     fn spent(&self, t: f64) -> Spent {
         let paths: usize = self.world.bodies.iter().map(|track| track.path.len()).sum();
         let steps =

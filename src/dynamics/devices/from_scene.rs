@@ -12,7 +12,7 @@ use crate::scene::{self, Device as Placed};
 /// A law between the two points of a device.
 #[derive(Clone, Debug)]
 pub struct PlacedLaw {
-    /// What its name has beyond that of its device.
+    /// Ending of the connection's name, appended to the device's; empty for a single law.
     pub suffix: &'static str,
     /// Axes that it sees its motion in, in the columns, in the world as placed.
     pub axes: DMat3,

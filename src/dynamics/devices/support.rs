@@ -46,7 +46,8 @@ impl Support {
         if phase.branch == LOST { None } else { self.law.as_deref() }
     }
 
-    /// What the girder's bearing has stored, with the spring under its preload \[J\].
+    /// Strain energy of the girder's bearing relative to its unloaded state \[J\]: spring energy, less the preload's work, plus the energy
+    /// stored by the preload.
     fn of_bearing(&self, motion: &Separation) -> f64 {
         let (stiffness, preload) = (self.spring.stiffness, self.preload);
         let squeezed = if stiffness.z > 0.0 { preload.z * preload.z / (2.0 * stiffness.z) } else { 0.0 };

@@ -50,7 +50,7 @@ pub struct CustomFlight {
     start: f64,
     /// State at its beginning.
     state: BodyState,
-    /// What the closed form computes from.
+    /// Parameters of the closed form ([`linear::Flight::numbers`]).
     numbers: Vec<f64>,
 }
 
@@ -60,7 +60,7 @@ impl CustomFlight {
         Self { form: Arc::clone(form), start, state: state.into(), numbers }
     }
 
-    /// What the closed form computes from, with when it begins.
+    /// Start and parameters of the closed form.
     fn flight(&self) -> linear::Flight<'_> {
         linear::Flight { start: self.start, numbers: &self.numbers }
     }

@@ -73,7 +73,7 @@ impl Flight {
         matches!(self.form, FlightForm::Record { .. })
     }
 
-    /// What it takes \[bytes\].
+    /// Memory \[bytes\].
     pub fn bytes(&self) -> usize {
         let anchors = if let FlightForm::Record { anchors, .. } = &self.form { anchors.len() } else { 0 };
         size_of::<Self>() + anchors * size_of::<PlanarState>()

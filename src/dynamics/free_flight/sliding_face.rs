@@ -51,7 +51,7 @@ impl SteadyResponse {
     }
 }
 
-/// What moves the face along: stiffness, damping and force per mass, as felt along `d`.
+/// Coefficients of `ü + damping u̇ + omega2 u = force + …` along the face, projected on `d` and divided by the mass \[1/s, 1/s², m/s²\].
 #[derive(Clone, Copy, Debug)]
 struct ProjectedForces {
     omega2: f64,

@@ -14,8 +14,8 @@ pub trait System {
     fn size2(&self, difference: &[f64]) -> f64;
 }
 
-/// What an implicit method needs beyond the right-hand side. The defaults describe a system without structure: a
-/// dense Jacobian by difference quotients, no auxiliary components, no term of low rank.
+/// System for an implicit method. The defaults describe a system without structure: a dense Jacobian by difference quotients, no auxiliary
+/// components, no term of low rank.
 ///
 /// The last [`auxiliary_count`](Self::auxiliary_count) components are *auxiliary*: each obeys a scalar equation of
 /// its own and is coupled to the leading components through one [`RankOneTerm`] only. A *port* is a pair of inputs

@@ -7,7 +7,7 @@
 use crate::dynamics::locate::constants::{DIP_HALVINGS, EXCURSION_MARGIN, EXCURSION_REDUCTIONS, RISE_LOOKS};
 use crate::dynamics::locate::root::{root, root_between};
 
-/// What counts as 0 at the start of a function, and as a rise from there, in its unit.
+/// Thresholds of a switching function for a zero at its start and for a rise, in the function's unit.
 #[derive(Clone, Copy, Debug)]
 pub(in crate::dynamics) struct Resolution {
     /// Value up to which the start is at 0.

@@ -61,7 +61,7 @@ impl BodiesAt<'_> {
     }
 }
 
-/// What no contact carries.
+/// Overlap that no contact force acts against.
 #[derive(Clone, Copy, Debug)]
 pub(in crate::dynamics) struct Excess {
     /// Least overlap less the deepest penetration and what is tolerated \[m\].

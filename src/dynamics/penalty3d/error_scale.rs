@@ -18,7 +18,7 @@ use crate::dynamics::{Body, Model};
 use crate::motion::Ground;
 use crate::scene::FINEST_TOLERANCE;
 
-/// What the length of a step is bounded by, beside its error.
+/// Bounds on the length of a step beside the error estimate.
 #[derive(Clone, Copy, Debug)]
 pub(in crate::dynamics) struct StepLengthBounds {
     /// Fastest relaxation of what the law of a device remembers \[1/s\].
@@ -30,7 +30,7 @@ pub(in crate::dynamics) struct StepLengthBounds {
     opening: f64,
 }
 
-/// What the bodies of an island add to its error scale.
+/// Part of an island's error scale by its bodies.
 #[derive(Default)]
 struct BodyScale {
     /// Square of the largest speed, rotation included \[m²/s²\].
@@ -46,7 +46,7 @@ struct BodyScale {
     acceleration: f64,
 }
 
-/// What its contacts add.
+/// Part of an island's error scale by its closed contacts.
 struct ContactScale {
     /// Square of the largest speed `√((ω g)² + ġ²)` of a normal or tangential spring \[m²/s²\].
     speed2: f64,
@@ -56,7 +56,7 @@ struct ContactScale {
     stretches: SmallVec<[f64; 4]>,
 }
 
-/// What its devices add.
+/// Part of an island's error scale by its acting devices.
 struct DeviceScale {
     /// Square of the largest speed of a device's points against each other \[m²/s²\].
     speed2: f64,
@@ -133,7 +133,7 @@ impl Island {
         scale
     }
 
-    /// What the closed contacts add to the error scale, at the poses in the workspace.
+    /// [`ContactScale`] at the poses in the workspace.
     fn contacts_scale(&self, model: &Model, omega: f64) -> ContactScale {
         let mut scale = ContactScale { speed2: 0.0, openings: SmallVec::new(), stretches: SmallVec::new() };
         for number in self.kind.distinct(self.system.active.len()) {
@@ -156,7 +156,7 @@ impl Island {
         scale
     }
 
-    /// What the acting devices add to the error scale, at the poses in the workspace.
+    /// [`DeviceScale`] at the poses in the workspace.
     fn devices_scale(&self, model: &Model, omega: f64) -> DeviceScale {
         let mut scale =
             DeviceScale { speed2: 0.0, memories: SmallVec::new(), relaxation: 0.0, smooth_within: f64::INFINITY };

@@ -1,4 +1,4 @@
-//! What an implicit step costs against an explicit one, counted in operations: many components make it dear.
+//! Ratio of the costs of an implicit and an explicit step, counted in operations: it grows with the number of components.
 
 use crate::dynamics::model::coordinates::spatial;
 use crate::dynamics::penalty3d::constants::SLOPE_OPERATIONS;

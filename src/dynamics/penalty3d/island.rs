@@ -47,7 +47,7 @@ pub(in crate::dynamics) struct Island {
     /// Bound of the displacement of a corner since placed at the start of the step, per body \[m\].
     pub(in crate::dynamics) moved: Vec<f64>,
     pub(super) workspace: Workspace,
-    /// What slip angles \[rad\] and memories of devices may err by in a step, each in its own unit, as they stand behind the states.
+    /// Allowed errors in a step of the auxiliary states, in their order: slip angles \[rad\], memories of devices (units of the device).
     pub(in crate::dynamics) auxiliary_errors: Vec<f64>,
 }
 

@@ -3,7 +3,7 @@
 use crate::dynamics::integrator::dense_output::DenseOutput;
 use crate::dynamics::penalty3d::due::{Due, LinkDue};
 
-/// What a step may err by.
+/// Allowed error of a step.
 #[derive(Clone, Copy, Debug, Default)]
 pub(in crate::dynamics) struct Allowed {
     /// In place \[m\].
@@ -23,7 +23,7 @@ pub(in crate::dynamics) struct PlannedStep {
     pub dense: Option<DenseOutput>,
     /// Whether the method is explicit.
     pub explicit: bool,
-    /// What the tolerance allows it to err by.
+    /// Allowed error, by the run's tolerance.
     pub allowed: Allowed,
     /// Whether the step, recomputed from its initial state, is equal to the last bit.
     pub repeats: bool,

@@ -15,8 +15,8 @@ use crate::dynamics::world::constants::FORCE_ROUNDING;
 use crate::dynamics::world::tracks::{LinkTrack, Trajectory};
 
 impl World {
-    /// What all connections that act on a body are together; `None` where one acts on another body as well or its force is not linear in its
-    /// phase (of a body of one coordinate its switching functions too), or where the body's motion on such has no closed form.
+    /// Resultant of all connections that act on a body, as springs to the ground; `None` where one acts on another body as well, where a
+    /// force is not linear in its phase (of a body of one coordinate: a switching function either), or where the motion has no closed form.
     pub(in crate::dynamics) fn ground_springs(&self, slot: usize) -> Option<GroundSprings> {
         let track = &self.bodies[slot];
         let body = &self.model.bodies[track.body];

@@ -64,7 +64,7 @@ impl GuidedFlight {
     }
 }
 
-/// What the numbers of a flight are.
+/// A flight's parameters, by name.
 struct FlightNumbers<'a> {
     spring: GroundSpring,
     /// `u, u̇` at the start.
@@ -84,7 +84,7 @@ impl<'a> FlightNumbers<'a> {
     }
 }
 
-/// What a motion comes to: least and greatest displacement \[m\], greatest speed \[m/s\] and acceleration \[m/s²\].
+/// Extremes of a motion: least and greatest displacement \[m\], greatest speed \[m/s\] and acceleration \[m/s²\].
 struct Extremes {
     range: [f64; 2],
     speed: f64,

@@ -54,7 +54,7 @@ macro_rules! of_each {
     };
 }
 
-/// What [`Coordinates`] answer, by those of the body.
+/// [`Coordinates`] of the body's kind, dispatched.
 impl Body {
     /// [`Coordinates::width`].
     #[inline]

@@ -77,7 +77,7 @@ pub(in crate::dynamics) fn free(body: &Body) -> [bool; POSITIONS] {
     DIRECTIONS.map(|direction| body.free[direction])
 }
 
-/// What a rotation by `angle` adds to the identity.
+/// Rotation matrix about the vertical less the identity, R(angle) − 1.
 #[inline]
 fn turned(angle: f64) -> DMat3 {
     // Most girders of a row never turn. Of half the angle, for the cosine less 1 without loss.

@@ -35,7 +35,7 @@ pub(in crate::dynamics) struct Load {
     pub moment: DVec3,
 }
 
-/// What a link is, which decides how its point goes with the section of an elastic girder.
+/// Kind of a link: at an elastic girder it decides how the link's point moves with the section.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub(in crate::dynamics) enum LinkOf {
     /// A part of a bearing: at the point at which the bearing's own spring acts, (F2).
@@ -44,7 +44,7 @@ pub(in crate::dynamics) enum LinkOf {
     Device,
 }
 
-/// What of a girder carries the forces on a section of its own.
+/// Part of a girder at which forces on one of its sections act.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub(in crate::dynamics) enum Bearer {
     /// The section at this station \[m\].
@@ -123,7 +123,7 @@ pub(in crate::dynamics) struct SectionStiffness {
     pub moments: DVec3,
 }
 
-/// What acts on an elastic girder at one instant, and how it accelerates.
+/// Loads and accelerations of an elastic girder at one instant.
 #[derive(Clone, Debug)]
 pub struct Equilibrium {
     /// Length \[m\] and mass \[kg\].

@@ -31,7 +31,7 @@ const SPIN: Range<usize> = 10..WIDTH;
 #[derive(Clone, Copy, Debug)]
 pub(in crate::dynamics) struct Spatial;
 
-/// What a body has turned since it was placed.
+/// Rotation of a body since it was placed.
 pub fn turn(state: &[f64]) -> DQuat {
     let q = quaternion(state);
     // Kept near 1 by every accepted step; never 0.

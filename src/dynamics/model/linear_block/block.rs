@@ -132,7 +132,7 @@ impl LinearBlock {
         Some(Self { motion, ground: ground.clone(), members, losses, fastest })
     }
 
-    /// What a flight from these states at `start` is computed from, one a member.
+    /// Parameters of one flight of all members from these states at `start`, one state a member.
     pub(super) fn begin_all(&self, start: f64, states: &[&[f64]]) -> Vec<f64> {
         let size = self.motion.spectrum.size;
         let (mut places, mut speeds) = (vec![0.0; size], vec![0.0; size]);

@@ -5,7 +5,7 @@ use glam::DVec2;
 use super::part::{LinearPart, RIGID, SectionShape};
 use crate::dynamics::linear::{Complex, Spectrum};
 
-/// What a unit coefficient of an exponential does to a section: |(x, y) + (u, v)|, |θ + φ|, |(u, v)|, |φ|, and |(x, y)|, |θ|.
+/// Displacements of a section per unit coefficient of an exponential: |(x, y) + (u, v)|, |θ + φ|, |(u, v)|, |φ|, and |(x, y)|, |θ|.
 #[derive(Clone, Copy, Debug)]
 pub(super) struct Reach {
     pub place: f64,

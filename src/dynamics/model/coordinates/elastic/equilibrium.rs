@@ -1,4 +1,4 @@
-//! What acts on an elastic girder in plan, for its section forces, (F10).
+//! Loads and accelerations of an elastic girder in plan, the input of its section forces, (F10).
 
 use glam::{DMat2, DMat3, DVec2, DVec3};
 use smallvec::smallvec;
@@ -11,8 +11,8 @@ use crate::dynamics::model::linear_block::part::RIGID;
 use crate::dynamics::model::wrench::Wrench;
 
 impl ElasticGirder {
-    /// What acts in a state since the girder was placed, under wrenches on its sections about the origins of their frames, and the
-    /// ground.
+    /// Loads in a state, less those of the placed state, under wrenches on its sections about the origins of their frames, and the ground's
+    /// acceleration.
     pub fn equilibrium(&self, state: &[f64], wrenches: &[Wrench], ground: DVec3) -> Equilibrium {
         let modal = self.accelerations(state, wrenches, ground).split_off(RIGID);
         let mut loads = self.on_sections(state, wrenches);

@@ -8,7 +8,7 @@ use crate::dynamics::model::coordinates::planar;
 use crate::dynamics::model::linear_block::part::{LinearPart, RIGID, SectionShape};
 
 impl ElasticGirder {
-    /// What a linear block sees of the girder.
+    /// The girder's matrices, loads and sections as a part of a linear block.
     pub(super) fn part(&self) -> LinearPart {
         let n = self.places();
         let Body { push, moment, start: [x, y, .., turn], .. } = &self.rigid;

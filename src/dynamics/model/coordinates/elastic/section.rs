@@ -32,7 +32,7 @@ pub(in crate::dynamics) enum SectionFrame {
 pub(in crate::dynamics) struct Section {
     /// Its frame.
     pub frame: SectionFrame,
-    /// What carries the forces on it.
+    /// Point of the girder at which forces on the section act.
     pub bearer: Bearer,
     /// From G to its centre, world axes as placed \[m\].
     pub lever: DVec2,
@@ -54,7 +54,7 @@ pub(in crate::dynamics) struct SectionLoad {
     pub moment: f64,
 }
 
-/// What the rotations of the body and of a section against it add to the identity.
+/// Rotation matrices of the body and of a section relative to it, each less the identity: R − 1.
 #[derive(Clone, Copy, Debug)]
 pub(in crate::dynamics) struct Turns {
     /// By θ.

@@ -2,7 +2,7 @@
 
 use glam::{DMat2, DMat3, DVec2, DVec3};
 
-/// What a rotation in plan by `angle` adds to the identity, without loss where it is small.
+/// Rotation matrix in plan less the identity, R(angle) − 1, without cancellation at small angles.
 #[inline]
 pub(super) fn planar_turn(angle: f64) -> DMat2 {
     let (s, c) = (0.5 * angle).sin_cos();
@@ -10,7 +10,7 @@ pub(super) fn planar_turn(angle: f64) -> DMat2 {
     DMat2::from_cols(DVec2::new(less, sine), DVec2::new(-sine, less))
 }
 
-/// What a rotation that adds `a` to the identity adds to it together with one that adds `b`.
+/// Product of two rotations, each less the identity: (1 + a)(1 + b) − 1.
 #[inline]
 pub(super) fn composed(a: DMat2, b: DMat2) -> DMat2 {
     a + b + a * b

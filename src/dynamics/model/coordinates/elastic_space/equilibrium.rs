@@ -1,4 +1,5 @@
-//! What acts on an elastic girder in space, for its section forces, (F10): those beyond the dead load's, whose shape is the zero of q.
+//! Loads and accelerations of an elastic girder in space, the input of its section forces, (F10): those beyond the dead load's, whose shape
+//! is the zero of q.
 
 use glam::DVec3;
 
@@ -8,7 +9,7 @@ use crate::dynamics::model::coordinates::section_forces::{Equilibrium, Load, Sec
 use crate::dynamics::model::wrench::Wrench;
 
 impl SpatialElasticGirder {
-    /// What acts in a state since the girder was placed, under wrenches on its sections about the origins of their frames.
+    /// Loads in a state, less those of the placed state, under wrenches on its sections about the origins of their frames.
     pub fn equilibrium(&self, state: &[f64], wrenches: &[Wrench]) -> Equilibrium {
         let here = self.mean_axes(state);
         let mut modal = vec![0.0; self.count()];

@@ -13,7 +13,7 @@ use crate::dynamics::model::coordinates::section_forces::Bearer;
 /// A rigid section of the girder, or a face along it: where it is, and its motion in every mode.
 #[derive(Clone, Debug)]
 pub(in crate::dynamics) struct Section {
-    /// What carries the forces on it.
+    /// Point of the girder at which forces on the section act.
     pub(super) bearer: Bearer,
     /// From G to its centre, world axes as placed \[m\].
     pub(super) lever: DVec3,
@@ -28,7 +28,7 @@ pub(super) struct Deformation {
     pub(super) rate: Fields,
 }
 
-/// What the rotations of the body and of a section against it add to the identity.
+/// Rotation matrices of the body and of a section relative to it, each less the identity: R − 1.
 #[derive(Clone, Copy, Debug)]
 pub(super) struct Turns {
     /// Of the body.
@@ -43,7 +43,7 @@ impl Turns {
         Self { body, own: SectionTurn::of(phi) }
     }
 
-    /// What both together add.
+    /// Product of both rotations, less the identity.
     pub(super) fn whole(&self) -> DMat3 {
         self.body + self.own.own + self.body * self.own.own
     }

@@ -70,7 +70,8 @@ fn frames_move_by_their_velocities() {
     }
 }
 
-/// What takes away the force of a bearing that is lost acts where that does: on a rigid section there it would leave a couple of φ²/2.
+/// Forces of a bearing and of the link that cancels it when it is lost act at one point: on a rigid section there a couple of φ²/2 would
+/// remain.
 #[test]
 fn a_bearing_and_its_link_are_at_one_point() {
     let model = model();
@@ -95,7 +96,7 @@ fn a_bearing_and_its_link_are_at_one_point() {
     }
 }
 
-/// What forces, push and ground do to the girder goes into its energies and losses.
+/// Power of forces, push and ground on the girder equals the rate of its energies and losses.
 #[test]
 fn forces_do_the_work_that_its_energy_gains() {
     let model = model();

@@ -5,7 +5,7 @@ use glam::{DMat3, DVec3};
 /// Squared angle up to which `(θ − sin θ)/θ³` is summed as a series: seven terms leave 1e-17 there, the difference is as exact above.
 const SERIES: f64 = 0.25;
 
-/// What a section's turn adds to the identity, and how rates of φ turn it.
+/// Rotation matrix of a section less the identity, and the map from φ̇ to its angular velocity.
 #[derive(Clone, Copy, Debug)]
 pub(super) struct SectionTurn {
     /// `exp [φ]× − 1 = a [φ]× + b [φ]×²`, without loss where it is small.
