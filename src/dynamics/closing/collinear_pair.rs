@@ -8,6 +8,7 @@
 
 use crate::dynamics::closing::flight_view::horizon;
 use crate::dynamics::closing::found::NextClosing;
+use crate::dynamics::free_flight::body_flight::FlightAlong;
 use crate::dynamics::free_flight::relative_bounds;
 use crate::dynamics::free_flight::uncoupled_axis::UncoupledAxis;
 use crate::dynamics::integrator::dense_output::DenseOutput;
@@ -15,6 +16,7 @@ use crate::dynamics::locate::advancement::{BoundedGap, FirstZero, first_crossing
 use crate::dynamics::locate::constants::RESOLUTION;
 use crate::dynamics::locate::subdivision::{GapClosing, GapSample, Subdivision};
 use crate::dynamics::penalty3d::contact_state::Contact;
+use crate::dynamics::penalty3d::island_poses::StepAlong;
 use crate::dynamics::world::World;
 use crate::dynamics::world::axial_gap::AxialGap;
 use crate::dynamics::world::tracks::Trajectory;
@@ -194,12 +196,12 @@ impl<'a> Side<'a> {
             Trajectory::Placed => None,
             Trajectory::Flight(flight) => {
                 let straight = world.model.bodies[track.body].along(axis).is_some();
-                let (dof, part, push) = straight.then(|| flight.along(axis)).flatten()?;
+                let FlightAlong { dof, part, push } = straight.then(|| flight.along(axis)).flatten()?;
                 Some(Self::Flight { dof, part, start: flight.start(), push })
             }
             &Trajectory::Island { island: number, index } => {
                 let island = world.islands[number].as_ref()?;
-                let (dense, components, base) = island.along(index, axis)?;
+                let StepAlong { dense, components, base } = island.along(index, axis)?;
                 Some(Self::Step {
                     island: number,
                     dense,

@@ -5,6 +5,7 @@ use glam::DVec3;
 use crate::contact::Frame;
 use crate::dynamics::closing::constants::PHASE_END_SAMPLES;
 use crate::dynamics::free_flight::body_flight::BodyFlight;
+use crate::dynamics::free_flight::flight::StateInFlight;
 use crate::dynamics::free_flight::relative_bounds::{BodyInFlight, GirderInFlight, RelativeBounds};
 use crate::dynamics::linear::Parts;
 use crate::dynamics::locate::constants::SAMPLES_PER_SEARCH;
@@ -68,7 +69,7 @@ fn flyer<'a>(
     let body = &world.model.bodies[track.body];
     let flight = track.flight()?;
     if let Some((free_motion, flight)) = flight.in_plan() {
-        let (state, free) = free_motion.parts_in(flight, t, phase);
+        let StateInFlight { state, free } = free_motion.parts_in(flight, t, phase);
         let bound = free_motion.bound_from(t, &state, free.as_ref(), horizon);
         let girder = Some(GirderInFlight { free_motion, state, free });
         return Some((body.planar_frame(&state), BodyInFlight { bound, girder }));

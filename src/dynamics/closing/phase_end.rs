@@ -14,7 +14,7 @@ use crate::dynamics::locate::advancement::FirstZero;
 use crate::dynamics::locate::first_rise::{EarliestRise, Resolution, first_rise};
 use crate::dynamics::locate::horizon::Horizon;
 use crate::dynamics::locate::sample_times::sample_times;
-use crate::dynamics::penalty3d::link_events::{zero_and_band_of_length, zero_and_band_of_speed};
+use crate::dynamics::penalty3d::link_events::{SwitchRoundoff, length_roundoff, speed_roundoff};
 use crate::dynamics::world::World;
 
 /// A link in the group that acts between the ground and a body of one coordinate, in this slot.
@@ -164,9 +164,9 @@ fn within(
     let mut earliest = EarliestRise::none();
     for &(event, function) in functions {
         let length = |state: &[f64; 2]| function.at(*state).abs();
-        let (zero, band) = match function.unit {
-            SwitchUnit::Length => zero_and_band_of_length(link, moved, states.iter().map(length).fold(0.0, f64::max)),
-            SwitchUnit::Speed => zero_and_band_of_speed(link, moved, speed, track.omega),
+        let SwitchRoundoff { zero, band } = match function.unit {
+            SwitchUnit::Length => length_roundoff(link, moved, states.iter().map(length).fold(0.0, f64::max)),
+            SwitchUnit::Speed => speed_roundoff(link, moved, speed, track.omega),
         };
         let values = states.map(|state| function.at(state) - band);
         let value_at = |t: f64| function.at(state_at(t)) - band;

@@ -16,7 +16,7 @@ use crate::dynamics::locate::advancement::FirstZero;
 use crate::dynamics::locate::first_rise::{EarliestRise, Resolution, first_rise};
 use crate::dynamics::locate::sample_times::sample_times;
 use crate::dynamics::model::motion_bounds::MotionBounds;
-use crate::dynamics::penalty3d::link_events::zero_and_band;
+use crate::dynamics::penalty3d::link_events::{SwitchRoundoff, switch_roundoff};
 use crate::dynamics::world::World;
 
 /// A switching function: link in the group, number of the function.
@@ -107,7 +107,7 @@ fn first_in(world: &World, slot: usize, functions: &[Function], [from, to]: [f64
         let track = &world.links[number];
         let link = &world.model.links[track.link];
         let motions = frames.each_ref().map(|frame| motion(world, number, frame));
-        let (zero, band) = zero_and_band(link, (function, &track.phase), &motions, track.omega);
+        let SwitchRoundoff { zero, band } = switch_roundoff(link, (function, &track.phase), &motions, track.omega);
         let value = |motion: &Separation| link.device.switch(function, &track.phase, motion) - band;
         let values = motions.map(|motion| value(&motion));
         let value_at = |t: f64| value(&motion(world, number, &world.frame(slot, 0, t)));

@@ -3,6 +3,7 @@
 
 use crate::contact::{Law, locate, parameters};
 use crate::dynamics::contact_model::event_poses::{ContactPoses, EventPoses};
+use crate::dynamics::world::contact_points::Sharers;
 use crate::dynamics::world::{World, contact_points};
 use crate::scene::{Kind, Sharing};
 
@@ -11,15 +12,15 @@ pub(super) fn divide(world: &mut World, pair: usize, now: &EventPoses) {
     if world.pairs[pair].sharers > 0 {
         return;
     }
-    let (sharers, nodes) = sharers(ContactPoses { world, now }, pair);
-    for (contact, nodes) in world.pairs[pair].contacts.clone().zip(nodes) {
+    let Sharers { count, at_vertex } = sharers(ContactPoses { world, now }, pair);
+    for (contact, nodes) in world.pairs[pair].contacts.clone().zip(at_vertex) {
         let here = ContactPoses { world, now }.local(contact).at;
         let face = &world.site(contact).face;
         let has_part = world.model.kind == Kind::Planar && parameters::is_over(face, here);
         let track = &mut world.contacts[contact];
-        (track.divisor, track.has_part) = ((sharers * nodes) as f64, has_part);
+        (track.divisor, track.has_part) = ((count * nodes) as f64, has_part);
     }
-    world.pairs[pair].sharers = sharers;
+    world.pairs[pair].sharers = count;
 }
 
 /// Law of a contact with its part of K and C, as these are divided.
@@ -47,21 +48,20 @@ pub(super) fn divisor_taken_over(world: &World, nodes: &[usize], before: &[usize
     }
 }
 
-/// Number of nodes, in space of vertices, that share the law of a pair, and for each of its contacts the number of
-/// nodes at its vertex, from the poses at the time of the event.
-fn sharers(at: ContactPoses<'_>, pair: usize) -> (usize, Vec<usize>) {
+/// Nodes that share the law of a pair, from the poses at the time of the event.
+fn sharers(at: ContactPoses<'_>, pair: usize) -> Sharers {
     let world = at.world;
     let track = &world.pairs[pair];
-    let alone = vec![1; track.contacts.len()];
+    let at_vertex = vec![1; track.contacts.len()];
     match (world.model_pair(pair).contact.sharing, world.model.kind) {
-        (Sharing::PerNode, _) => (1, alone),
+        (Sharing::PerNode, _) => Sharers { count: 1, at_vertex },
         (Sharing::Tributary, Kind::Planar) => {
             let node = |contact: usize| (&world.site(contact).face, at.local(contact).at);
             // The first contact is of a node of the first side.
             let [first, second] = at.sides(track.contacts.start);
             let beside = world.model_pair(pair).beside.iter();
             let beside = beside.map(|node| (&node.face, locate(&node.geometry, &second, &first).at));
-            (parameters::sharers(track.contacts.clone().map(node).chain(beside)), alone)
+            Sharers { count: parameters::sharers(track.contacts.clone().map(node).chain(beside)), at_vertex }
         }
         (Sharing::Tributary, Kind::Spatial) => contact_points::sharers(world, pair, &|contact| at.sides(contact)),
     }

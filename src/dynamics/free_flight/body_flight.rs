@@ -76,6 +76,16 @@ impl CustomFlight {
     }
 }
 
+/// Motion along one axis of a flight.
+pub(in crate::dynamics) struct FlightAlong<'a> {
+    /// Oscillator and steady response.
+    pub dof: &'a UncoupledAxis,
+    /// Free part at the start of the flight: displacement and velocity \[m, m/s\].
+    pub part: [f64; 2],
+    /// Constant force per unit mass \[m/s²\].
+    pub push: f64,
+}
+
 impl BodyFlight {
     /// When it begins \[s\].
     #[inline]
@@ -190,12 +200,11 @@ impl BodyFlight {
         own.form.second_derivatives(own.flight(), span)
     }
 
-    /// One direction of a flight that moves along that world axis alone: its oscillator, the free part at the start, the push per unit mass;
-    /// nothing where there is no such part.
-    pub(in crate::dynamics) fn along(&self, axis: usize) -> Option<(&UncoupledAxis, [f64; 2], f64)> {
+    /// The motion along a world axis of a flight that has no other.
+    pub(in crate::dynamics) fn along(&self, axis: usize) -> Option<FlightAlong<'_>> {
         let (system, flight) = self.in_plan()?;
         let (dof, part) = is_along(&flight.state, axis).then(|| system.along(flight, axis)).flatten()?;
-        Some((dof, part, system.push[axis]))
+        Some(FlightAlong { dof, part, push: system.push[axis] })
     }
 
     /// Stores the states from which evaluations up to `t` start.

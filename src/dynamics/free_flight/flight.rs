@@ -11,6 +11,7 @@ use crate::dynamics::free_flight::constants::CACHED_SAMPLES;
 use crate::dynamics::free_flight::ground_springs::PlanarSprings;
 use crate::dynamics::free_flight::matrix_exponential;
 use crate::dynamics::free_flight::matrix_exponential::CoupledPropagator;
+use crate::dynamics::free_flight::oscillator::Phasor;
 use crate::dynamics::free_flight::oscillator::{FreeResponse, Oscillator};
 use crate::dynamics::free_flight::uncoupled_axis::{SampleStep, UncoupledAxis, advance};
 use crate::dynamics::model::bearing::is_diagonal;
@@ -78,6 +79,13 @@ impl Flight {
         let anchors = if let FlightForm::Record { anchors, .. } = &self.form { anchors.len() } else { 0 };
         size_of::<Self>() + anchors * size_of::<PlanarState>()
     }
+}
+
+/// State at a time of a flight.
+pub(in crate::dynamics) struct StateInFlight {
+    pub state: PlanarState,
+    /// The state less the steady response to the ground, where the flight is split into the two.
+    pub free: Option<PlanarState>,
 }
 
 impl FreeMotion {
@@ -212,24 +220,19 @@ impl FreeMotion {
         planar::of_parts(out)
     }
 
-    /// State at `t` in `flight`, and its free part where the flight is split into that and a steady response.
-    pub(in crate::dynamics) fn parts(&self, flight: &Flight, t: f64) -> (PlanarState, Option<PlanarState>) {
+    /// State at `t` in `flight`, with its free part.
+    pub(in crate::dynamics) fn parts(&self, flight: &Flight, t: f64) -> StateInFlight {
         self.parts_in(flight, t, self.ground.phase(t))
     }
 
     /// As above, from the ground's phase at `t`.
-    pub(in crate::dynamics) fn parts_in(
-        &self,
-        flight: &Flight,
-        t: f64,
-        phase: [f64; 2],
-    ) -> (PlanarState, Option<PlanarState>) {
+    pub(in crate::dynamics) fn parts_in(&self, flight: &Flight, t: f64, phase: [f64; 2]) -> StateInFlight {
         if let (FlightForm::Split(parts), FreeMotionForm::Split { dof, .. }) = (&flight.form, &self.form) {
             let (mut out, free) = (self.steady_in(dof, phase), self.free(dof, parts, t - flight.start));
             (0..WIDTH).for_each(|i| out[i] += free[i]);
-            return (out, Some(free));
+            return StateInFlight { state: out, free: Some(free) };
         }
-        (self.state(flight, t), None)
+        StateInFlight { state: self.state(flight, t), free: None }
     }
 
     fn record_state(&self, flight: &Flight, first: usize, anchors: &[PlanarState], t: f64) -> PlanarState {
@@ -356,7 +359,7 @@ fn plain(stiffness: &DMat3, damping: &DMat3, k: DMat3, c: DMat3, free: [bool; 3]
     let dof = |i: usize| UncoupledAxis {
         oscillator: Oscillator { gamma: c.col(i)[i] / 2.0, omega2: k.col(i)[i] },
         free: free[i],
-        steady: (0.0, 0.0),
+        steady: Phasor::default(),
         amplitude: 0.0,
     };
     (is_diagonal(stiffness) && is_diagonal(damping)).then(|| std::array::from_fn(dof))
@@ -379,9 +382,9 @@ fn split(
         Ground::Sine { omega, amplitude, .. } => {
             for (d, f) in dof.iter_mut().zip((forced * amplitude.length()).to_array()) {
                 if d.free && f != 0.0 {
-                    let (re, im) = d.oscillator.gain(*omega, duration)?;
-                    d.steady = (f * re, f * im);
-                    d.amplitude = d.steady.0.hypot(d.steady.1);
+                    let Phasor { re, im } = d.oscillator.gain(*omega, duration)?;
+                    d.steady = Phasor { re: f * re, im: f * im };
+                    d.amplitude = d.steady.re.hypot(d.steady.im);
                 }
             }
         }

@@ -3,10 +3,18 @@
 use glam::DVec3;
 
 use crate::dynamics::free_flight::constants::BOUND_PHASE;
-use crate::dynamics::free_flight::flight::{Flight, FreeMotion, FreeMotionForm};
+use crate::dynamics::free_flight::flight::{Flight, FreeMotion, FreeMotionForm, StateInFlight};
 use crate::dynamics::free_flight::uncoupled_axis::UncoupledAxis;
 use crate::dynamics::model::coordinates::planar::{self, PlanarState};
 use crate::dynamics::model::motion_bounds::MotionBounds;
+
+/// The constant push on a girder, by its springs.
+struct ConstantPush {
+    /// Static displacement by it \[m, rad\].
+    rest: DVec3,
+    /// Part along directions without a spring, per unit mass; all of it where directions are coupled \[m/s², rad/s²\].
+    unheld: DVec3,
+}
 
 impl FreeMotion {
     /// Bound of its circular frequencies, of bearings, dashpots and a sine of the ground \[rad/s\].
@@ -15,9 +23,9 @@ impl FreeMotion {
         omega.max(damping).max(self.ground.drive())
     }
 
-    /// State at `t` in `flight`, and what the motion can do from there for at most `horizon` \[s\].
+    /// State at `t` in `flight`, and bounds on the motion from there for at most `horizon` \[s\].
     pub fn state_and_bounds(&self, flight: &Flight, t: f64, horizon: f64) -> (PlanarState, MotionBounds) {
-        let (state, free) = self.parts(flight, t);
+        let StateInFlight { state, free } = self.parts(flight, t);
         (state, self.bound_from(t, &state, free.as_ref(), horizon))
     }
 
@@ -76,8 +84,8 @@ impl FreeMotion {
         let i = self.gyration;
         let in_lengths = |v: DVec3| v * DVec3::new(1.0, 1.0, i);
         // A push on a spring moves the place of rest and does no work about that.
-        let (rest, push) = self.rest();
-        let force = self.ground.peak() + in_lengths(push).length();
+        let ConstantPush { rest, unheld } = self.constant_push();
+        let force = self.ground.peak() + in_lengths(unheld).length();
         let speed0 = in_lengths(planar::rates(state)).length();
         let place = planar::positions(state);
         let speed = speed0.hypot(omega * in_lengths(place - rest).length()) + force * window;
@@ -94,17 +102,15 @@ impl FreeMotion {
         }
     }
 
-    /// Where the constant push is held by springs, and what of it no spring holds \[m, rad; m/s², rad/s²\]; all of it where directions are
-    /// coupled.
-    fn rest(&self) -> (DVec3, DVec3) {
-        let (mut rest, mut push) = (DVec3::ZERO, DVec3::from(self.push));
+    fn constant_push(&self) -> ConstantPush {
+        let (mut rest, mut unheld) = (DVec3::ZERO, DVec3::from(self.push));
         for (i, axis) in self.plain.iter().flatten().enumerate() {
             if axis.free && axis.oscillator.omega2 > 0.0 {
-                rest[i] = push[i] / axis.oscillator.omega2;
-                push[i] = 0.0;
+                rest[i] = unheld[i] / axis.oscillator.omega2;
+                unheld[i] = 0.0;
             }
         }
-        (rest, push)
+        ConstantPush { rest, unheld }
     }
 }
 

@@ -26,6 +26,32 @@ pub struct FreeResponse {
     pub s_rate: f64,
 }
 
+/// Forced response factors over a time τ, from rest.
+#[derive(Clone, Copy, Debug, Default)]
+pub struct ForcedResponse {
+    /// `S1`: displacement per constant force per unit mass \[s²\].
+    pub s1: f64,
+    /// `S2`: displacement per rate of a force per unit mass that begins at 0 \[s³\].
+    pub s2: f64,
+}
+
+/// Complex amplitude of an oscillation in step with the ground, `re sin(Ωt + φ) + im cos(Ωt + φ)`.
+#[derive(Clone, Copy, Debug, Default)]
+pub struct Phasor {
+    /// Part in phase.
+    pub re: f64,
+    /// Part in quadrature.
+    pub im: f64,
+}
+
+impl Phasor {
+    /// Its value and its rate \[1/s\], from sine and cosine of the phase at circular frequency `drive` \[rad/s\].
+    #[inline]
+    pub fn at(self, [s, c]: [f64; 2], drive: f64) -> [f64; 2] {
+        [self.re * s + self.im * c, drive * (self.re * c - self.im * s)]
+    }
+}
+
 impl Oscillator {
     /// Undamped circular frequency \[rad/s\].
     pub fn omega(&self) -> f64 {
@@ -51,15 +77,15 @@ impl Oscillator {
         FreeResponse { c: mean + self.gamma * s, s, s_rate: mean - self.gamma * s }
     }
 
-    /// `(S1, S2)`: displacement after τ under a unit force, and under a unit rate of force.
-    pub fn forced(&self, tau: f64, free: &FreeResponse) -> (f64, f64) {
+    /// Forced response factors.
+    pub fn forced(&self, tau: f64, free: &FreeResponse) -> ForcedResponse {
         if self.gamma.max(self.omega()) * tau < SERIES_LIMIT {
             return self.forced_series(tau);
         }
         if self.omega2 == 0.0 {
             // Dashpot alone: S0 = (1 − e^{−2γτ})/(2γ).
             let s1 = (tau - free.s) / (2.0 * self.gamma);
-            return (s1, (tau * tau / 2.0 - s1) / (2.0 * self.gamma));
+            return ForcedResponse { s1, s2: (tau * tau / 2.0 - s1) / (2.0 * self.gamma) };
         }
         if self.omega2 < SOFT * self.gamma * self.gamma {
             // S0 is the difference of two decays, e^{−aτ} and e^{−bτ}, over 2r; so are its integrals.
@@ -67,13 +93,16 @@ impl Oscillator {
             let [slow, fast] =
                 [self.omega2 / (self.gamma + root), self.gamma + root].map(|rate| decay_integrals(rate * tau));
             let apart = 2.0 * root;
-            return ((slow[0] - fast[0]) * tau / apart, (slow[1] - fast[1]) * tau * tau / apart);
+            return ForcedResponse {
+                s1: (slow[0] - fast[0]) * tau / apart,
+                s2: (slow[1] - fast[1]) * tau * tau / apart,
+            };
         }
         let s1 = (1.0 - free.c) / self.omega2;
-        (s1, (tau - 2.0 * self.gamma * s1 - free.s) / self.omega2)
+        ForcedResponse { s1, s2: (tau - 2.0 * self.gamma * s1 - free.s) / self.omega2 }
     }
 
-    fn forced_series(&self, tau: f64) -> (f64, f64) {
+    fn forced_series(&self, tau: f64) -> ForcedResponse {
         // Coefficients of S0 = Σ s_k τ^k from its own differential equation; each integral divides by the next power.
         let (mut before, mut here) = (0.0, 1.0);
         let (mut s1, mut s2, mut power, mut last) = (0.0, 0.0, tau, f64::INFINITY);
@@ -91,7 +120,7 @@ impl Oscillator {
             (before, here) = (here, next);
             power *= tau;
         }
-        (s1, s2)
+        ForcedResponse { s1, s2 }
     }
 
     /// `(q, v)` after τ from `(q, v)` under `c0 + c1 τ`.
@@ -109,15 +138,16 @@ impl Oscillator {
         [c0, c1]: [f64; 2],
         tau: f64,
     ) -> [f64; 2] {
-        let forced = if c0 != 0.0 || c1 != 0.0 { self.forced(tau, f) } else { (0.0, 0.0) };
-        self.carry_forced((f, forced), [q, v], [c0, c1])
+        let forced = if c0 != 0.0 || c1 != 0.0 { self.forced(tau, f) } else { ForcedResponse::default() };
+        self.carry_forced(f, forced, [q, v], [c0, c1])
     }
 
     /// As above, from the free and the forced factors over τ; the latter are not read without force.
     #[inline]
     pub(in crate::dynamics) fn carry_forced(
         &self,
-        (f, (s1, s2)): (&FreeResponse, (f64, f64)),
+        f: &FreeResponse,
+        ForcedResponse { s1, s2 }: ForcedResponse,
         [q, v]: [f64; 2],
         [c0, c1]: [f64; 2],
     ) -> [f64; 2] {
@@ -130,10 +160,10 @@ impl Oscillator {
         [displacement, velocity]
     }
 
-    /// Complex gain `1/(ω² − Ω² + 2iγΩ)` of the steady response to a sine, as `(re, im)`; nothing within a thousandth
-    /// of an undamped resonance, or where the response is a thousand times what a force of its size can move the oscillator to in a run of
-    /// `duration` \[s\]: steady and free response would cancel to the last digits.
-    pub fn gain(&self, drive: f64, duration: f64) -> Option<(f64, f64)> {
+    /// Complex gain `1/(ω² − Ω² + 2iγΩ)` of the steady response to a sine \[s²\]; `None` within a thousandth of an undamped
+    /// resonance, or where the response is a thousand times the displacement that a force of its size can reach in a run of `duration`
+    /// \[s\]: steady and free response would cancel to the last digits.
+    pub fn gain(&self, drive: f64, duration: f64) -> Option<Phasor> {
         let (re, im) = (self.omega2 - drive * drive, 2.0 * self.gamma * drive);
         let size2 = re * re + im * im;
         let scale = self.omega2.max(drive * drive);
@@ -141,7 +171,7 @@ impl Oscillator {
         // Under a constant unit force, from rest: at most τ²/2, the static displacement twice, or what the dashpot lets pass.
         let reach = (0.5 * duration * duration).min(2.0 / self.omega2).min(duration / (2.0 * self.gamma));
         let slow = 1e-3 > reach * size2.sqrt();
-        (!resonant && !slow).then(|| (re / size2, -im / size2))
+        (!resonant && !slow).then(|| Phasor { re: re / size2, im: -im / size2 })
     }
 }
 
@@ -161,7 +191,7 @@ fn decay_integrals(z: f64) -> [f64; 2] {
     [first, (1.0 - first) / z]
 }
 
-/// `(e^{−γτ} sinh(√d τ)/√d, e^{−γτ} cosh(√d τ))` about d = 0, either sign.
+/// `e^{−γτ} sinh(√d τ)/√d` \[s\] and `e^{−γτ} cosh(√d τ)` about d = 0, either sign.
 fn near_critical(gamma: f64, d: f64, tau: f64) -> (f64, f64) {
     let e = (-gamma * tau).exp();
     let u = d * tau * tau;

@@ -6,6 +6,7 @@
 
 use crate::dynamics::free_flight::constants::OSCILLATOR_ROUNDING;
 use crate::dynamics::free_flight::flight::{FreeMotion, FreeMotionForm};
+use crate::dynamics::free_flight::oscillator::Phasor;
 use crate::dynamics::free_flight::uncoupled_axis::UncoupledAxis;
 use crate::dynamics::model::coordinates::planar::{PlanarState, part};
 use crate::dynamics::model::motion_bounds::MotionBounds;
@@ -73,8 +74,8 @@ impl RelativeBounds {
                 // Under one ground motion its force itself cancels.
                 _ if like => {
                     let plain = [
-                        &UncoupledAxis { steady: (0.0, 0.0), ..*dofs[0] },
-                        &UncoupledAxis { steady: (0.0, 0.0), ..*dofs[1] },
+                        &UncoupledAxis { steady: Phasor::default(), ..*dofs[0] },
+                        &UncoupledAxis { steady: Phasor::default(), ..*dofs[1] },
                     ];
                     difference(plain, [part(&a.state, i), part(&b.state, i)], pushes, 0.0, horizon)
                 }
@@ -117,7 +118,7 @@ fn nearly(
     second: &MotionBounds,
     horizon: f64,
 ) -> [f64; 3] {
-    let dof = UncoupledAxis { steady: (0.0, 0.0), amplitude: 0.0, ..*dofs[0] };
+    let dof = UncoupledAxis { steady: Phasor::default(), amplitude: 0.0, ..*dofs[0] };
     let [one, other] = dofs.map(|dof| dof.oscillator);
     let force = (one.omega2 - other.omega2).abs() * second.reach + 2.0 * (one.gamma - other.gamma).abs() * second.speed;
     let ([p, u], [q, v]) = (part(p, i), part(q, i));
@@ -133,7 +134,7 @@ fn drive(free_motion: &FreeMotion) -> f64 {
 
 /// The phasors' difference as an amplitude \[m\].
 fn amplitude([a, b]: [&UncoupledAxis; 2]) -> f64 {
-    (a.steady.0 - b.steady.0).hypot(a.steady.1 - b.steady.1)
+    (a.steady.re - b.steady.re).hypot(a.steady.im - b.steady.im)
 }
 
 /// Bounds on the difference of two flights along one direction, from the free parts of both: displacement, speed,
@@ -173,7 +174,7 @@ mod tests {
     fn oscillators_that_differ_by_rounding_stay_together_as_long_as_said() {
         let dof = |omega2: f64| {
             let oscillator = Oscillator { gamma: 0.01, omega2 };
-            UncoupledAxis { oscillator, free: true, steady: (0.0, 0.0), amplitude: 0.0 }
+            UncoupledAxis { oscillator, free: true, steady: Phasor::default(), amplitude: 0.0 }
         };
         let (a, b) = (dof(9.0), dof(9.0 * (1.0 + 5e-13)));
         assert!(alike([&a, &b]) && !alike([&a, &dof(9.001)]), "rounding, and more than it");

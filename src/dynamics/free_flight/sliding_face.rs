@@ -10,7 +10,7 @@ use glam::{DVec2, DVec3};
 
 use crate::dynamics::free_flight::matrix_exponential;
 use crate::dynamics::free_flight::matrix_exponential::CoupledPropagator;
-use crate::dynamics::free_flight::oscillator::Oscillator;
+use crate::dynamics::free_flight::oscillator::{Oscillator, Phasor};
 use crate::dynamics::model::body::Body;
 use crate::dynamics::model::coordinates::planar::{self, POSITIONS, PlanarState};
 use crate::motion::{Ground, Line, LinearPiece, Samples};
@@ -35,19 +35,19 @@ enum SlidingForm {
     Matrix { system: Box<CoupledPropagator>, start: Box<matrix_exponential::AugmentedState>, felt: ProjectedForces },
 }
 
-/// `re sin(Ωt + φ) + im cos(Ωt + φ)`.
+/// Displacement along the face in step with the ground \[m\].
 #[derive(Clone, Copy, Debug, Default)]
 struct SteadyResponse {
-    re: f64,
-    im: f64,
+    phasor: Phasor,
+    /// Ω \[rad/s\].
     drive: f64,
+    /// φ \[rad\].
     phase: f64,
 }
 
 impl SteadyResponse {
     fn at(&self, t: f64) -> [f64; 2] {
-        let (sin, cos) = (self.drive * t + self.phase).sin_cos();
-        [self.re * sin + self.im * cos, self.drive * (self.re * cos - self.im * sin)]
+        self.phasor.at((self.drive * t + self.phase).sin_cos().into(), self.drive)
     }
 }
 
@@ -118,7 +118,14 @@ impl SlidingFace {
     pub fn numbers(&self) -> impl Iterator<Item = f64> {
         let of_law = match &self.law {
             SlidingForm::Oscillator { oscillator, part, force, steady } => {
-                let own = [oscillator.gamma, oscillator.omega2, steady.re, steady.im, steady.drive, steady.phase];
+                let own = [
+                    oscillator.gamma,
+                    oscillator.omega2,
+                    steady.phasor.re,
+                    steady.phasor.im,
+                    steady.drive,
+                    steady.phase,
+                ];
                 [&own[..], &part[..], &force[..]].concat()
             }
             SlidingForm::Matrix { start, felt, .. } => {
@@ -134,11 +141,12 @@ impl SlidingForm {
         let oscillator = Oscillator { gamma: felt.damping / 2.0, omega2: felt.omega2 };
         let (gain, drive, phase) = match ground {
             Ground::Sine { omega, phase, .. } => (oscillator.gain(*omega, longest), *omega, *phase),
-            _ => (Some((0.0, 0.0)), 0.0, 0.0),
+            _ => (Some(Phasor::default()), 0.0, 0.0),
         };
         match gain {
-            Some((re, im)) if felt.omega2 >= 0.0 && felt.damping >= 0.0 => {
-                let steady = SteadyResponse { re: felt.ground * re, im: felt.ground * im, drive, phase };
+            Some(Phasor { re, im }) if felt.omega2 >= 0.0 && felt.damping >= 0.0 => {
+                let phasor = Phasor { re: felt.ground * re, im: felt.ground * im };
+                let steady = SteadyResponse { phasor, drive, phase };
                 let [q, v] = steady.at(t);
                 let force = [felt.force + felt.ground * value, felt.ground * rate];
                 Self::Oscillator { oscillator, part: [-q, speed - v], force, steady }

@@ -4,8 +4,8 @@ use glam::{DMat3, DVec3};
 
 use crate::dynamics::Body;
 use crate::dynamics::Model;
-use crate::dynamics::free_flight::flight::FreeMotion;
-use crate::dynamics::free_flight::oscillator::Oscillator;
+use crate::dynamics::free_flight::flight::{FreeMotion, StateInFlight};
+use crate::dynamics::free_flight::oscillator::{Oscillator, Phasor};
 use crate::dynamics::free_flight::relative_bounds::{BodyInFlight, GirderInFlight, RelativeBounds};
 use crate::dynamics::free_flight::sliding_face::SlidingFace;
 use crate::dynamics::free_flight::uncoupled_axis::{SampleStep, UncoupledAxis};
@@ -147,7 +147,7 @@ fn two_girders_stay_within_their_relative_bounds() {
     let other = [-0.01, 0.005, 0.0, -0.05, 0.2, 0.1];
     let flights = [motions[0].fly(0.0, START), motions[1].fly(0.0, other)];
     let flyer = |i: usize| {
-        let (state, free) = motions[i].parts(&flights[i], 0.0);
+        let StateInFlight { state, free } = motions[i].parts(&flights[i], 0.0);
         let bound = motions[i].bound_from(0.0, &state, free.as_ref(), 1.0);
         Some(BodyInFlight { bound, girder: Some(GirderInFlight { free_motion: &motions[i], state, free }) })
     };
@@ -163,7 +163,7 @@ fn two_girders_stay_within_their_relative_bounds() {
 #[test]
 fn one_sample_of_a_record_is_crossed_by_factors_as_by_the_closed_form() {
     let oscillator = Oscillator { gamma: 0.4, omega2: 60.0 };
-    let axis = |free: bool| UncoupledAxis { oscillator, free, steady: (0.0, 0.0), amplitude: 0.0 };
+    let axis = |free: bool| UncoupledAxis { oscillator, free, steady: Phasor::default(), amplitude: 0.0 };
     let (step, force) = (SampleStep::of(&oscillator, 0.02), [1.3, -7.0]);
     let (short, long) = (axis(true).step(&step, [0.1, -0.3], force), axis(true).advance([0.1, -0.3], force, 0.02));
     assert!((short[0] - long[0]).abs() < 1e-16 && (short[1] - long[1]).abs() < 1e-15, "{short:?} against {long:?}");
@@ -174,8 +174,8 @@ fn one_sample_of_a_record_is_crossed_by_factors_as_by_the_closed_form() {
 fn a_steady_response_solves_the_driven_equation() {
     let oscillator = Oscillator { gamma: 0.7, omega2: 30.0 };
     let drive = 4.0;
-    let (re, im) = oscillator.gain(drive, 10.0).expect("off resonance");
-    let axis = UncoupledAxis { oscillator, free: true, steady: (re, im), amplitude: re.hypot(im) };
+    let steady = oscillator.gain(drive, 10.0).expect("off resonance");
+    let axis = UncoupledAxis { oscillator, free: true, steady, amplitude: steady.re.hypot(steady.im) };
     let at = |t: f64| axis.steady((drive * t).sin_cos().into(), drive);
     let [q, v] = at(0.6);
     let acceleration = (at(0.6 + 1e-5)[1] - at(0.6 - 1e-5)[1]) / 2e-5;

@@ -1,6 +1,6 @@
 //! One direction of a girder that nothing couples to the others: an oscillator, and its steady response to a sine.
 
-use crate::dynamics::free_flight::oscillator::{FreeResponse, Oscillator};
+use crate::dynamics::free_flight::oscillator::{ForcedResponse, FreeResponse, Oscillator, Phasor};
 use crate::dynamics::model::coordinates::planar::{PlanarState, of_parts, part};
 
 /// One direction of a girder without eccentricity.
@@ -8,9 +8,9 @@ use crate::dynamics::model::coordinates::planar::{PlanarState, of_parts, part};
 pub(in crate::dynamics) struct UncoupledAxis {
     pub(in crate::dynamics) oscillator: Oscillator,
     pub(in crate::dynamics) free: bool,
-    /// Steady response to the sine: displacement is `re sin(Ωt+φ) + im cos(Ωt+φ)`.
-    pub(in crate::dynamics) steady: (f64, f64),
-    /// Its amplitude.
+    /// Steady response to the sine \[m, rad\].
+    pub(in crate::dynamics) steady: Phasor,
+    /// Its amplitude \[m, rad\].
     pub(in crate::dynamics) amplitude: f64,
 }
 
@@ -18,25 +18,23 @@ pub(in crate::dynamics) struct UncoupledAxis {
 #[derive(Clone, Copy, Debug)]
 pub(in crate::dynamics) struct SampleStep {
     free: FreeResponse,
-    s1: f64,
-    s2: f64,
+    forced: ForcedResponse,
 }
 
 impl SampleStep {
     /// Of an oscillator, across `dt` \[s\].
     pub(in crate::dynamics) fn of(oscillator: &Oscillator, dt: f64) -> Self {
         let free = oscillator.free(dt);
-        let (s1, s2) = oscillator.forced(dt, &free);
-        Self { free, s1, s2 }
+        let forced = oscillator.forced(dt, &free);
+        Self { free, forced }
     }
 }
 
 impl UncoupledAxis {
     /// Steady response and its rate by sine and cosine of the ground's phase.
     #[inline]
-    pub(in crate::dynamics) fn steady(&self, [s, c]: [f64; 2], drive: f64) -> [f64; 2] {
-        let (re, im) = self.steady;
-        [re * s + im * c, drive * (re * c - im * s)]
+    pub(in crate::dynamics) fn steady(&self, phase: [f64; 2], drive: f64) -> [f64; 2] {
+        self.steady.at(phase, drive)
     }
 
     /// `(q, v)` after τ under a force `c0 + c1 τ`.
@@ -50,11 +48,8 @@ impl UncoupledAxis {
         if !self.free {
             return [q, v];
         }
-        let f = &step.free;
-        [
-            q * f.c + v * f.s + c0 * step.s1 + c1 * step.s2,
-            -self.oscillator.omega2 * f.s * q + f.s_rate * v + c0 * f.s + c1 * step.s1,
-        ]
+        let (f, ForcedResponse { s1, s2 }) = (&step.free, step.forced);
+        [q * f.c + v * f.s + c0 * s1 + c1 * s2, -self.oscillator.omega2 * f.s * q + f.s_rate * v + c0 * f.s + c1 * s1]
     }
 }
 
@@ -66,7 +61,7 @@ pub(in crate::dynamics) fn advance(
     forces: [[f64; 2]; 3],
     tau: f64,
 ) -> PlanarState {
-    let mut known: Option<(Oscillator, FreeResponse, (f64, f64))> = None;
+    let mut known: Option<(Oscillator, FreeResponse, ForcedResponse)> = None;
     of_parts(std::array::from_fn(|i| {
         let (UncoupledAxis { oscillator, free, .. }, start) = (&axes[i], part(state, i));
         if !free {
@@ -80,6 +75,6 @@ pub(in crate::dynamics) fn advance(
             (*oscillator, response, oscillator.forced(tau, &response))
         });
         known = Some((*oscillator, response, forced));
-        oscillator.carry_forced((&response, forced), start, forces[i])
+        oscillator.carry_forced(&response, forced, start, forces[i])
     }))
 }

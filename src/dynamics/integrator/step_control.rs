@@ -57,6 +57,24 @@ impl StepLimits {
     }
 }
 
+/// Outcome of an attempted step.
+struct Attempt {
+    /// Error estimate in units of the tolerance.
+    error: f64,
+    /// Length of the next step over that of this one.
+    factor: f64,
+}
+
+/// A step within the tolerance.
+struct AcceptedStep {
+    /// Length \[s\].
+    length: f64,
+    /// Error estimate in units of the tolerance.
+    error: f64,
+    /// Whether it ends at a kink of the ground's motion.
+    at_kink: bool,
+}
+
 /// Both methods for a system of one size, and the one in use.
 #[derive(Debug, Default)]
 pub(in crate::dynamics) struct StepController {
@@ -137,11 +155,14 @@ impl StepController {
             if taken <= 0.0 {
                 return Err(h);
             }
-            let (error, factor) = self.attempt(system, t, y, taken);
+            let Attempt { error, factor } = self.attempt(system, t, y, taken);
             if error <= 1.0 {
                 let cut = end == limits.cap || reach < h;
                 self.state.step = if cut { h.max(taken * factor) } else { taken * factor }.min(limits.longest);
-                return Ok((self.accept(system, t, y, taken, (error, end >= limits.kink)), end));
+                return Ok((
+                    self.accept(system, t, y, AcceptedStep { length: taken, error, at_kink: end >= limits.kink }),
+                    end,
+                ));
             }
             // After a second rejection the error estimate is unreliable: a motion within the step is over long before
             // its end.
@@ -168,8 +189,8 @@ impl StepController {
         self.rk.accept(system, t, y, h)
     }
 
-    /// Attempts a step of length `h`: its error in units of the tolerance, and the factor to the next length.
-    fn attempt(&mut self, system: &mut impl ImplicitSystem, t: f64, y: &[f64], h: f64) -> (f64, f64) {
+    /// Attempts a step of length `h` \[s\].
+    fn attempt(&mut self, system: &mut impl ImplicitSystem, t: f64, y: &[f64], h: f64) -> Attempt {
         if self.state.stiff {
             let spare = &mut self.spare;
             let radau = self.radau.get_or_insert_with(|| {
@@ -178,10 +199,10 @@ impl StepController {
                 radau
             });
             let error = radau.attempt(system, t, y, self.rk.slope(), h);
-            (error, if error.is_finite() { radau_iia::next_factor(error) } else { UNSOLVED_FACTOR })
+            Attempt { error, factor: if error.is_finite() { radau_iia::next_factor(error) } else { UNSOLVED_FACTOR } }
         } else {
             let error = self.rk.attempt(system, t, y, h);
-            (error, if error.is_finite() { dop853::next_factor(error) } else { OVERFLOW_FACTOR })
+            Attempt { error, factor: if error.is_finite() { dop853::next_factor(error) } else { OVERFLOW_FACTOR } }
         }
     }
 
@@ -192,8 +213,7 @@ impl StepController {
         system: &mut impl ImplicitSystem,
         t: f64,
         y: &mut [f64],
-        h: f64,
-        (error, at_kink): (f64, bool),
+        AcceptedStep { length: h, error, at_kink }: AcceptedStep,
     ) -> DenseOutput {
         let cost = system.implicit_cost();
         let (dense, doubt) = match &mut self.radau {

@@ -44,11 +44,12 @@ pub fn act(site: &ContactSite, closed: &ClosedContact, node: &Frame, face: &Fram
 /// Forces of a closed contact in the mode `mode`, poses relative to those of `geometry`.
 #[inline]
 pub fn act_in(geometry: &ContactGeometry, closed: &ClosedContact, mode: &Mode, node: &Frame, face: &Frame) -> Action {
-    let Measured { here, arm, lever, crossed } = measure(geometry, node, face);
+    let measured = measure(geometry, node, face);
+    let Measured { here, arm, lever, crossed } = measured;
     let forces = closed.forces_in(mode, &here);
     if geometry.edge != DVec3::ZERO {
         let offset = closed.law.normal.is_along_stretch().then(|| geometry.anchor_part());
-        return act_across((geometry, offset.unwrap_or(0.0)), face, (here, forces, crossed), [arm, lever]);
+        return act_across(geometry, face, measured, forces, offset.unwrap_or(0.0));
     }
     let force = to_world(geometry, face, forces.tangential_total(), forces.normal_total());
     let offset = if closed.law.normal.is_along_stretch() {
@@ -62,18 +63,19 @@ pub fn act_in(geometry: &ContactGeometry, closed: &ClosedContact, mode: &Mode, n
 /// Forces of two edges across each other: at the node, on the face's body by the part `anchor_part` of the way from there to the anchor,
 /// with the couple by which the normal force acts along the common perpendicular.
 fn act_across(
-    (geometry, anchor_part): (&ContactGeometry, f64),
+    geometry: &ContactGeometry,
     face: &Frame,
-    (here, forces, crossed): (Local, Forces, Crossed),
-    [node_arm, face_arm]: [DVec3; 2],
+    Measured { here, arm: node_arm, lever, crossed }: Measured,
+    forces: Forces,
+    anchor_part: f64,
 ) -> Action {
     let total = forces.tangential_total().extend(forces.normal_total());
     let in_world = |v: DVec3| to_world(geometry, face, v.truncate(), v.z);
     let force = in_world(crossed.in_axes(total));
     let couple = in_world(crossed.couple(here.at.extend(here.gap), total));
     let face_arm = match anchor_part {
-        0.0 => face_arm,
-        part => face_arm - part * in_world(crossed.in_axes(forces.stretch.extend(here.gap))),
+        0.0 => lever,
+        part => lever - part * in_world(crossed.in_axes(forces.stretch.extend(here.gap))),
     };
     Action { here, forces, force, node_arm, face_arm, couple, crossed }
 }

@@ -7,6 +7,7 @@ use crate::dynamics::Model;
 use crate::dynamics::connection::Evolution;
 use crate::dynamics::integrator::system::{ImplicitSystem, PositionBlock, RankOneTerm, System};
 use crate::dynamics::model::body::Point;
+use crate::dynamics::model::coordinates::state_layout::BodyComponent;
 use crate::dynamics::model::ground_now::GroundNow;
 use crate::dynamics::penalty3d::contact_force;
 use crate::dynamics::penalty3d::coupled_system::CoupledSystem;
@@ -185,8 +186,8 @@ impl ImplicitSystem for EquationsOfMotion<'_> {
     }
 
     fn increment_scale(&self, i: usize, y: f64) -> f64 {
-        let Some((index, component)) = self.system.layout.body_of(i) else { return 1.0 };
-        let body = &self.model.bodies[self.system.bodies[index]];
+        let Some(BodyComponent { body, component }) = self.system.layout.component(i) else { return 1.0 };
+        let body = &self.model.bodies[self.system.bodies[body]];
         y.abs().max(body.increment_scale(component, self.scale.size, self.scale.omega))
     }
 }

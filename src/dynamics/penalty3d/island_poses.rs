@@ -9,6 +9,15 @@ use crate::dynamics::model::body::Body;
 use crate::dynamics::model::motion_bounds::MotionBounds;
 use crate::dynamics::penalty3d::island::Island;
 
+/// Motion of a body along its only axis in a planned step.
+pub(in crate::dynamics) struct StepAlong<'a> {
+    pub dense: &'a DenseOutput,
+    /// Components of position and velocity in the dense output.
+    pub components: [usize; 2],
+    /// Coordinate of the body's reference pose \[m\].
+    pub base: f64,
+}
+
 impl Island {
     fn body<'a>(&self, model: &'a Model, index: usize) -> &'a Body {
         &model.bodies[self.system.bodies[index]]
@@ -75,11 +84,11 @@ impl Island {
         frames
     }
 
-    /// The motion of a body along `axis`, where it is its only one: the dense output of the planned step, the components of
-    /// position and velocity in it, and the coordinate of the body's reference pose \[m\]; `None` otherwise.
-    pub(in crate::dynamics) fn along(&self, index: usize, axis: usize) -> Option<(&DenseOutput, [usize; 2], f64)> {
+    /// The motion of a body along `axis` in the planned step, where it has no other.
+    pub(in crate::dynamics) fn along(&self, index: usize, axis: usize) -> Option<StepAlong<'_>> {
         let components = self.kind.components(index, axis)?;
-        self.step.dense.as_ref().map(|dense| (dense, components, self.system.bases[index].planar()[axis]))
+        let dense = self.step.dense.as_ref()?;
+        Some(StepAlong { dense, components, base: self.system.bases[index].planar()[axis] })
     }
 
     /// Components in the island's vector of the components `own` of a body's state.

@@ -40,7 +40,8 @@ pub(in crate::dynamics) fn first_phase_end(model: &Model, island: &Island) -> Op
         let motions: Vec<_> =
             frames.chunks_exact(sections).map(|f| active.motion(model, &island.system.bases, f).0).collect();
         for number in likely {
-            let (zero, band) = zero_and_band(link, (number, &active.phase), &motions, island.omega());
+            let SwitchRoundoff { zero, band } =
+                switch_roundoff(link, (number, &active.phase), &motions, island.omega());
             let switch =
                 |motion: &Separation, t: f64| link.device.switch(number, &island.phase_at(index, t), motion) - band;
             let values: Vec<f64> = motions.iter().zip(&times).map(|(motion, &t)| switch(motion, t)).collect();
@@ -79,32 +80,39 @@ fn excursion(model: &Model, island: &Island, active: &ActiveLink) -> Excursion {
     within
 }
 
-/// Value of a switching function of a phase that counts as 0 at the start of a stretch with these motions, and the value that is
-/// taken off the function: a phase that begins at a zero of the next one's function, with its rate 0 as well, is not ended by
-/// round-off. `omega` is the fastest circular frequency \[rad/s\].
-pub(in crate::dynamics) fn zero_and_band(
+/// Round-off of a switching function, in its unit \[m or m/s\].
+pub(in crate::dynamics) struct SwitchRoundoff {
+    /// Value up to which the function is at 0 at the start of a stretch.
+    pub zero: f64,
+    /// Value that is taken off the function: a phase that begins at a zero of the next one's function, with its rate 0 as well, is
+    /// not ended by round-off.
+    pub band: f64,
+}
+
+/// Round-off of a switching function of a phase over a stretch with these motions. `omega` is the fastest circular frequency \[rad/s\].
+pub(in crate::dynamics) fn switch_roundoff(
     link: &Link,
     (number, phase): (usize, &Phase),
     motions: &[Separation],
     omega: f64,
-) -> (f64, f64) {
+) -> SwitchRoundoff {
     let size = |of: &dyn Fn(&Separation) -> f64| motions.iter().map(of).fold(0.0, f64::max);
     // Places round with what has moved, too.
     let moved = size(&|m| m.moved.length());
     match link.device.switch_unit(number, phase) {
-        SwitchUnit::Length => zero_and_band_of_length(link, moved, size(&|m| link.device.gap(phase, m)[0].abs())),
-        SwitchUnit::Speed => zero_and_band_of_speed(link, moved, size(&|m| m.rate.length()), omega),
+        SwitchUnit::Length => length_roundoff(link, moved, size(&|m| link.device.gap(phase, m)[0].abs())),
+        SwitchUnit::Speed => speed_roundoff(link, moved, size(&|m| m.rate.length()), omega),
     }
 }
 
 /// Of a length, where the link's points are displaced by up to `moved` and its gap is up to `length` \[m\].
-pub(in crate::dynamics) fn zero_and_band_of_length(link: &Link, moved: f64, length: f64) -> (f64, f64) {
+pub(in crate::dynamics) fn length_roundoff(link: &Link, moved: f64, length: f64) -> SwitchRoundoff {
     let band = POSITION_ROUNDING * (link.size() + moved + length);
-    (ZERO_BAND * length + band, band)
+    SwitchRoundoff { zero: ZERO_BAND * length + band, band }
 }
 
 /// Of a speed, where they are displaced by up to `moved` \[m\] at up to `speed` \[m/s\].
-pub(in crate::dynamics) fn zero_and_band_of_speed(link: &Link, moved: f64, speed: f64, omega: f64) -> (f64, f64) {
+pub(in crate::dynamics) fn speed_roundoff(link: &Link, moved: f64, speed: f64, omega: f64) -> SwitchRoundoff {
     let rounding = POSITION_ROUNDING * (link.size() + moved) * omega;
-    (ZERO_BAND * speed + rounding, 0.0)
+    SwitchRoundoff { zero: ZERO_BAND * speed + rounding, band: 0.0 }
 }

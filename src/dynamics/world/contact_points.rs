@@ -25,9 +25,17 @@ pub(in crate::dynamics) fn crossing_of_met(world: &World, contact: usize, poses:
     edge.crossing([&node, &face], edge.tolerance).filter(|crossing| edge.is_between_faces(crossing, [&node, &face]))
 }
 
-/// Number of vertices of the polygon at which a pair touches, and for each of its contacts the number of nodes at its
-/// vertex. A node that is at no vertex counts alone, one of two edge nodes as that.
-pub(in crate::dynamics) fn sharers(world: &World, pair: usize, poses: Poses<'_>) -> (usize, Vec<usize>) {
+/// Counts by which the contacts of a pair share its K and C.
+pub(in crate::dynamics) struct Sharers {
+    /// Nodes, in space vertices, of the pair.
+    pub count: usize,
+    /// For each contact the nodes at its vertex; 1 in plan.
+    pub at_vertex: Vec<usize>,
+}
+
+/// Vertices of the polygon at which a pair touches, and nodes at them. A node that is at no vertex counts alone, one of two edge nodes
+/// as that.
+pub(in crate::dynamics) fn sharers(world: &World, pair: usize, poses: Poses<'_>) -> Sharers {
     let contacts = world.pairs[pair].contacts.clone();
     let near = one_vertex(world, pair);
     let corners = contacts.clone().filter_map(|c| Some((c, corner_vertex(world, c, poses, slack(world, c))?)));
@@ -42,7 +50,7 @@ pub(in crate::dynamics) fn sharers(world: &World, pair: usize, poses: Poses<'_>)
         let own = vertices.iter().find(|vertex| vertex.nodes.contains(&contact));
         own.map_or(if is_shared(world, contact) { 2 } else { 1 }, |vertex| vertex.nodes.len())
     };
-    (vertices.len().max(1), contacts.map(nodes).collect())
+    Sharers { count: vertices.len().max(1), at_vertex: contacts.map(nodes).collect() }
 }
 
 /// Place of a crossing: of two nodes at one crossing that of the first. Faces that are not parallel see two edges that are apart cross at

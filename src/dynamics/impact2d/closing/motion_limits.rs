@@ -4,6 +4,7 @@
 //! homogeneous equation, so `½(ẇ² + ω²w²)` never grows and bounds that derivative at all later times; the steady response to a
 //! sine has the amplitudes `A, ΩA, Ω²A, Ω³A`.
 
+use crate::dynamics::free_flight::flight::StateInFlight;
 use crate::dynamics::free_flight::flight::{FreeMotion, FreeMotionForm};
 use crate::dynamics::free_flight::uncoupled_axis::UncoupledAxis;
 use crate::dynamics::impact2d::tracks::Motion;
@@ -45,7 +46,7 @@ impl<'a> FlyingBody<'a> {
     pub(in crate::dynamics::impact2d) fn of(world: &'a World, slot: usize, t: f64, horizon: f64) -> Option<Self> {
         let track = &world.bodies[slot];
         let Motion::Flight(flight) = &track.motion else { return None };
-        let (state, free) = track.free_motion.parts(flight, t);
+        let StateInFlight { state, free } = track.free_motion.parts(flight, t);
         Some(Self { free_motion: &track.free_motion, state, free, horizon })
     }
 
@@ -128,7 +129,7 @@ pub(in crate::dynamics::impact2d) fn relative_limits(a: &FlyingBody<'_>, b: &Fly
     let mut all = [[0.0; 4]; 2];
     for (i, limit) in all.iter_mut().enumerate() {
         let (one, other) = (&first[i], &second[i]);
-        let steady = norm(one.steady.0 - other.steady.0, one.steady.1 - other.steady.1);
+        let steady = norm(one.steady.re - other.steady.re, one.steady.im - other.steady.im);
         let [push, pull] = [a.free_motion.push[i], b.free_motion.push[i]];
         if one.oscillator == other.oscillator && one.free && other.free {
             let difference = [p[i] - q[i], p[POSITIONS + i] - q[POSITIONS + i]];

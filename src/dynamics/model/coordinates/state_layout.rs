@@ -13,6 +13,15 @@ pub(in crate::dynamics) struct StateLayout {
     has_unit_parts: bool,
 }
 
+/// A component of one of several bodies.
+#[derive(Clone, Copy, Debug)]
+pub(in crate::dynamics) struct BodyComponent {
+    /// Number of the body.
+    pub body: usize,
+    /// Number of the component in the body's state.
+    pub component: usize,
+}
+
 impl StateLayout {
     /// Of bodies in this order.
     pub(in crate::dynamics) fn of<'a>(bodies: impl ExactSizeIterator<Item = &'a Body>) -> Self {
@@ -51,10 +60,10 @@ impl StateLayout {
         self.offsets.last().map_or(0, |end| end[1])
     }
 
-    /// The body that component `i` belongs to, and its number among that body's; nothing beyond the bodies.
-    pub(in crate::dynamics) fn body_of(&self, i: usize) -> Option<(usize, usize)> {
-        let index = self.offsets.partition_point(|from| from[0] <= i).checked_sub(1)?;
-        (index + 1 < self.offsets.len()).then(|| (index, i - self.offsets[index][0]))
+    /// The body's component that is component `i` of the vector; `None` beyond the bodies.
+    pub(in crate::dynamics) fn component(&self, i: usize) -> Option<BodyComponent> {
+        let body = self.offsets.partition_point(|from| from[0] <= i).checked_sub(1)?;
+        (body + 1 < self.offsets.len()).then(|| BodyComponent { body, component: i - self.offsets[body][0] })
     }
 
     /// Whether any body has parts of given length.
@@ -91,7 +100,7 @@ mod tests {
             "what follows them is no state"
         );
         assert_eq!(
-            [0, 5, 6, 18, 24, 25].map(|i| layout.body_of(i)),
+            [0, 5, 6, 18, 24, 25].map(|i| layout.component(i).map(|of| (of.body, of.component))),
             [Some((0, 0)), Some((0, 5)), Some((1, 0)), Some((1, 12)), Some((2, 5)), None]
         );
     }

@@ -3,6 +3,7 @@
 use glam::{DMat2, DMat3, DVec2, DVec3};
 use smallvec::smallvec;
 
+use super::AxisMotion;
 use super::girder::ElasticGirder;
 use super::section::Turns;
 use crate::dynamics::elastic::Fields;
@@ -16,7 +17,7 @@ impl ElasticGirder {
     pub fn equilibrium(&self, state: &[f64], wrenches: &[Wrench], ground: DVec3) -> Equilibrium {
         let modal = self.accelerations(state, wrenches, ground).split_off(RIGID);
         let mut loads = self.on_sections(state, wrenches);
-        loads.extend(self.on_bearings(state).map(|(axis, w, v)| {
+        loads.extend(self.on_bearings(state).map(|AxisMotion { axis, w, v }| {
             let force = axis.along * -(axis.stiffness * w + axis.damping * v);
             in_plan(axis.station, force, axis.offset.perp_dot(force))
         }));

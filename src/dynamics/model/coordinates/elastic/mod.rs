@@ -39,6 +39,15 @@ pub use girder::ElasticGirder;
 use section::{SectionFrame, Turns};
 use turn::{in_space, planar_turn};
 
+/// Motion of a girder's section along an axis of a bearing.
+pub(in crate::dynamics) struct AxisMotion<'a> {
+    pub axis: &'a BearingAxis,
+    /// Displacement \[m\].
+    pub w: f64,
+    /// Its rate \[m/s\].
+    pub v: f64,
+}
+
 impl ElasticGirder {
     /// Places and rates of a state.
     pub(in crate::dynamics) fn halves<'a>(&self, state: &'a [f64]) -> (&'a [f64], &'a [f64]) {
@@ -134,13 +143,13 @@ impl ElasticGirder {
         out
     }
 
-    /// Displacements and rates along each axis of the bearings.
+    /// Motion along each axis of the bearings.
     pub(in crate::dynamics) fn on_bearings<'a>(
         &'a self,
         state: &'a [f64],
-    ) -> impl Iterator<Item = (&'a BearingAxis, f64, f64)> + 'a {
+    ) -> impl Iterator<Item = AxisMotion<'a>> + 'a {
         let (place, rate) = self.halves(state);
-        self.bearings.iter().map(move |axis| (axis, axis.along(place), axis.along(rate)))
+        self.bearings.iter().map(move |axis| AxisMotion { axis, w: axis.along(place), v: axis.along(rate) })
     }
 }
 
@@ -318,7 +327,7 @@ impl Coordinates for ElasticGirder {
     fn energies(&self, body: &Body, state: &[f64], gravity: f64) -> BodyEnergies {
         let (_, rate) = self.halves(state);
         let kinetic: f64 = rate.iter().zip(self.masses()).map(|(v, mass)| 0.5 * mass * v * v).sum();
-        let strain = self.on_bearings(state).map(|(axis, w, _)| 0.5 * axis.stiffness * w * w).sum();
+        let strain = self.on_bearings(state).map(|AxisMotion { axis, w, .. }| 0.5 * axis.stiffness * w * w).sum();
         BodyEnergies { kinetic, bearings: strain, gravity: body.mass * gravity * body.start[2] }
     }
 
@@ -330,7 +339,7 @@ impl Coordinates for ElasticGirder {
         BodyPowers {
             ground: inertia,
             push,
-            bearings: self.on_bearings(state).map(|(axis, _, v)| axis.damping * v * v).sum(),
+            bearings: self.on_bearings(state).map(|AxisMotion { axis, v, .. }| axis.damping * v * v).sum(),
         }
     }
 
