@@ -52,7 +52,8 @@ pub(super) fn search(
     GapClosing { closing: first.closing.into_iter().chain(other.closing).reduce(f64::min), ..first }
 }
 
-/// The same with one sign of the gap, from `arms`, bounds on the distances of the ends of the edge from G of both bodies \[m\].
+/// Closing of an edge node with the gap times `sense` (±1); `arms` are bounds on the distances of the ends of the edge from G of both
+/// bodies \[m\].
 fn with_sense(
     world: &World,
     contact: usize,

@@ -91,8 +91,8 @@ pub(in crate::dynamics) fn horizon(world: &World, slots: [Option<usize>; 2], t: 
     Horizon { periods: 1.0, samples }.end(&world.model.ground, t, world.model.duration)
 }
 
-/// Up to when bounds on flights are asked for in a search from `t` to `until` \[s\]: to the end of the run, but for a record that goes on,
-/// under which none holds as long.
+/// Latest time to which bounds on flights apply in a search from `t` to `until` \[s\]: the end of the run; under a record that has not
+/// ended, `until`.
 pub(in crate::dynamics) fn farthest(world: &World, [t, until]: [f64; 2]) -> f64 {
     if world.model.ground.next_kink(t).is_finite() { until } else { world.model.duration }
 }

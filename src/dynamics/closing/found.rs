@@ -22,7 +22,7 @@ impl NextClosing {
         Self { due, evaluations: 0, work: 0 }
     }
 
-    /// From a search up to `until`, in a run of this duration \[s\], that took so many evaluations.
+    /// Result of a search up to `until` \[s\] in a run of `duration` \[s\], after this number of evaluations.
     pub(in crate::dynamics) fn of(found: FirstZero, until: f64, duration: f64, evaluations: u64) -> Self {
         let cut = matches!(found, FirstZero::NoneUntil(end) if end < until.min(duration));
         Self { due: found.due(duration), evaluations, work: if cut { CUT_SEARCH_WORK } else { 0 } }

@@ -152,7 +152,7 @@ fn resolution(world: &World, number: usize, t: f64) -> f64 {
     resolution_of(world.model_link(number), &frames(world, number, t))
 }
 
-/// The same, with the link's ends in these poses.
+/// Resolution of a gap of a link whose ends have these poses \[m\].
 fn resolution_of(link: &Link, frames: &[Frame; 2]) -> f64 {
     let moved: f64 = frames.iter().map(|frame| frame.shift.length()).sum();
     RESOLUTION * (link.size() + moved)

@@ -13,7 +13,7 @@ pub(in crate::dynamics) fn search(world: &mut World, pair: usize, t: f64, shared
         Parted::Near => {}
         Parted::Until(from) => return in_flight::search(world, pair, from, shared),
         Parted::Throughout(until) => {
-            // The first pair of the two bodies leads the search of all that wait, unless it comes to its own only later.
+            // The first pair of the two bodies leads the search of all waiting pairs, unless its own search is due later.
             let leader = world.meeting_of(pair).start;
             let is_led = leader != pair && world.pairs[leader].due <= until;
             return NextClosing::at(if is_led { f64::INFINITY } else { until });

@@ -2,7 +2,7 @@
 //! functions through 0, and the beginning of its force, which is that of its gap with the opposite sign.
 //!
 //! Gap and switching functions that are lengths are linear in u, those that are speeds in u̇. The range of u in an interval of the record
-//! tells whether a length can reach 0 at all; where it can, the flight is sampled stretch by stretch, as a step is.
+//! shows whether a length can reach 0 at all; where it can, the flight is sampled stretch by stretch, as a step is.
 
 use smallvec::SmallVec;
 

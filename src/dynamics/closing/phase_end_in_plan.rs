@@ -1,7 +1,7 @@
 //! The first end of a phase of the devices that act on a rigid girder in flight in plan: the first rise of a switching function through 0.
 //!
-//! All devices of a girder see the same motion and are searched together. Bounds on the girder's speed and acceleration tell how long every
-//! function stays below 0 for certain; where one may rise sooner than can be sampled, the flight is sampled, as a step is.
+//! All devices of a girder follow its one motion and are searched together. Bounds on the girder's speed and acceleration give a time for
+//! which every function stays below 0; where one may rise sooner than can be sampled, the flight is sampled, as a step is.
 
 use glam::DVec3;
 use smallvec::SmallVec;
@@ -82,7 +82,8 @@ fn stretch(world: &World, slot: usize, links: &[usize], [from, until]: [f64; 2])
     ((from + sampled).min(until), likely(sampled))
 }
 
-/// How far the motion of a point at this arm, which has this rate, departs from what it is in a time `span`.
+/// Bounds on the change, over a time `span` \[s\], of displacement and rate of a point at distance `arm` from G \[m\] that has this rate
+/// now \[m/s\].
 fn excursion(bounds: &MotionBounds, arm: f64, rate: DVec3, span: f64) -> Excursion {
     let change = span * (bounds.acceleration + arm * bounds.acceleration_per_arm());
     let speed = (bounds.speed + arm * bounds.spin).min(rate.length() + 0.5 * change);

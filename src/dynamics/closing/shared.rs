@@ -29,7 +29,7 @@ pub(in crate::dynamics) struct Shared {
     parted: Option<(usize, Parted)>,
 }
 
-/// Slots, sections and time of a [`FlightSample`], and how far its bounds are asked for \[s\].
+/// Slots, sections, and time and horizon of a [`FlightSample`] \[s\].
 type FlightKey = ([Option<usize>; 2], [usize; 2], [f64; 2]);
 
 /// How long two bodies stand apart.
@@ -136,7 +136,8 @@ fn in_flight(world: &mut World, (number, pair): (usize, usize), t: f64) -> Parte
     if from > t { Parted::Until(from) } else { Parted::Near }
 }
 
-/// The same of girders that bend, by the poses of all sections now and a bound on the way of all corners until the end of the search.
+/// [`in_flight`] of elastic girders: from the distance of the bodies in the poses of all sections at `t`, and bounds on the excursions of
+/// all corners until the end of the search.
 fn in_flight_by_sections(world: &World, (meeting, pair): (&Meeting, usize), [t, until]: [f64; 2]) -> Parted {
     let slots = world.pairs[pair].slots;
     let still = Frame::fixed(DVec3::ZERO);
@@ -152,7 +153,8 @@ fn in_flight_by_sections(world: &World, (meeting, pair): (&Meeting, usize), [t, 
     }
 }
 
-/// The time within which nothing goes a way that has this speed now, which grows at this rate at most \[s\].
+/// Least time to travel `way` \[m\] from speed `speed` \[m/s\] at an acceleration of at most `gain` \[m/s²\]: the root of `speed t + gain
+/// t²/2 = way` \[s\].
 fn soonest(way: f64, speed: f64, gain: f64) -> f64 {
     2.0 * way / (speed + (speed * speed + 2.0 * gain * way).sqrt())
 }

@@ -27,7 +27,8 @@ pub(super) fn resolution(world: &World, contact: usize, t: f64) -> f64 {
     resolution_of(world, contact, moved.sum())
 }
 
-/// The same with the bodies `moved` together from where they were placed \[m\]: the round-off of positions grows with that.
+/// Resolution of the gap of a contact whose bodies have `moved` together from their placed poses \[m\]: the round-off of positions grows
+/// with that \[m\].
 pub(in crate::dynamics) fn resolution_of(world: &World, contact: usize, moved: f64) -> f64 {
     RESOLUTION * (world.contacts[contact].geometry.size + moved)
 }
@@ -37,7 +38,7 @@ pub(super) struct StepSamples {
     pub times: [f64; STEP_SAMPLES],
     /// Poses at the first sample time: of both sides, then of the sections of corners.
     first: SmallVec<[Frame; 2]>,
-    /// Poses at the other sample times; empty until they are asked for.
+    /// Poses at the other sample times; empty until needed.
     others: Vec<SmallVec<[Frame; 2]>>,
     pub slots: [Option<usize>; 2],
     sections: [usize; 2],

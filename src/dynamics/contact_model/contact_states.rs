@@ -73,7 +73,7 @@ impl ContactStates<'_> {
         contact_law::of(self.world, contact)
     }
 
-    /// Forgets how K and C are divided in a contact's pair once none of its contacts is closed: the next touch divides them anew.
+    /// Resets the shares of K and C of a contact's pair once all its contacts are open: the next touch divides them anew.
     pub(super) fn forget_sharers_of_open(&mut self, contact: usize) {
         let pair = self.world.contacts[contact].pair;
         let mut contacts = self.world.pairs[pair].contacts.clone();

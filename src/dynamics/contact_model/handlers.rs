@@ -124,7 +124,7 @@ impl ContactRun {
         (EventBodies::of(&self.world, slots, bases, states, t), controller)
     }
 
-    /// Enters in the tracks of an island's contacts and devices their states and what their laws remember at `t`.
+    /// Stores in the tracks the states at `t` of an island's contacts, and the phases and memories of its devices.
     fn note_states(&mut self, island: &Island, t: f64) {
         for (number, &contact) in island.contacts.iter().enumerate() {
             self.world.contacts[contact].state = Contact::Closed(island.closed_at(number, t));

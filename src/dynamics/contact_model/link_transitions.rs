@@ -58,8 +58,8 @@ impl LinkTransitions<'_> {
         }
     }
 
-    /// The link that ends the run where this one has entered its phase: itself where its support is lost, or a watch on a corner of the
-    /// same girder that has dropped, once one of the girder's supports is lost. A girder that rolls on all of its supports goes on.
+    /// The link by which the run ends after this one has entered its phase: itself where its support is lost, or the corner of the same
+    /// girder that has dropped, once one of the girder's supports is lost. A girder that rolls on all of its supports does not end it.
     fn ends_the_run(&self, number: usize) -> Option<usize> {
         let links = &self.world.links;
         let device = |link: &LinkTrack| &self.world.model.links[link.link].device;

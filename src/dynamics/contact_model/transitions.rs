@@ -61,8 +61,8 @@ impl<'a> Transitions<'_, 'a> {
         }
     }
 
-    /// A node leaves its face over an edge. Where the two bodies have met, still overlap, and no other contact carries that, the
-    /// contact of their least overlap takes over: another one, or this one beyond the edge, for as much again.
+    /// A node leaves its face over an edge. Where the two bodies have met, still overlap, and no other contact carries the overlap, the
+    /// contact of their least overlap takes over: another one, or this one beyond the edge, up to the same distance again.
     fn leave(&mut self, contact: usize, mut closed: ClosedContact) {
         let Some(least) = self.states.poses().contact_taking_over(contact) else {
             self.open(contact, &closed, EventKind::LeftFace);
@@ -83,8 +83,8 @@ impl<'a> Transitions<'_, 'a> {
         }
     }
 
-    /// The bodies of a contact, the deepest between them, come to overlap by more than its penetration: the contact of the least overlap
-    /// takes over, at the same depth. Where there is none, or it is closed already, the overlap that is tolerated is doubled.
+    /// The overlap of two bodies exceeds the penetration of their deepest contact: the contact of the least overlap takes over, at the same
+    /// depth. Where there is none, or it is closed already, the tolerated overlap is doubled.
     fn hand_over(&mut self, contact: usize, closed: &ClosedContact) {
         let here = self.states.poses().local(contact).penetration();
         let Some(ShortestWay { overlap, tolerated, contact: to }) = self.states.poses().shortest_way(contact) else {
@@ -113,8 +113,8 @@ impl<'a> Transitions<'_, 'a> {
         }
     }
 
-    /// Opens a contact. Where it left its face over an edge, its part of K and C goes to the other nodes at its vertex; returns whether
-    /// there was such a node.
+    /// Opens a contact. Where it left its face over an edge, its part of K and C is passed to the other nodes at its vertex; returns
+    /// whether there was such a node.
     fn open(&mut self, contact: usize, closed: &ClosedContact, kind: EventKind) -> bool {
         self.states.open(contact, closed, kind);
         let passed_on = kind == EventKind::LeftFace && self.vertices().pass_on(contact, closed);

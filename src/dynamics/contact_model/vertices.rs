@@ -130,8 +130,8 @@ impl VertexNodes<'_, '_> {
         true
     }
 
-    /// Whether the vertex of an open corner inside a flush face has a node in contact, which leaves its part to this corner when it comes to
-    /// the edge of its own face.
+    /// Whether the vertex of an open corner inside a flush face has a node in contact, which passes its part on to this corner when it
+    /// reaches the edge of its own face.
     pub(super) fn is_held(&self, contact: usize) -> bool {
         let (pair, tilt) = (self.states.world.contacts[contact].pair, self.tilt(contact));
         let passes_on = self.states.world.model_pair(pair).passes_on;

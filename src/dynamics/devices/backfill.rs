@@ -1,8 +1,8 @@
 //! Backfill behind an abutment's backwall: the soil's resistance F to a push y of the first point along the first axis of its
 //! link (`docs/physics.md#backfill`).
 //!
-//! Soil carries no tension and does not recover: on the envelope `F = F_env(y)`; the greatest push there, `y_m`, is remembered.
-//! Below it `F = F_env(y_m) − K_ur (y_m − y)` down to 0 at `y_z = y_m − F_env(y_m)/K_ur`, so that a gap `y_z` stays.
+//! Soil carries no tension and does not recover: on the envelope `F = F_env(y)`; the greatest push there, `y_m`, is the memory. Below it `F
+//! = F_env(y_m) − K_ur (y_m − y)` down to 0 at `y_z = y_m − F_env(y_m)/K_ur`, so that a gap `y_z` stays.
 
 use glam::DVec3;
 
@@ -90,7 +90,7 @@ impl Backfill {
         motion.vector().x - self.gap
     }
 
-    /// `y_m`, remembered.
+    /// `y_m`, the memory \[m\].
     fn greatest(phase: &Phase) -> f64 {
         phase.memory[0]
     }

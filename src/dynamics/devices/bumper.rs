@@ -16,7 +16,7 @@ use crate::language::Text;
 pub struct Bumper {
     /// Distance from the plane at which the force begins \[m\].
     gap: f64,
-    /// Penetrations δ \[m\] and forces \[N\] from (0, 0) on; the slope of the last line goes on.
+    /// Penetrations δ \[m\] and forces \[N\] from (0, 0) on; beyond the last point the last slope.
     table: Vec<[f64; 2]>,
     /// c \[N·s/m\].
     damping: f64,

@@ -14,7 +14,7 @@ use crate::scene::{self, Device as Placed};
 pub struct PlacedLaw {
     /// Ending of the connection's name, appended to the device's; empty for a single law.
     pub suffix: &'static str,
-    /// Axes that it sees its motion in, in the columns, in the world as placed.
+    /// Axes of its displacement and force, in the columns, world axes as placed.
     pub axes: DMat3,
     /// How that motion is measured.
     pub kinematics: Kinematics,

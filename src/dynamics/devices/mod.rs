@@ -1,8 +1,8 @@
 //! Devices between two bodies, or a body and the ground: a law of force with its phases, one file each
 //! (`docs/physics.md#devices`).
 //!
-//! A device sees the motion of its first point against its second ([`Separation`](crate::dynamics::connection::Separation)) and
-//! gives the force on the first; a [`Link`](crate::dynamics::connection::Link) puts it between two points of a model.
+//! A device has the motion of its first point relative to its second ([`Separation`](crate::dynamics::connection::Separation)) as input and
+//! the force on the first as output; a [`Link`](crate::dynamics::connection::Link) places it between two points of a model.
 
 mod backfill;
 mod bumper;

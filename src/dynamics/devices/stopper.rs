@@ -55,7 +55,7 @@ impl Stopper {
         }
     }
 
-    /// `w_p`: remembered, or in yield what leaves p at its limit.
+    /// `w_p`: the memory, or in yield the displacement at which p is at its limit \[m\].
     fn plastic(&self, phase: &Phase, motion: &Separation) -> f64 {
         if phase.branch == YIELD { motion.vector().x - self.gap - self.limit() } else { phase.memory[0] }
     }

@@ -199,7 +199,7 @@ impl DeviceReadings for Support {
         (w - self.room.from).min(self.room.to - w)
     }
 
-    /// Nothing of a bearing that is lost.
+    /// Zero of a lost bearing.
     fn reaction(&self, phase: &Phase, motion: &Separation) -> DVec3 {
         self.standing(phase).map_or(DVec3::ZERO, |law| law.reaction(phase, motion))
     }

@@ -146,7 +146,7 @@ impl BodyFlight {
         }
     }
 
-    /// [`ClosedForm::parts`]; nothing of a rigid girder in plan.
+    /// [`ClosedForm::parts`]; empty of a rigid girder in plan.
     pub(in crate::dynamics) fn parts(&self, t: f64) -> Parts {
         match self {
             Self::InPlan(_) => Parts::default(),
@@ -182,13 +182,13 @@ impl BodyFlight {
         }
     }
 
-    /// [`ClosedForm::range`]; nothing of a rigid girder in plan.
+    /// [`ClosedForm::range`]; `None` of a rigid girder in plan.
     pub(in crate::dynamics) fn range(&self, span: [f64; 2]) -> Option<[f64; 2]> {
         let Self::Custom(own) = self else { return None };
         own.form.range(own.flight(), span)
     }
 
-    /// [`ClosedForm::works`]; nothing of a rigid girder in plan.
+    /// [`ClosedForm::works`]; `None` of a rigid girder in plan.
     pub fn works(&self, span: [f64; 2]) -> Option<[f64; 4]> {
         let Self::Custom(own) = self else { return None };
         own.form.works(own.flight(), span)

@@ -20,7 +20,7 @@ pub enum BodyMotion {
 }
 
 impl BodyMotion {
-    /// Of a body under a ground motion that lasts `duration` \[s\]; nothing where there is no closed form.
+    /// Free motion of a body under a ground motion that lasts `duration` \[s\]; `None` without a closed form.
     pub fn of(body: &Body, ground: &Ground, duration: f64) -> Option<Self> {
         match &body.coordinates {
             BodyCoordinates::Planar => Some(Self::InPlan(Arc::new(FreeMotion::new(body, ground, duration)))),
@@ -74,7 +74,7 @@ impl BodyMotion {
         }
     }
 
-    /// State at `t` of a girder in plan that was in this state at `start`; nothing of another body.
+    /// State at `t` of a girder in plan that was in state `from` at `start`; `None` of another body.
     pub fn girder_state(&self, start: f64, from: PlanarState, t: f64) -> Option<PlanarState> {
         let Self::InPlan(system) = self else { return None };
         Some(system.state(&system.fly(start, from), t))

@@ -23,8 +23,8 @@ pub(super) const CANCELLED: f64 = 64.0 * f64::EPSILON;
 pub(super) const CELL_PHASE: f64 = 0.5;
 /// Rate that stands for that of a body which nothing holds or shakes \[1/s\]. Chosen: cells of 500 s, whose motion the series has exactly.
 pub(super) const LEAST_CELL_RATE: f64 = 1e-3;
-/// Phase of the fastest motion over which the work of forces bounds a flight \[rad\]. Chosen: longer, bounds are looser; shorter, they are asked
-/// for more often.
+/// Phase of the fastest motion over which the work of forces bounds a flight \[rad\]. Chosen: longer, bounds are looser; shorter, they are
+/// evaluated more often.
 pub(super) const BOUND_PHASE: f64 = 0.5;
 /// Phase `√|γ² − ω²| τ` below which the response is a series about critical damping \[rad\]: its first term left out, u⁴/9! with u the square of
 /// the phase, is 3e-22.

@@ -94,7 +94,7 @@ impl FreeMotion {
         Self::on_springs(body, &PlanarSprings::NONE, ground, duration)
     }
 
-    /// The same, with springs to the ground beside the girder's bearings.
+    /// Free motion on springs to the ground beside the girder's bearings.
     pub fn on_springs(body: &Body, springs: &PlanarSprings, ground: &Ground, duration: f64) -> Self {
         let [stiffness, damping] = springs.with_bearings(body);
         let inverse = DVec3::new(1.0 / body.mass, 1.0 / body.mass, 1.0 / (body.mass * body.gyration2));
@@ -161,7 +161,7 @@ impl FreeMotion {
         self.steady_in(dof, self.ground.phase(t))
     }
 
-    /// As above, from the ground's phase.
+    /// Steady response from the ground's phase.
     fn steady_in(&self, dof: &[UncoupledAxis; 3], [s, c]: [f64; 2]) -> PlanarState {
         let Ground::Sine { omega, .. } = self.ground else { return [0.0; WIDTH] };
         planar::of_parts([0, 1, 2].map(|i| dof[i].steady([s, c], omega)))
@@ -225,7 +225,7 @@ impl FreeMotion {
         self.parts_in(flight, t, self.ground.phase(t))
     }
 
-    /// As above, from the ground's phase at `t`.
+    /// [`parts`](Self::parts) from the ground's phase at `t`.
     pub(in crate::dynamics) fn parts_in(&self, flight: &Flight, t: f64, phase: [f64; 2]) -> StateInFlight {
         if let (FlightForm::Split(parts), FreeMotionForm::Split { dof, .. }) = (&flight.form, &self.form) {
             let (mut out, free) = (self.steady_in(dof, phase), self.free(dof, parts, t - flight.start));

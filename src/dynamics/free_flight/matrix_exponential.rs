@@ -23,9 +23,9 @@ type Doubled = [[TwoFloat; SIZE]; SIZE];
 
 /// Where `sin` stands; `cos`, `u0`, `u1` and `1` follow.
 pub const SIN: usize = WIDTH;
-/// Where the record's value stands.
+/// Index of the record's value.
 pub const VALUE: usize = WIDTH + 2;
-/// Where the constant 1 stands.
+/// Index of the constant 1.
 pub const ONE: usize = WIDTH + 4;
 
 /// A coupled linear system and the powers of its propagator.
@@ -37,8 +37,8 @@ pub struct CoupledPropagator {
 }
 
 impl CoupledPropagator {
-    /// `q̈ = −k q − c v + push + forced (sine + record)`, per unit mass; `drive` is the sine's Ω, `longest` the longest
-    /// time that will be asked for \[s\].
+    /// `q̈ = −k q − c v + push + forced (sine + record)`, per unit mass; `drive` is the sine's Ω \[rad/s\], `longest` the longest time span
+    /// of an evaluation \[s\].
     pub fn new(k: DMat3, c: DMat3, push: DVec3, forced: DVec3, drive: f64, longest: f64) -> Self {
         let generator = generator(k, c, push, forced, drive);
         let rate = norm(k).sqrt().max(norm(c)).max(drive).max(LEAST_CELL_RATE);

@@ -129,7 +129,7 @@ impl Oscillator {
         self.carry(&self.free(tau), start, force, tau)
     }
 
-    /// As above, from the factors over τ.
+    /// [`advance`](Self::advance) from the free response factors over τ.
     #[inline]
     pub(in crate::dynamics) fn carry(
         &self,
@@ -142,7 +142,7 @@ impl Oscillator {
         self.carry_forced(f, forced, [q, v], [c0, c1])
     }
 
-    /// As above, from the free and the forced factors over τ; the latter are not read without force.
+    /// [`advance`](Self::advance) from the free and the forced response factors over τ; the latter are not read without force.
     #[inline]
     pub(in crate::dynamics) fn carry_forced(
         &self,

@@ -57,7 +57,7 @@ impl RelativeBounds {
         }
     }
 
-    /// Two girders in flight; nothing where more than a sum cannot be said.
+    /// Bounds on the relative motion of two girders in flight; `None` where no bound is tighter than the sum of both.
     fn between(one: &BodyInFlight<'_>, other: &BodyInFlight<'_>, horizon: f64) -> Option<Self> {
         let (a, b) = (one.girder.as_ref()?, other.girder.as_ref()?);
         let (first, second) = (a.dofs()?, b.dofs()?);

@@ -46,8 +46,8 @@ pub(super) const COARSE_FACTOR: f64 = 4.0;
 /// the decaying part is left.
 pub(in crate::dynamics) const RESOLVED_DECAY: f64 = 5.0;
 
-/// Time constants of what a device's law remembers that an explicit step may span. Of a component that follows a slow motion at this
-/// rate the dense output errs by 0.2 to 2.5 of the estimate up to 3, by 60 of it at 5, where the estimate sees the end alone (tested).
+/// Time constants of a device's memory that an explicit step may span. Of a component that follows a slow motion at this rate the dense
+/// output errs by 0.2 to 2.5 of the estimate up to 3, by 60 of it at 5, where the estimate includes the end alone (tested).
 pub(in crate::dynamics) const RESOLVED_RELAXATION: f64 = 3.0;
 /// Part of the change up to which a force's series converges that a step may span: the terms from the order of the estimate on fall by
 /// this factor each. Measured on two girders with a damper of α = 0.3, 22 tolerances from 1e-10 to 1e-9: at most 1.3e-9 m off with 0.7,

@@ -242,7 +242,7 @@ mod tests {
 
     #[test]
     fn a_step_of_an_oscillation_loses_a_part_of_the_tolerance_always_of_one_sign() {
-        // Phases in which the estimate comes to what the safety factor leaves of the tolerance.
+        // Phases in which the estimate equals the safety factor's part of the tolerance.
         for (tolerance, phase, lost) in [(1e-4, 1.743, 0.067), (1e-7, 0.747, 0.0127), (1e-10, 0.316, 0.0022)] {
             let (mut rk, mut y) = (Dop853::default(), vec![0.0, 1.0]);
             rk.resize(2);

@@ -35,7 +35,7 @@ impl ControllerState {
 pub(in crate::dynamics) struct StepLimits {
     /// Latest end \[s\].
     pub cap: f64,
-    /// Where the motion of the ground has its next kink: a step that ends there is as long as any can be \[s\].
+    /// Next kink of the ground's motion, beyond which no step extends: one that ends there is not limited by its error \[s\].
     pub kink: f64,
     /// Length of the first attempt without a known step length \[s\].
     pub first: f64,

@@ -1,4 +1,4 @@
-//! Systems of ordinary differential equations `ẏ = f(t, y)` as the integrators see them.
+//! Systems of ordinary differential equations `ẏ = f(t, y)`: the interface of the integrators.
 //!
 //! Explicit methods need the right-hand side and a norm ([`System`]); implicit ones also what their Newton matrix is
 //! built from ([`ImplicitSystem`]): increments for difference quotients, the block structure, and the part of the

@@ -32,7 +32,7 @@ pub enum FirstZero {
 }
 
 impl FirstZero {
-    /// When the search is acted upon, in a run of this duration: at the crossing, or where the search ended and goes on; infinite at the
+    /// Time of the event of a search in a run of this duration: the crossing, or the end of the search, where it continues; infinite at the
     /// end of the run \[s\].
     pub(in crate::dynamics) fn due(self, duration: f64) -> f64 {
         match self {

@@ -33,7 +33,7 @@ pub(super) const ROUND_REDUCTION: f64 = 16.0;
 /// Factor on the least distance of a secant from the ends of its bracket after a secant that was closer. Tuned.
 pub(super) const MARGIN_GROWTH: f64 = 4.0;
 /// Newton steps of a root with a slope, from that of the cubic through the ends of its interval: a step's motion differs from a cubic by
-/// 1e-3 of the interval or less, and three squarings come to a double's digits. The fourth is room.
+/// 1e-3 of the interval or less, and three squarings of the error reach a double's precision. The fourth is a reserve.
 pub(super) const NEWTON_STEPS: u32 = 4;
 /// Steps towards the root of that cubic, whose digits the Newton steps bring: a bound on their number.
 pub(super) const CUBIC_STEPS: u32 = 12;

@@ -76,7 +76,7 @@ impl<T> EarliestRise<T> {
         Self { found: None }
     }
 
-    /// The rise found so far: of one after that no more is asked than that it is later.
+    /// The rise found so far, which a later one need not be located against.
     pub(in crate::dynamics) fn known(&self) -> EarliestEvent {
         self.found.as_ref().map_or(EarliestEvent::UNKNOWN, |(at, _)| EarliestEvent { at: *at, together: 0.0 })
     }

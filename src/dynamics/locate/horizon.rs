@@ -1,4 +1,4 @@
-//! How far ahead one search of a first zero looks: bounds on free motion hold over part of a period or of a record alone.
+//! Length of one search of a first zero: bounds on free motion hold over part of a period or of a record alone.
 
 use crate::motion::Ground;
 

@@ -25,9 +25,9 @@ pub(in crate::dynamics) struct ActiveLink {
     pub sections: [usize; 2],
     /// Vector from the second point to the first as placed, in the link's axes \[m\].
     pub placed: DVec3,
-    /// Phase of the device, with what its law remembers at the start of the island.
+    /// Phase of the device, with the memory at the start of the island.
     pub phase: Phase,
-    /// Index in the island's vector of the first number that the law remembers; `None` where that does not change.
+    /// Index in the island's vector of the law's first memory; `None` where the memory is constant.
     pub evolving: Option<usize>,
 }
 
@@ -78,7 +78,7 @@ impl ActiveLink {
         link.motion([one, other])
     }
 
-    /// Phase with what its law remembers in the island's state `y`.
+    /// Phase with the memory in the island's state `y`.
     pub(in crate::dynamics) fn phase_in(&self, y: &[f64]) -> Phase {
         let mut phase = self.phase;
         if let Some(at) = self.evolving {

@@ -1,9 +1,9 @@
 //! The least overlap of two bodies that have met, against the penetrations of the contacts between them
 //! (`docs/physics.md#contact-wherever-bodies-meet`).
 //!
-//! A contact keeps its normal as long as it lasts, while the shortest way by which the bodies part can turn to another face or to two
-//! other edges. When the least overlap comes to exceed the penetration of the deepest contact, the contact along the shortest way takes
-//! over. The two penetrations are equal at that time, so that the energy in the springs does not change.
+//! A contact keeps its normal as long as it lasts, while the shortest way by which the bodies part can turn to another face or to two other
+//! edges. When the least overlap exceeds the penetration of the deepest contact, the contact along the shortest way takes over. The two
+//! penetrations are equal at that time, so that the energy in the springs does not change.
 
 use glam::DVec3;
 
@@ -47,8 +47,8 @@ impl BodiesAt<'_> {
         index.map_or(stand, |i| self.bases[i].whole(&self.frames[self.layout.sections(i).start + section]))
     }
 
-    /// How far the corner of a contact that took over displaced is itself behind its face \[m\]: the contact carries that, whatever its
-    /// spring shows. Nothing of a contact without displacement, or of an edge node.
+    /// Depth behind its face of the corner of a contact that took over with a displacement \[m\]: that contact carries this overlap,
+    /// whatever its spring's deformation. `None` of a contact without displacement, or of an edge node.
     fn corner_depth(&self, model: &Model, contact: &ActiveContact) -> Option<f64> {
         let site = &model.sites[contact.site];
         if site.edge.is_some() || contact.closed.place.shift == DVec3::ZERO {

@@ -39,7 +39,7 @@ pub(in crate::dynamics) const ROUNDING_FLOOR_TURNING: f64 = 0.01;
 /// which its estimate comes to the safety factor's 0.43 tolerances: 0.07, 0.013 and 0.002 at tolerances of 1e-4, 1e-7
 /// and 1e-10. N₀ is tuned: ε N₀ is about ten tolerances at 1e-7.
 pub(in crate::dynamics) const LONG_RUN_CONTACT: f64 = 1000.0;
-/// The same for steps without contact \[–\]. Measured: a rotating girder loses ε = 1/12 in each. Tuned: ε N₀ is twenty
+/// [`LONG_RUN_CONTACT`] of steps without contact \[–\]. Measured: a rotating girder loses ε = 1/12 in each. Tuned: ε N₀ is twenty
 /// tolerances.
 pub(in crate::dynamics) const LONG_RUN_FREE: f64 = 250.0;
 /// Least speed that errors are relative to at a point of reversal, per speed gained by its acceleration in one radian

@@ -52,7 +52,7 @@ pub struct SolverState {
     /// Distance beyond its face's edge at which a corner of bodies that have met hands its vertex on to the next face \[m\]; `None` after the
     /// handover, and of a corner that closed beyond the edge: the planes of the faces around bound its contact.
     pub handover_distance: Option<f64>,
-    /// How far beside its face a corner may have been where it took over a vertex from another node \[m\].
+    /// Greatest distance of a corner beside its face at which it took over a vertex from another node \[m\].
     pub beside: f64,
 }
 

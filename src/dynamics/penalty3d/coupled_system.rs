@@ -53,8 +53,8 @@ pub(in crate::dynamics) struct CoupledSystem {
 }
 
 impl CoupledSystem {
-    /// Of bodies with their states in `y` relative to reference poses; the angles of slips that turn are appended to `y`,
-    /// then what the laws of devices remember and change.
+    /// System of bodies with their states in `y` relative to reference poses; the slip angles that are states, then the memories that are
+    /// states, are appended to `y`.
     pub(in crate::dynamics) fn of(
         model: &Model,
         Members { bodies, bases, mut active, mut links }: Members,

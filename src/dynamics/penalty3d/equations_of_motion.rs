@@ -43,7 +43,7 @@ pub(in crate::dynamics) struct EquationsOfMotion<'a> {
     pub since: f64,
     /// Error scale.
     pub scale: ErrorScale,
-    /// Allowed error of each slip angle \[rad\], then of each number that a device remembers.
+    /// Allowed error of each slip angle \[rad\], then of each memory of a device (its unit).
     pub auxiliary_errors: &'a [f64],
     /// Workspace.
     pub workspace: &'a mut Workspace,

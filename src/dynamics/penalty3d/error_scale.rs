@@ -21,7 +21,7 @@ use crate::scene::FINEST_TOLERANCE;
 /// Bounds on the length of a step beside the error estimate.
 #[derive(Clone, Copy, Debug)]
 pub(in crate::dynamics) struct StepLengthBounds {
-    /// Fastest relaxation of what the law of a device remembers \[1/s\].
+    /// Fastest relaxation of a device's memory \[1/s\].
     relaxation: f64,
     /// Least [`smooth_within`](crate::dynamics::connection::Device::smooth_within) of the devices \[m/s\].
     smooth_within: f64,

@@ -35,7 +35,7 @@ pub(in crate::dynamics) fn rates(
     }
 }
 
-/// Adds the forces of devices to the wrenches on their bodies, and enters the rates of what their laws remember.
+/// Adds the forces of devices to the wrenches on their bodies, and writes the rates of their memories.
 fn add_devices(model: &Model, system: &CoupledSystem, y: &[f64], workspace: &mut Workspace, out: &mut [f64]) {
     let mut port = workspace.sliding.sliders.len();
     for link in &system.links {

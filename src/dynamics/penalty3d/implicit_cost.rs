@@ -14,8 +14,8 @@ const ITERATIONS: f64 = 6.0;
 /// Real eliminations by whose work one real and two complex ones are counted: a complex product is four real ones.
 const ELIMINATIONS: f64 = 1.0 + 2.0 * 4.0;
 
-/// Operations of an implicit step over those of an explicit one, of so many components: eliminations of the positions, iterations of all
-/// stages, a Jacobian by differences; against twelve slopes and their sums \[–\].
+/// Operations of an implicit step over those of an explicit one, by the number of components: eliminations of the positions, iterations of
+/// all stages, a Jacobian by differences; against twelve slopes and their sums \[–\].
 fn share(components: usize) -> f64 {
     let (all, half) = (components as f64, 0.5 * components as f64);
     let eliminations = ELIMINATIONS * 2.0 / 3.0 * half.powi(3) + ITERATIONS * ELIMINATIONS * 2.0 * half.powi(2);
@@ -23,7 +23,7 @@ fn share(components: usize) -> f64 {
     (eliminations + slopes) / ((EXPLICIT_SLOPES * SLOPE_OPERATIONS + EXPLICIT_SUMS) * all)
 }
 
-/// The same over that of a rigid body in space, with which the constants of step control were measured; 1 where no body has more
+/// [`share`] over that of a rigid body in space, with which the constants of step control were measured; 1 where no body has more
 /// components than one \[–\].
 pub(super) fn over_rigid(components: usize, bodies: usize) -> f64 {
     if components > bodies * spatial::WIDTH { (share(components) / share(RIGID_COMPONENTS)).max(1.0) } else { 1.0 }

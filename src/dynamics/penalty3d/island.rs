@@ -136,8 +136,7 @@ impl Island {
         }
     }
 
-    /// Plans the next step from `until`, at most to `cap` \[s\]; `soon` is the forecast time from its start to the
-    /// next event \[s\].
+    /// Plans the next step from `until`, at most to `cap` \[s\]; `soon` is the forecast time from its start to the next event \[s\].
     ///
     /// # Errors
     ///
@@ -199,7 +198,7 @@ impl Island {
         closed
     }
 
-    /// Phase of a device with what its law remembers at `t`.
+    /// Phase of a device with its memory at `t`.
     pub(in crate::dynamics) fn phase_at(&self, index: usize, t: f64) -> Phase {
         let link = &self.system.links[index];
         let mut phase = link.phase_in(&self.y);
@@ -209,7 +208,7 @@ impl Island {
         phase
     }
 
-    /// Dense output of the planned step for what a device remembers; `None` where that does not change.
+    /// Dense output of a device's memory in the planned step; `None` where the memory is constant.
     pub(in crate::dynamics) fn memory_path(&self, index: usize) -> Option<DenseOutput> {
         let at = self.system.links[index].evolving?;
         self.step.dense.as_ref().map(|dense| dense.slice(at..at + 1))

@@ -18,7 +18,7 @@ pub(in crate::dynamics) fn first_phase_end(model: &Model, island: &Island) -> Op
         return None;
     }
     let sections = island.system.layout.section_count();
-    // The start, and as soon as a phase may end further samples.
+    // The start; further samples once a phase may end.
     let mut times: SmallVec<[f64; 8]> = SmallVec::from_slice(&[island.step.from]);
     let mut frames = island.frames_since(model, &times);
     let mut earliest = EarliestRise::none();
@@ -61,8 +61,8 @@ pub(in crate::dynamics) fn first_phase_end(model: &Model, island: &Island) -> Op
     earliest.found()
 }
 
-/// How far the motion of a link's first point against the second departs within the planned step from what it is at its start, in the
-/// link's axes; infinitely where these turn.
+/// Bounds on the change, within the planned step, of displacement and rate of a link's first point relative to the second, in the link's
+/// axes; infinite where these turn.
 fn excursion(model: &Model, island: &Island, active: &ActiveLink) -> Excursion {
     let link = active.link(model);
     if link.kinematics == Kinematics::Carried && active.ends[1].is_some() {

@@ -16,7 +16,7 @@ use crate::dynamics::penalty3d::contact_state::ClosedContact;
 pub(in crate::dynamics) struct Sliding {
     /// Indices of those contacts among the closed ones.
     pub sliders: Vec<usize>,
-    /// Derivatives of their friction by `V_t`, and of forces of devices by what these remember.
+    /// Derivatives of their friction by `V_t`, and of forces of devices by their memories.
     terms: Vec<RankOneTerm>,
     /// Regularised directions of sliding at the linearisation, `V_t / max(|V_t|, v_stick)`.
     against: Vec<DVec2>,
@@ -32,7 +32,7 @@ impl Sliding {
         Self { against: vec![DVec2::X; sliders.len()], sliders, ..Self::default() }
     }
 
-    /// Forgets the terms of the last evaluation.
+    /// Removes the terms of the last evaluation.
     pub(in crate::dynamics) fn clear(&mut self) {
         self.terms.clear();
     }

@@ -24,7 +24,7 @@ impl Workspace {
         Self { sliding: Sliding::of(active), ..Self::default() }
     }
 
-    /// Forgets the last evaluation.
+    /// Removes the results of the last evaluation.
     pub(super) fn clear(&mut self) {
         self.frames.clear();
         self.wrenches.clear();

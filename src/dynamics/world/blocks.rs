@@ -33,7 +33,7 @@ impl World {
         }
     }
 
-    /// The block of these bodies; `None` where it has no closed form, or too many coordinates for it to pay.
+    /// The block of these bodies; `None` without a closed form, or with more than [`MOST_BLOCK_COORDINATES`], where steps take less work.
     fn block(&self, model: &Model, slots: &[usize]) -> Option<LinearBlock> {
         let count: usize = slots.iter().map(|&slot| self.model_body(slot).positions()).sum();
         if count > MOST_BLOCK_COORDINATES {

@@ -53,8 +53,8 @@ pub(in crate::dynamics) fn sharers(world: &World, pair: usize, poses: Poses<'_>)
     Sharers { count: vertices.len().max(1), at_vertex: contacts.map(nodes).collect() }
 }
 
-/// Place of a crossing: of two nodes at one crossing that of the first. Faces that are not parallel see two edges that are apart cross at
-/// different places.
+/// Place of a crossing; of two nodes at one crossing that of the first: of faces that are not parallel, two edges that are apart cross at
+/// different places in each.
 fn seen_once(world: &World, all: &[(usize, DVec2)], (node, at): (usize, DVec2)) -> DVec2 {
     let first = other_of_crossing(world, node).filter(|&other| other < node);
     first.and_then(|first| all.iter().find(|(other, _)| *other == first)).map_or(at, |(_, seen)| *seen)
@@ -92,7 +92,7 @@ pub(in crate::dynamics) fn at_vertex_of(
             corner_vertex(world, c, poses, beyond)
         };
         let at = at?;
-        // The other node of the same crossing is at the vertex wherever its face sees that.
+        // The other node of the same crossing is at the vertex, at whatever place its own face has the crossing.
         let distance = if other == Some(c) { 0.0 } else { (at - left).length() };
         (c != contact && distance <= near).then_some((c, distance))
     };

@@ -47,7 +47,7 @@ impl World {
         self.bodies[slot].free_motion.as_ref()?.fly(t, state)
     }
 
-    /// The same on connections to the ground; `None` where that has no closed form.
+    /// Flight of the body in a slot on its springs to the ground; `None` without a closed form.
     pub(in crate::dynamics) fn fly_on(
         &self,
         slot: usize,

@@ -99,7 +99,7 @@ pub(in crate::dynamics) struct PairTrack {
     pub axial: Option<AxialGap>,
     /// Number in the model of the meeting of its bodies, where every face of the two has a pair.
     pub meeting: Option<usize>,
-    /// Where the two bodies of a meeting were at the last search.
+    /// Whether the two bodies of a meeting were near each other or apart at the last search.
     pub search_state: SearchState,
     /// When its next closing is due, or its next search; infinite without either \[s\].
     pub due: f64,
@@ -156,7 +156,7 @@ pub(in crate::dynamics) struct ContactTrack {
     pub has_part: bool,
     /// Where the node is and how its contact is directed since its last closing.
     pub place: NodePlace,
-    /// Of an edge node the contacts of both ends of the edge with the same face, where these are nodes; nothing of a corner.
+    /// Of an edge node the contacts of both ends of the edge with the same face, where these are nodes; `None` of a corner.
     pub corners: Option<[usize; 2]>,
     /// Other contacts of the node with the same body, of which it touches one face at a time.
     pub other_faces: Vec<usize>,

@@ -1,7 +1,7 @@
 //! Degrees of freedom: how the state of a body is laid out and what moves it, for the bodies that exist.
 //!
-//! [`Coordinates`] says what is asked of them; here a [`Body`] answers by those that it has. A rigid girder has those of
-//! [`planar`] or [`spatial`]; those of another body are one file with an implementation of the trait.
+//! Implementations of [`Coordinates`], and their dispatch by a [`Body`]. A rigid girder has those of [`planar`] or [`spatial`]; those of
+//! another body are one file with an implementation of the trait.
 
 pub mod elastic;
 pub mod elastic_space;
@@ -131,8 +131,8 @@ impl Body {
         of_each!(self, c => (0..c.sections()).for_each(|section| frames.push(c.frame_since(self, section, state))));
     }
 
-    /// Appends one frame a section: [`Coordinates::frame_since`] where it is `asked` for, else the placed one, so that sections keep their
-    /// numbers.
+    /// Appends one frame per section: [`Coordinates::frame_since`] of the `asked` ones, the placed one of the others, so that sections keep
+    /// their numbers.
     #[inline]
     pub(in crate::dynamics) fn push_frames_of(&self, asked: &[bool], state: &[f64], frames: &mut Vec<Frame>) {
         of_each!(self, c => frames.extend(asked.iter().enumerate().map(|(section, asked)| {

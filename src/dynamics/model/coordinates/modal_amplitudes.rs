@@ -9,7 +9,7 @@ use crate::dynamics::model::section_bounds::SectionBounds;
 pub(super) struct ModalAmplitudes(Vec<[f64; 2]>);
 
 impl ModalAmplitudes {
-    /// Of so many modes, for no section yet.
+    /// Zero amplitudes of `count` modes.
     pub(super) fn of_modes(count: usize) -> Self {
         Self(vec![[0.0; 2]; count])
     }

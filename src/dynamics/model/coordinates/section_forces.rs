@@ -205,7 +205,7 @@ impl Equilibrium {
         self.at_station(&Station::new(self.fields.len() - 1, station / self.half()))
     }
 
-    /// The same at a station of the girder that is there already.
+    /// Section forces at a station of the girder's table.
     pub fn at_station(&self, station: &Station) -> SectionForces {
         let [length, mass] = self.size;
         let half = 0.5 * length;

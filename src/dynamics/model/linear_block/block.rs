@@ -20,7 +20,7 @@ pub struct LinearBlock {
     pub(super) motion: LinearMotion,
     pub(super) ground: Ground,
     pub(super) members: Vec<Member>,
-    /// Power lost in bearings, and in the bodies themselves; nothing where there is no dashpot.
+    /// Power lost in bearings, and in the bodies themselves \[W\]; `None` without a dashpot.
     pub(super) losses: [Option<PowerForm>; 2],
     /// Fastest circular frequency of the bodies as rigid ones \[rad/s\].
     pub(super) fastest: f64,
@@ -37,7 +37,7 @@ pub(super) struct Member {
     pub push: Vec<f64>,
     /// Distance of the ends from G, of a body that bends \[m\].
     pub lever: f64,
-    /// How far each exponential moves each section.
+    /// Displacement of each section per unit of each exponential.
     pub sections: Vec<Vec<Reach>>,
 }
 
@@ -48,7 +48,7 @@ impl Member {
     }
 }
 
-/// Where the coordinates of a block's parts stand among all of them, held ones too.
+/// Order of the coordinates of a block's parts, held ones included.
 struct Order<'a> {
     parts: &'a [LinearPart],
     /// The first coordinate of each part.

@@ -9,7 +9,7 @@ pub(in crate::dynamics) const RIGID: usize = 3;
 /// A body whose free motion is linear in plan: x, y, θ, then modal coordinates of one that bends.
 #[derive(Clone, Debug)]
 pub struct LinearPart {
-    /// Mass that goes with each coordinate.
+    /// Mass of each coordinate.
     pub masses: Vec<f64>,
     /// Whether it may change.
     pub free: Vec<bool>,

@@ -1,4 +1,4 @@
-//! How far each exponential of a block moves the sections of a member.
+//! Displacements of the sections of a member per unit of each exponential of a block.
 
 use glam::DVec2;
 

@@ -19,7 +19,8 @@ use crate::scene::facing::Flank;
 /// a linear beam stands for.
 pub(in crate::dynamics) const DEFORMED: f64 = 0.1;
 
-/// Stations that differ by less than this part of half the length are one \[–\]: rounding of places, far below what a beam tells apart.
+/// Stations that differ by less than this part of half the length are one \[–\]: rounding of places, far below any distance that changes a
+/// mode.
 pub(in crate::dynamics) const SAME_STATION: f64 = 1e-12;
 
 /// An elastic girder: x, y, θ of its mean axes, modal coordinates, and their rates. Sections: G, the −x end, the +x end, the faces

@@ -137,7 +137,7 @@ impl Section {
         SectionLoad { force: back, moment: moment - lever.perp_dot(force) }
     }
 
-    /// The same of a linear frame, of which the force's moment about G is that about the frame's origin.
+    /// [`load`](Self::load) of a linear frame, whose force has the same moment about G as about the frame's origin.
     pub(in crate::dynamics) fn load_unrotated(&self, force: DVec2, moment: f64) -> SectionLoad {
         SectionLoad { force, moment: moment - self.lever.perp_dot(force) }
     }

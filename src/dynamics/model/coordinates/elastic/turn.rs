@@ -16,7 +16,7 @@ pub(super) fn composed(a: DMat2, b: DMat2) -> DMat2 {
     a + b + a * b
 }
 
-/// The same as a matrix in space.
+/// A matrix in plan as one in space.
 #[inline]
 pub(super) fn in_space(turned: DMat2) -> DMat3 {
     DMat3::from_cols(turned.x_axis.extend(0.0), turned.y_axis.extend(0.0), DVec3::ZERO)

@@ -90,7 +90,7 @@ impl BearingPoint {
         BearingNow { motion, arm, bent, force: *axes * self.bearing.force(&(), &motion) }
     }
 
-    /// Its force in the body's axes as placed, beyond that at rest in the placed pose: what the modes see.
+    /// Force on the modes, in the body's axes as placed: that of the bearing less its rest force in the placed pose.
     pub(super) fn back(&self, turned: &DMat3, force: DVec3) -> DVec3 {
         force + turned.transpose() * (force + self.bearing.preload)
     }

@@ -42,7 +42,7 @@ impl SpatialElasticGirder {
         sums
     }
 
-    /// All loads, in girder axes, as the modes see them.
+    /// All loads on the modes, in girder axes.
     fn loads(&self, state: &[f64], wrenches: &[Wrench]) -> Vec<Load> {
         let (here, modal) = (self.mean_axes(state), self.modal(state));
         let girder_axes = |placed: DVec3| self.rigid.axes.mul_transpose_vec3(placed);

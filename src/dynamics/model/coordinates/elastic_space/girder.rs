@@ -32,7 +32,7 @@ pub struct SpatialElasticGirder {
     pub(super) springs: ModalSprings,
     /// Sections that move against the mean axes: of the ends, −x first, of faces along the girder, then of links.
     pub(super) deforming: Vec<Section>,
-    /// The section through G, and the given push on it; nothing without one.
+    /// The section through G, and the given push on it; `None` without a push.
     pub(super) pushed: Option<(Section, Wrench)>,
     /// Bearings.
     pub(super) bearings: Vec<BearingPoint>,
