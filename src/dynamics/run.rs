@@ -16,7 +16,7 @@ use crate::dynamics::{Model, impact2d};
 use crate::language::Text;
 use crate::scene::ModelKind;
 
-/// What the run of a group leaves behind.
+/// Result of the run of a group.
 #[derive(Debug)]
 pub struct Finished {
     /// Time reached \[s\].
@@ -35,7 +35,7 @@ pub struct Finished {
     pub events: Vec<Event>,
     /// Hits, transitions and lasting contacts (impact model).
     pub record: Option<impact2d::Record>,
-    /// What was done, counted.
+    /// Counts of evaluations, steps and events.
     pub effort: Effort,
 }
 

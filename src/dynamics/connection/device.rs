@@ -30,7 +30,7 @@ pub trait Device: DeviceReadings + std::fmt::Debug + Send + Sync {
         self.linear().is_some()
     }
 
-    /// What of this phase is linear, with a constant, in displacement and rate of its points.
+    /// Linearity of the phase in displacement and rate of its points.
     fn linearity(&self, _phase: &Phase) -> Linearity {
         if self.is_linear() { Linearity::Whole } else { Linearity::None }
     }
@@ -123,7 +123,7 @@ impl Activity {
     }
 }
 
-/// What of a phase is linear, with a constant, in displacement and rate of a device's points; ascending.
+/// Quantities of a phase that are linear, with a constant, in displacement and rate of a device's points; ascending.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord)]
 pub enum Linearity {
     /// Not the force.
@@ -166,7 +166,7 @@ pub struct Evolution {
     pub drive: DVec3,
 }
 
-/// What ends a phase of a device.
+/// Event that ends a phase of a device.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Switch {
     /// The gap closes: the force begins.

@@ -1,4 +1,4 @@
-//! What is read of a device: its state in a word, its force, strength and travel, and its line in a drawing. Nothing of it changes a run.
+//! Readings of a device: its state as a text, its force, strength and travel, and its line in a drawing. They do not enter the computation.
 
 use glam::DVec3;
 

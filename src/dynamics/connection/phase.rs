@@ -7,7 +7,7 @@ use crate::language::Text;
 pub struct Phase {
     /// Number of the branch in force, by the device's own count.
     pub branch: u32,
-    /// What the branch remembers: a plastic displacement, an elongation at rupture (units of the device).
+    /// Memory of the branch, its internal variables: a plastic displacement, an elongation at rupture (units of the device).
     pub memory: [f64; 3],
 }
 

@@ -18,7 +18,7 @@ pub trait EventDriven {
     /// Length of the run \[s\].
     fn duration(&self) -> f64;
 
-    /// What a stop says where the event at `t` exceeds a bound on the work of a run or of one instant: the bound, and a change of the scene
+    /// Text of a stop where the event at `t` exceeds a bound on the work of a run or of one instant: the bound, and a change of the scene
     /// that would avoid it.
     fn exceeded(&mut self, t: f64) -> Option<Message>;
 

@@ -5,7 +5,7 @@ use crate::dynamics::event_loop::constants::{
 };
 use crate::language::{Message, message};
 
-/// What a run has spent.
+/// Cost of a run.
 #[derive(Clone, Copy, Debug)]
 pub(in crate::dynamics) struct Spent {
     /// Handled events, and what a search that ended at its bound of advances counts for \[–\].

@@ -1,5 +1,5 @@
-//! The run of one group of bodies under the impact model: bodies, event queue and log; the planning of steps and searches.
-//! What an event does is in `handlers`.
+//! Run of one group of bodies under the impact model: bodies, event queue and log; planning of steps and searches. The handling of events
+//! is in `handlers`.
 
 use std::sync::Arc;
 
@@ -156,7 +156,7 @@ impl ImpactRun {
         self.world.bodies[slot].segments.extend(segment);
     }
 
-    /// What the run has spent at `t`.
+    /// Cost of the run at `t`.
     pub(in crate::dynamics::impact2d) fn spent(&self, t: f64) -> Spent {
         let (world, record) = (&self.world, &self.record);
         Spent {
@@ -258,7 +258,7 @@ mod tests {
         }
     }
 
-    /// What the first search counts against the bound, of the paper's girder turned by a moment \[N·m\].
+    /// Work of the first search, of the paper's girder turned by a moment \[N·m\], and its evaluations.
     fn first_search(moment: f64) -> (usize, u64) {
         let mut scene = presets::load("skew45-abutment").unwrap_or_else(|errors| panic!("{errors}"));
         scene.girders[0].push.moment = moment;

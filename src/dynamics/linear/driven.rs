@@ -156,7 +156,7 @@ impl Driven {
         out.iter_mut().zip(&self.constant).for_each(|(c, constant)| *c += *constant);
     }
 
-    /// What a constant load and the ground add to place and speed of drift `i` between two times.
+    /// Change of place and speed of drift `i` by constant load and ground between two times.
     pub fn drift(&self, i: usize, from: f64, until: f64) -> [f64; 2] {
         let ([load, x, y], tau) = (self.drifts[i], until - from);
         let (along, [[v, d], [w, e]]) = (DVec2::new(x, y), [from, until].map(|t| self.integrals(t)));

@@ -9,7 +9,7 @@ use crate::motion::Ground;
 pub struct LinearMotion {
     /// Its exponentials.
     pub spectrum: Spectrum,
-    /// What drives it.
+    /// Excitation: constant load and ground.
     pub driven: Driven,
     /// Greatest acceleration of the ground \[m/s²\].
     pub peak: f64,
@@ -19,7 +19,7 @@ pub struct LinearMotion {
     slowest: f64,
 }
 
-/// What a flight is computed from: place and speed of each drift at the start, then the free part of each coefficient.
+/// Start and parameters of a flight: place and speed of each drift at the start, then the free part of each coefficient.
 #[derive(Clone, Copy, Debug)]
 pub struct Flight<'a> {
     /// When it begins \[s\].

@@ -68,7 +68,7 @@ impl Spectrum {
         left.sqrt() * slowest.max(duration.recip())
     }
 
-    /// What the real part of `v_k c_k` counts: twice for one of a conjugate pair.
+    /// Factor of the real part of `v_k c_k` in the sum: 2 for one of a conjugate pair, else 1.
     pub fn share(&self, k: usize) -> f64 {
         if self.exponents[k].im > 0.0 { 2.0 } else { 1.0 }
     }

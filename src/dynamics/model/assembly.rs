@@ -18,7 +18,7 @@ use crate::dynamics::model::{backwall, contact_sites, edge_sites, flexible, pier
 use crate::scene::facing::{Facing, SolidId};
 use crate::scene::{Between, Direction, Girder, Kind, MovingSupports, Scene, SceneErrors, StandsOn, facing, placed};
 
-/// What a run may keep as polynomials \[bytes\]: the steps of an hour of shaking of a few girders.
+/// Memory of a run for steps as polynomials \[bytes\]: the steps of an hour of shaking of a few girders.
 const POLYNOMIALS: usize = 8 << 20;
 /// Memory at which a run ends \[bytes\]: five times what the largest measured row of 1000 girders takes (`docs/cost.md`), within a
 /// desktop computer.
@@ -28,7 +28,8 @@ impl Model {
     /// Compiles a scene that has been validated.
     ///
     /// # Errors
-    /// What validation would have said about pairs and faces.
+    ///
+    /// Those of validation for pairs and faces.
     pub fn compile(scene: &Scene) -> Result<Self, SceneErrors> {
         Self::of(scene, facing::find(scene)?)
     }
@@ -36,7 +37,8 @@ impl Model {
     /// Compiles a scene whose facing pairs are known.
     ///
     /// # Errors
-    /// What validation would have said about faces.
+    ///
+    /// Those of validation for faces.
     pub fn of(scene: &Scene, facings: Vec<Facing>) -> Result<Self, SceneErrors> {
         let ground = compiled(&scene.motion);
         let straight = |mut body: Body| {

@@ -7,7 +7,7 @@ use smallvec::SmallVec;
 /// Sums over bearings below this part of the sum of their terms' sizes are rounding \[–\]: of some ten terms, each of three factors.
 const ROUNDING: f64 = 32.0 * f64::EPSILON;
 
-/// What of a body's state changes while it moves along a world axis.
+/// Components of a body's state that change while it moves along a world axis.
 #[derive(Clone, Debug, PartialEq)]
 pub struct AxialMotion {
     /// Components that are the displacement of G along the axis \[m\], and its rate.

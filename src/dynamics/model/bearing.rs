@@ -11,7 +11,7 @@ use crate::dynamics::connection::{Connection, Separation};
 
 /// Eccentricity below this part of the matrix is rounding of the bearings' places.
 const DECOUPLED: f64 = 1e-14;
-/// What bearings leave of a weight, or of its moment, is rounding of [`carry`] below this part of it.
+/// Part of a weight, or of its moment, below which the difference from the sum over the bearings is rounding of [`carry`] \[–\].
 const CARRIED: f64 = 1e-12;
 /// Part of the mean square of the bearings' distances from G below which their spread across a line is its rounding: bearings within 1e-7
 /// of their distance from one line stand on it.
@@ -60,8 +60,8 @@ impl Connection for Bearing {
     }
 }
 
-/// What bearings leave of a girder's weight. Adding up their preloads against it in every evaluation would leave a rounding
-/// of it, too.
+/// Part of a girder's weight that its bearings do not carry. Adding up their preloads against the weight in every evaluation would add
+/// their rounding.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
 pub struct UnbalancedWeight {
     /// Force, upwards: 0 where they carry it all \[N\].

@@ -19,12 +19,12 @@ pub struct GroundSpring {
 /// A [`Flight`] is computed from when it began and from the numbers that [`begin`](Self::begin) makes of the state then; states are those
 /// since the body was placed.
 pub trait ClosedForm: Debug + Send + Sync {
-    /// What a flight at `start` is computed from: from the states of the bodies that move together, in their order.
+    /// Parameters of a flight that begins at `start`, from the states of the bodies that move together, in their order.
     fn begin(&self, _start: f64, states: &[&[f64]]) -> Vec<f64> {
         states.concat()
     }
 
-    /// What a flight from this state on springs to the ground is computed from; `None` where that has no closed form.
+    /// Parameters of a flight from this state on springs to the ground; `None` without a closed form.
     fn begin_on(&self, _state: &[f64], _spring: GroundSpring) -> Option<Vec<f64>> {
         None
     }
@@ -69,7 +69,7 @@ pub trait ClosedForm: Debug + Send + Sync {
         0.0
     }
 
-    /// What states and bounds of all bodies that move together are computed from at `t`, where they share it.
+    /// Common part of the states and bounds at `t` of all bodies that move together.
     fn parts(&self, _flight: Flight<'_>, _t: f64) -> Parts {
         Parts::default()
     }

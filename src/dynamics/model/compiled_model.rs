@@ -54,7 +54,7 @@ pub struct Model {
     pub tolerance: f64,
     /// Numbers of the impact model.
     pub impact: ImpactSettings,
-    /// What a run may keep as polynomials before its steps are kept by their starts \[bytes\].
+    /// Memory of a run for steps as polynomials, beyond which steps are kept by their initial states \[bytes\].
     pub polynomial_bytes: usize,
     /// Memory of stored steps and events, of the contact model, at which a run ends \[bytes\].
     pub memory_bytes: usize,

@@ -16,7 +16,7 @@ use crate::language::{Message, Text};
 use crate::scene::facing::{Facing, Flank, Rear, Side, SolidId};
 use crate::scene::{Kind, Scene, SceneError, SceneErrors, placed};
 
-/// What a planar girder's nodes are called after it.
+/// Endings of the names of a planar girder's nodes.
 const CORNERS: [&str; 4] = [".corner0", ".corner1", ".corner2", ".corner3"];
 /// Distance beside a girder's end face below which a corner of a backwall is declared as a node, per length of the end \[–\]
 /// (`docs/physics.md#contact-pairs`). Chosen.
@@ -43,7 +43,7 @@ pub(super) struct PairSide {
 }
 
 impl PairSide {
-    /// What carries the face.
+    /// Part of the body with the face.
     pub(super) fn carrier(&self) -> Carrier {
         Carrier::of_face(self.side)
     }

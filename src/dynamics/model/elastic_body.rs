@@ -87,8 +87,8 @@ impl ElasticBody {
         }
     }
 
-    /// What acts in a state since the girder was placed, under wrenches on its sections about the origins of their frames, and the
-    /// ground.
+    /// Loads in a state, less those of the placed state, under wrenches on its sections about the origins of their frames, and the ground's
+    /// acceleration.
     pub fn equilibrium(&self, state: &[f64], wrenches: &[Wrench], ground: DVec3) -> Equilibrium {
         match self {
             Self::Plan(girder) => girder.equilibrium(state, wrenches, ground),

@@ -17,20 +17,20 @@ use crate::scene::device::{DeviceId, Joint, Part};
 use crate::scene::facing::Facing;
 use crate::scene::{Elastic, Girder, Kind, ResolvedBearing, ResolvedElastic, Scene};
 
-/// What is known of a girder that the scene calls elastic.
+/// Elastic properties of a girder with a section in the scene, and its degrees of freedom.
 #[derive(Clone, Debug)]
 pub struct Flexible {
     /// Its beam, along the axis and in plan.
     pub beam: Beam,
-    /// The same with vertical bending and torsion, in a spatial scene.
+    /// Its beam with vertical bending and torsion too, in a spatial scene.
     pub space: Option<SpaceBeam>,
     /// Section and moduli.
     pub section: ResolvedElastic,
-    /// How soft it is against the stiffest of its contacts and devices, or of its bearings where it has neither.
+    /// Ratio of its stiffness to the stiffest of its contacts and devices, or of its bearings where it has neither.
     pub softness: Softness,
-    /// `κ_e` below which it is taken as rigid.
+    /// `κ_e` below which it is computed as rigid \[–\].
     pub tolerance: f64,
-    /// Its degrees of freedom; nothing where it is as good as rigid.
+    /// Its degrees of freedom; `None` where it is computed as rigid.
     pub girder: Option<ElasticBody>,
 }
 

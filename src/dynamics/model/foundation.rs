@@ -8,7 +8,7 @@ use crate::dynamics::model::moving_ground::Foundation;
 use crate::geometry::Prism;
 use crate::motion::support::SupportMotion;
 
-/// What is added to the name of what stands on it.
+/// Ending of a ground's name after that of the support on it.
 pub const GROUND: &str = ".ground";
 
 /// Ground under a bearing or a foot, which nothing touches.

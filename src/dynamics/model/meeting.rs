@@ -45,8 +45,8 @@ pub struct Solid {
 /// Poses of a body's sections.
 pub type Poses = SmallVec<[Frame; 1]>;
 
-/// What a solid is made from: a corner \[m\], a face's outward unit normal and distance from the origin \[m\], the unit vectors along its
-/// sides; each with the number of its section.
+/// Geometry of a solid: corners \[m\], faces as outward unit normal and distance from the origin \[m\], unit vectors along the sides; each
+/// with the number of its section.
 #[derive(Clone, Debug, Default)]
 pub(in crate::dynamics) struct Parts {
     pub corners: Vec<(usize, DVec3)>,

@@ -62,8 +62,7 @@ impl MovingGround {
         GivenMotion { motion, axes: if self.kind == Kind::Planar { 2 } else { 3 } }
     }
 
-    /// What moves as the ground under a support does, a block of this size, of a mass that no force moves; its frame stands at `home`
-    /// \[m\].
+    /// A block of this size with a given motion, that of the ground under a support, without forces; its frame stands at `home` \[m\].
     pub(super) fn body(&self, name: String, prism: Prism, home: DVec3, own: SupportMotion) -> Body {
         Body::immovable(name, BodyCoordinates::Custom(Arc::new(self.given(own))), prism, home)
     }

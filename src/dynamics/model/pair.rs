@@ -92,7 +92,7 @@ impl Pair {
     }
 }
 
-/// What of a body carries a node or a face: of a girder that bends these move apart.
+/// Part of a body to which a node or a face belongs: those of an elastic girder move relative to each other.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Carrier {
     /// An end of a girder.
@@ -130,7 +130,7 @@ pub struct ContactSite {
     pub face_name: Arc<str>,
     /// Its pair.
     pub pair: usize,
-    /// What carries node and face.
+    /// Parts of the bodies with node and face.
     pub carriers: [Carrier; 2],
     /// The faces around the face, where contact lasts until the node comes out of its body; else it ends where the projection
     /// leaves the polygon.

@@ -22,7 +22,7 @@ pub struct ReferencePose {
     angle: f64,
     /// Rotation as a quaternion, in space.
     turn: DQuat,
-    /// What it had turned, less the identity.
+    /// Rotation of the body less the identity, R − 1.
     turned: DMat3,
     /// Number of the flight that ended there, where its end is that to the last bit.
     pub(in crate::dynamics) flown: Option<u32>,

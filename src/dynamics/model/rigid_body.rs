@@ -1,4 +1,4 @@
-//! What moves a rigid body in space: bearings at their attachment points, given pushes, inertia.
+//! Forces on a rigid body in space, and its accelerations: bearings at their attachment points, given pushes, inertia.
 
 use glam::{DMat3, DVec2, DVec3};
 
@@ -28,7 +28,7 @@ pub(in crate::dynamics) fn newton_euler(body: &Body, here: &Frame, all: &Wrench,
     [all.force / body.mass - ground, spin_rate(body, here, all.moment)]
 }
 
-/// What the preloads of a rigid body's bearings and its weight leave.
+/// Resultant of a rigid body's weight and the preloads of its bearings.
 pub(in crate::dynamics) fn standing(body: &Body, here: &Frame) -> Wrench {
     Wrench { force: DVec3::Z * body.unbalanced.force, moment: first_moment(body, here).cross(DVec3::Z) }
 }

@@ -86,7 +86,7 @@ impl Event {
     }
 }
 
-/// What ended a run before its time.
+/// Cause of an early end of a run.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, serde::Serialize)]
 #[serde(rename_all = "snake_case")]
 pub enum Cause {
@@ -99,7 +99,7 @@ pub enum Cause {
 }
 
 impl Cause {
-    /// What the run did, in a sentence: "the run gave up at t = …".
+    /// Clause of the stop's text: "the run gave up at t = …".
     pub fn verb(self) -> Text {
         match self {
             Self::Computation => Text::new("stop-gave-up"),

@@ -8,7 +8,7 @@ use crate::dynamics::integrator::dense_output::DenseOutput;
 pub struct LinkLog {
     phases: Vec<(f64, Phase)>,
     released: Vec<(f64, f64)>,
-    /// What the law remembers and changes, per step, with the beginning of the step \[s\].
+    /// Dense output of the memories that are states, per step, with the beginning of the step \[s\].
     pub(in crate::dynamics) memories: Vec<(f64, DenseOutput)>,
 }
 

@@ -5,7 +5,7 @@ const NUMBER_BITS: u32 = 29;
 /// Numbers that a code can hold \[–\].
 pub(in crate::dynamics) const NUMBERS: u32 = 1 << NUMBER_BITS;
 
-/// What represents the motion of a segment.
+/// Representation of the motion of a segment.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub(super) enum SegmentKind {
     /// The initial state of a rigid girder's flight in plan.
@@ -30,7 +30,6 @@ impl SegmentCode {
         Self((kind as u32) << NUMBER_BITS | number & (NUMBERS - 1))
     }
 
-    /// What represents the motion.
     pub(super) fn kind(self) -> SegmentKind {
         match self.0 >> NUMBER_BITS {
             0 => SegmentKind::Start,

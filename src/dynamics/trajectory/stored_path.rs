@@ -99,7 +99,7 @@ impl StoredPath {
         self.flights.iter().filter_map(BodyFlight::fastest_on_springs).reduce(f64::max)
     }
 
-    /// What is swept in recomputed steps; nothing without one.
+    /// Bounds on displacement and rotation in recomputed steps; 0 without one.
     pub fn swept(&self) -> Swept {
         self.swept
     }

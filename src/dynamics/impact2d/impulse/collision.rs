@@ -58,7 +58,7 @@ pub struct Collision {
     pub arm: DVec2,
     /// The impulses.
     pub impulses: HitImpulses,
-    /// What decides the row of Tables 8–10.
+    /// Conditions of the row of Tables 8–10.
     pub conditions: HitConditions,
 }
 

@@ -16,7 +16,7 @@ use crate::dynamics::impact2d::kinematics::Kinematics;
 use crate::dynamics::impact2d::lasting::constrained_motion::{ContactMode, FrictionMode};
 use crate::dynamics::impact2d::lasting::mode_selection::{Candidate, Consistency, Excluded, combination};
 
-/// What impulses at one instant leave.
+/// Velocities after impulses at one instant.
 #[derive(Clone, Debug)]
 pub(in crate::dynamics::impact2d) struct Stopped {
     /// `(v_x, v_y, ω)` of each body after them.

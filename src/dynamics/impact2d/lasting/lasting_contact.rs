@@ -52,7 +52,7 @@ pub(in crate::dynamics::impact2d) struct LastingContact {
     pub from: f64,
     /// End of the planned step \[s\].
     pub until: f64,
-    /// What ends the contact at `until`.
+    /// Event that ends the contact at `until`.
     pub ending: Option<Ending>,
     planned: Option<PlannedMotion>,
     y: Vec<f64>,

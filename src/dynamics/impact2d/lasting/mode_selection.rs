@@ -147,7 +147,7 @@ fn relax(consistency: &Consistency<'_>, options: &[Vec<Option<ContactMode>>]) ->
     None
 }
 
-/// What a combination of modes is checked against.
+/// Inputs of the consistency check of a combination of modes.
 pub(super) struct Consistency<'a> {
     pub model: &'a Model,
     pub kinematics: &'a Kinematics,

@@ -13,7 +13,7 @@
 //!    least impulses that stop them and let no point approach (an orthogonal projection in the mass metric: no energy is added);
 //! 6. otherwise the contacts go on without friction, which always has a solution; the run says so.
 //!
-//! What is wedged or goes on without friction does so until other modes agree with Coulomb's law.
+//! A contact that is wedged or without friction remains so until other modes agree with Coulomb's law.
 
 use glam::DVec3;
 
