@@ -3,7 +3,7 @@
 use std::io::Write;
 
 use super::{number, to_csv};
-use crate::sim::{History, Hit, Row, State, Transition};
+use crate::sim::{GirderState, History, Hit, Row, Transition};
 
 const HITS: [&str; 22] = [
     "t",
@@ -104,7 +104,7 @@ fn transition_row(history: &History, change: &Transition) -> Vec<String> {
     ]
 }
 
-fn letter(state: State) -> String {
+fn letter(state: GirderState) -> String {
     state.letter().to_string()
 }
 

@@ -10,7 +10,7 @@ use crate::geometry::{End, Prism};
 use crate::scene::facing::{self, Side};
 use crate::scene::{FrictionLaw, Girder, Motion as GroundMotion, Scene, placed};
 use crate::sim::seats::seat_on::SeatOn;
-use crate::sim::{Carrying, ContactNow, History, Hit, LinkNow, Motion, SolidId, State};
+use crate::sim::{Carrying, ContactNow, GirderState, History, Hit, LinkNow, Motion, SolidId};
 
 /// Impulses that fade at once, at most: the latest.
 const MOST_IMPULSES: usize = 24;
@@ -111,7 +111,7 @@ pub struct Moment {
     /// Motion of each girder by the other model, where the answer has it beside this one.
     pub ghosts: Vec<Motion>,
     /// State of each girder under the impact model, this one or the one beside; empty without.
-    pub states: Vec<State>,
+    pub states: Vec<GirderState>,
     /// Hits of the impact model a moment ago.
     pub impulses: Vec<Impulse>,
     /// Scale of the impulses' arrows, where there are any in the run \[N·s/m\].

@@ -2,7 +2,7 @@
 
 use crate::language::{Text, values};
 use crate::scene::FrictionLaw;
-use crate::sim::{ContactState, OfSection, State};
+use crate::sim::{ContactState, GirderState, OfSection};
 
 /// A state of a contact.
 pub fn contact_state(state: ContactState) -> Text {
@@ -14,14 +14,14 @@ pub fn contact_state(state: ContactState) -> Text {
 }
 
 /// A state of a girder under the impact model.
-pub fn impact_state(state: State) -> Text {
+pub fn impact_state(state: GirderState) -> Text {
     match state {
-        State::FreeTurning => Text::new("impact-a"),
-        State::Free => Text::new("impact-b"),
-        State::SlidingTurning => Text::new("impact-c"),
-        State::Turning => Text::new("impact-d"),
-        State::Sliding => Text::new("impact-e"),
-        State::Resting => Text::new("impact-f"),
+        GirderState::FreeTurning => Text::new("impact-a"),
+        GirderState::Free => Text::new("impact-b"),
+        GirderState::SlidingTurning => Text::new("impact-c"),
+        GirderState::Turning => Text::new("impact-d"),
+        GirderState::Sliding => Text::new("impact-e"),
+        GirderState::Resting => Text::new("impact-f"),
     }
 }
 

@@ -9,7 +9,7 @@ use crate::app::time::replay::Replay;
 use crate::scene::edit::Edit;
 use crate::scene::keys::Key;
 use crate::scene::{ImpactSettings, Kind, ModelKind};
-use crate::sim::{RunDifference, State};
+use crate::sim::{GirderState, RunDifference};
 use crate::view::impact_state;
 
 /// Shows the switch; the impact model's numbers and what both say where they are asked for.
@@ -66,7 +66,7 @@ fn states(ui: &mut Ui, replay: &Replay) {
 }
 
 /// The state's name in the paper; in the first frame of a window its font is not there yet.
-fn paper_name(ui: &Ui, state: State) -> String {
+fn paper_name(ui: &Ui, state: GirderState) -> String {
     let font = egui::FontId::proportional(13.0);
     let there = ui.fonts_mut(|fonts| fonts.has_glyphs(&font, state.paper()));
     if there { format!(" {}", state.paper()) } else { String::new() }

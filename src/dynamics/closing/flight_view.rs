@@ -7,7 +7,7 @@ use crate::dynamics::closing::constants::PHASE_END_SAMPLES;
 use crate::dynamics::free_flight::body_flight::BodyFlight;
 use crate::dynamics::free_flight::flight::StateInFlight;
 use crate::dynamics::free_flight::relative_bounds::{BodyInFlight, GirderInFlight, RelativeBounds};
-use crate::dynamics::linear::Parts;
+use crate::dynamics::linear::ModalCoordinates;
 use crate::dynamics::locate::constants::SAMPLES_PER_SEARCH;
 use crate::dynamics::locate::horizon::Horizon;
 use crate::dynamics::model::motion_bounds::MotionBounds;
@@ -63,7 +63,7 @@ fn flyer<'a>(
     world: &'a World,
     [slot, section]: [usize; 2],
     ([t, horizon], phase): ([f64; 2], [f64; 2]),
-    shared: &mut Option<(Option<usize>, Parts)>,
+    shared: &mut Option<(Option<usize>, ModalCoordinates)>,
 ) -> Option<(Frame, BodyInFlight<'a>)> {
     let track = &world.bodies[slot];
     let body = &world.model.bodies[track.body];

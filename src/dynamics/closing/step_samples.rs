@@ -11,7 +11,7 @@ use crate::dynamics::locate::constants::RESOLUTION;
 use crate::dynamics::locate::sample_times::sample_times;
 use crate::dynamics::locate::subdivision::GapSample;
 use crate::dynamics::model::edge_node::{Edge, EdgeEnds};
-use crate::dynamics::model::meeting::{Meeting, Poses};
+use crate::dynamics::model::meeting::{Meeting, SectionPoses};
 use crate::dynamics::world::World;
 use crate::dynamics::world::site_geometry::SiteGeometry;
 use crate::dynamics::world::tracks::{PairTrack, Trajectory};
@@ -108,7 +108,7 @@ impl StepSamples {
     }
 
     /// Poses at the first sample time of the sections of the bodies of the pair, which have met.
-    pub(super) fn met(&self, world: &World, meeting: &Meeting) -> [Poses; 2] {
+    pub(super) fn met(&self, world: &World, meeting: &Meeting) -> [SectionPoses; 2] {
         [0, 1].map(|side| {
             let pose = |section: usize| match self.slots[side] {
                 Some(slot) if section != self.sections[side] => world.frame(slot, section, self.times[0]),

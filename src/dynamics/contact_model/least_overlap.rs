@@ -11,7 +11,7 @@ use crate::dynamics::contact_model::constants::{COSINE_ROUNDING, DEPTH_RATIO};
 use crate::dynamics::contact_model::event_poses::ContactPoses;
 use crate::dynamics::model::edge_node::Edge;
 use crate::dynamics::model::edge_node::node_place::NodePlace;
-use crate::dynamics::model::meeting::{Meeting, Poses};
+use crate::dynamics::model::meeting::{Meeting, SectionPoses};
 use crate::dynamics::penalty3d::constants::UNCARRIED;
 use crate::dynamics::world::contact_points;
 use crate::scene::facing::Side;
@@ -81,7 +81,7 @@ impl ContactPoses<'_> {
     }
 
     /// Poses of the sections of the two bodies of a contact, which have met.
-    fn poses(&self, contact: usize, meeting: &Meeting) -> [Poses; 2] {
+    fn poses(&self, contact: usize, meeting: &Meeting) -> [SectionPoses; 2] {
         let stand = self.site(contact).stand;
         let slots = self.world.pair_of(contact).slots;
         [0, 1].map(|side| {

@@ -8,7 +8,7 @@ use crate::dynamics::integrator::dense_output::DenseOutput;
 use crate::dynamics::model::reference_pose::ReferencePose;
 use crate::dynamics::penalty3d::active_contact::ActiveContact;
 use crate::dynamics::penalty3d::island::Island;
-use crate::dynamics::record::recomputed_steps::{LoggedState, Member, RecomputedSteps};
+use crate::dynamics::record::recomputed_steps::{LoggedState, RecomputedSteps, StepBody};
 use crate::dynamics::trajectory::packed_states::PackedStates;
 use crate::dynamics::trajectory::segment::{Segment, SegmentMotion};
 use crate::dynamics::trajectory::stored_path::Swept;
@@ -110,15 +110,15 @@ impl StepStore {
     }
 
     /// An island's bodies with their reference poses, each either the end of a flight or stored.
-    fn members(&mut self, world: &World, island: &mut Island) -> Option<Vec<Member>> {
+    fn members(&mut self, world: &World, island: &mut Island) -> Option<Vec<StepBody>> {
         let mut members = Vec::with_capacity(island.slots.len());
         for (&slot, base) in island.slots.iter().zip(&mut island.system.bases) {
             if base.flown.is_none() && base.stored_number.is_none() {
                 base.stored_number = Some(self.recomputed.keep(base)?);
             }
             let body = u32::try_from(world.bodies[slot].body).ok()?;
-            let member = base.flown.map(|number| Member::flown(body, number));
-            members.push(member.or_else(|| base.stored_number.map(|number| Member::kept(body, number)))?);
+            let member = base.flown.map(|number| StepBody::flown(body, number));
+            members.push(member.or_else(|| base.stored_number.map(|number| StepBody::kept(body, number)))?);
         }
         Some(members)
     }

@@ -5,7 +5,7 @@ use std::sync::Arc;
 use crate::contact::Frame;
 use crate::dynamics::free_flight::flight::{Flight, FreeMotion};
 use crate::dynamics::free_flight::uncoupled_axis::UncoupledAxis;
-use crate::dynamics::linear::{self, Parts};
+use crate::dynamics::linear::{self, ModalCoordinates};
 use crate::dynamics::model::body::Body;
 use crate::dynamics::model::closed_form::ClosedForm;
 use crate::dynamics::model::coordinates::BodyState;
@@ -50,7 +50,7 @@ pub struct CustomFlight {
     start: f64,
     /// State at its beginning.
     state: BodyState,
-    /// Parameters of the closed form ([`linear::Flight::numbers`]).
+    /// Parameters of the closed form ([`linear::FlightParameters::numbers`]).
     numbers: Vec<f64>,
 }
 
@@ -61,8 +61,8 @@ impl CustomFlight {
     }
 
     /// Start and parameters of the closed form.
-    fn flight(&self) -> linear::Flight<'_> {
-        linear::Flight { start: self.start, numbers: &self.numbers }
+    fn flight(&self) -> linear::FlightParameters<'_> {
+        linear::FlightParameters { start: self.start, numbers: &self.numbers }
     }
 
     fn state(&self, t: f64) -> BodyState {
@@ -147,9 +147,9 @@ impl BodyFlight {
     }
 
     /// [`ClosedForm::parts`]; empty of a rigid girder in plan.
-    pub(in crate::dynamics) fn parts(&self, t: f64) -> Parts {
+    pub(in crate::dynamics) fn parts(&self, t: f64) -> ModalCoordinates {
         match self {
-            Self::InPlan(_) => Parts::default(),
+            Self::InPlan(_) => ModalCoordinates::default(),
             Self::Custom(own) => own.form.parts(own.flight(), t),
         }
     }
@@ -159,7 +159,7 @@ impl BodyFlight {
     pub(in crate::dynamics) fn look(
         &self,
         (body, section): (&Body, usize),
-        parts: &Parts,
+        parts: &ModalCoordinates,
         [t, horizon]: [f64; 2],
     ) -> (Frame, MotionBounds) {
         match self {

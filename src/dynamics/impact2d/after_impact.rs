@@ -1,11 +1,11 @@
 //! After the impulses of an instant: contact modes, projected states, trajectories in force, log of state changes.
 
 use crate::dynamics::Body;
-use crate::dynamics::impact2d::State;
+use crate::dynamics::impact2d::GirderState;
 use crate::dynamics::impact2d::constants::{GAP_ROUNDING, KEPT_TOUCH, LIFTED_DEPTH, ROTATION_ROUNDING, TOUCH};
 use crate::dynamics::impact2d::impulse::collision::ContactManifold;
 use crate::dynamics::impact2d::instant::ImpactInstant;
-use crate::dynamics::impact2d::kinematics::{Kinematics, ground_acceleration};
+use crate::dynamics::impact2d::kinematics::{BodyKinematics, ground_acceleration};
 use crate::dynamics::impact2d::lasting::candidates::{all_separate, tangential_speed};
 use crate::dynamics::impact2d::lasting::constrained_motion::{ContactMode, FrictionMode, connected_groups};
 use crate::dynamics::impact2d::lasting::lasting_contact::LastingContact;
@@ -16,7 +16,7 @@ use crate::dynamics::impact2d::projection::project;
 use crate::dynamics::impact2d::record::Transition;
 use crate::dynamics::impact2d::run::ImpactRun;
 use crate::dynamics::impact2d::tables::Row;
-use crate::dynamics::impact2d::tracks::Motion;
+use crate::dynamics::impact2d::tracks::Trajectory;
 use crate::dynamics::impact2d::world::World;
 use crate::dynamics::model::coordinates::planar::{self, PlanarState};
 
@@ -25,7 +25,7 @@ use crate::dynamics::model::coordinates::planar::{self, PlanarState};
 pub(in crate::dynamics::impact2d) fn resume(
     run: &mut ImpactRun,
     instant: &mut ImpactInstant,
-    to: &[State],
+    to: &[GirderState],
     energy: f64,
     ending: Option<Ending>,
 ) {
@@ -40,16 +40,16 @@ pub(in crate::dynamics::impact2d) fn resume(
         if project(world, instant, &[]) {
             lost += strain - strain_energy(world, instant);
             // A body that was moved out of a face begins its flight outside, not at the depth at which it was hit.
-            instant.kinematics = Kinematics::new(&world.model, &bodies, &instant.states, ground);
+            instant.kinematics = BodyKinematics::new(&world.model, &bodies, &instant.states, ground);
         }
         start_trajectories(run, instant, to, Vec::new(), lost);
         return;
     }
-    instant.kinematics = Kinematics::new(&world.model, &bodies, &instant.states, ground);
+    instant.kinematics = BodyKinematics::new(&world.model, &bodies, &instant.states, ground);
     let modes = modes(world, instant, ending, ground);
     let strain = strain_energy(world, instant);
     project(world, instant, &modes);
-    instant.kinematics = Kinematics::new(&world.model, &bodies, &instant.states, ground);
+    instant.kinematics = BodyKinematics::new(&world.model, &bodies, &instant.states, ground);
     let lost = energy - instant.kinematics.cluster.kinetic_energy() + strain - strain_energy(world, instant);
     start_trajectories(run, instant, to, modes, lost);
 }
@@ -80,7 +80,13 @@ fn strain_energy(world: &World, instant: &ImpactInstant) -> f64 {
 }
 
 /// Starts flights and lasting contacts, logs changes of state, and searches the next impacts.
-fn start_trajectories(run: &mut ImpactRun, instant: &ImpactInstant, to: &[State], modes: Vec<ContactMode>, lost: f64) {
+fn start_trajectories(
+    run: &mut ImpactRun,
+    instant: &ImpactInstant,
+    to: &[GirderState],
+    modes: Vec<ContactMode>,
+    lost: f64,
+) {
     let first_step = end_trajectories(run, instant);
     for (place, &slot) in instant.slots.iter().enumerate() {
         let state = state_of(&run.world, instant, place, &modes);
@@ -88,7 +94,7 @@ fn start_trajectories(run: &mut ImpactRun, instant: &ImpactInstant, to: &[State]
         let track = &mut run.world.bodies[slot];
         track.since = instant.t;
         track.state = state;
-        track.motion = Motion::Flight(track.free_motion.fly(instant.t, instant.states[place]));
+        track.motion = Trajectory::Flight(track.free_motion.fly(instant.t, instant.states[place]));
         run.world.update_peaks(slot, &instant.states[place]);
     }
     mark_sites(&mut run.world, instant, &modes);
@@ -106,8 +112,8 @@ fn end_trajectories(run: &mut ImpactRun, instant: &ImpactInstant) -> Option<f64>
         run.close_segment(slot, instant.t);
     }
     let ended = instant.slots.iter().filter_map(|&slot| match run.world.bodies[slot].motion {
-        Motion::Lasting(number, _) => run.end_lasting(number, instant.t),
-        Motion::Flight(_) => None,
+        Trajectory::Lasting(number, _) => run.end_lasting(number, instant.t),
+        Trajectory::Flight(_) => None,
     });
     ended.reduce(f64::min)
 }
@@ -127,7 +133,7 @@ fn start_lasting(
     }
     lasting[number] = Some(LastingContact::new(bodies, modes, &states, instant.t).with_first_step(first_step));
     for (at, &place) in places.iter().enumerate() {
-        run.world.bodies[instant.slots[place]].motion = Motion::Lasting(number, at);
+        run.world.bodies[instant.slots[place]].motion = Trajectory::Lasting(number, at);
     }
     run.plan(number);
 }
@@ -165,7 +171,7 @@ fn concerns(world: &World, instant: &ImpactInstant, pair: usize, place: usize) -
 }
 
 /// State among a–f of the body at a place.
-fn state_of(world: &World, instant: &ImpactInstant, place: usize, modes: &[ContactMode]) -> State {
+fn state_of(world: &World, instant: &ImpactInstant, place: usize, modes: &[ContactMode]) -> GirderState {
     if let Some(mode) = modes.iter().find(|mode| concerns(world, instant, mode.pair, place)) {
         return mode.state();
     }
@@ -174,7 +180,7 @@ fn state_of(world: &World, instant: &ImpactInstant, place: usize, modes: &[Conta
     let turns = turns_without_contact(body)
         || body.radius * v.z.abs() > instant.speed_noise.max(ROTATION_ROUNDING * v.truncate().length())
         || instant.states[place][2].abs() > ROTATION_ROUNDING;
-    if turns { State::FreeTurning } else { State::Free }
+    if turns { GirderState::FreeTurning } else { GirderState::Free }
 }
 
 /// Logs the change of a body from the state after the hits to the one in force.
@@ -182,7 +188,7 @@ fn log_change(
     run: &mut ImpactRun,
     instant: &ImpactInstant,
     place: usize,
-    [after_hits, now]: [State; 2],
+    [after_hits, now]: [GirderState; 2],
     modes: &[ContactMode],
     lost: f64,
 ) {
@@ -229,7 +235,7 @@ mod tests {
         let mut run = ImpactRun::before_start(example::world(model));
         let mut instant = example::instant(&run.world, velocity);
         let energy = instant.kinematics.cluster.kinetic_energy();
-        resume(&mut run, &mut instant, &[State::Free], energy, None);
+        resume(&mut run, &mut instant, &[GirderState::Free], energy, None);
         run
     }
 
@@ -237,7 +243,7 @@ mod tests {
     fn a_separating_girder_flies_and_its_points_hit_again_behind_the_face_only() {
         let run = resumed([0.0; 2], [-0.1, 0.0]);
         let body = &run.world.bodies[0];
-        assert!(matches!(body.motion, Motion::Flight(_)) && body.state == State::Free, "{:?}", body.motion);
+        assert!(matches!(body.motion, Trajectory::Flight(_)) && body.state == GirderState::Free, "{:?}", body.motion);
         let lifted: Vec<_> = run.world.sites.iter().filter(|site| site.lifted).collect();
         assert_eq!(lifted.len(), 2, "both corners of the face");
         for site in lifted {
@@ -248,8 +254,8 @@ mod tests {
     #[test]
     fn a_pressed_face_rests_and_is_kept() {
         let run = resumed([40.0, 0.0], [0.0; 2]);
-        assert_eq!(run.world.bodies[0].state, State::Resting, "f");
-        assert!(matches!(run.world.bodies[0].motion, Motion::Lasting(0, 0)), "the first lasting contact");
+        assert_eq!(run.world.bodies[0].state, GirderState::Resting, "f");
+        assert!(matches!(run.world.bodies[0].motion, Trajectory::Lasting(0, 0)), "the first lasting contact");
         assert_eq!(run.world.sites.iter().filter(|site| site.kept).count(), 2, "both corners of the face");
         assert!(run.world.planned_end(0).is_some_and(|end| end > 0.0), "a step is planned");
     }
@@ -257,7 +263,7 @@ mod tests {
     #[test]
     fn a_face_above_the_stop_speed_slides() {
         let run = resumed([40.0, 0.0], [0.0, 0.3]);
-        assert_eq!(run.world.bodies[0].state, State::Sliding, "e");
+        assert_eq!(run.world.bodies[0].state, GirderState::Sliding, "e");
     }
 
     #[test]
@@ -265,7 +271,7 @@ mod tests {
         let mut run = ImpactRun::before_start(example::world(example::at_wall(|_| ())));
         run.world.sites[0].beside = Some(0.0);
         let mut instant = example::instant(&run.world, [-0.1, 0.0]);
-        resume(&mut run, &mut instant, &[State::Free], 0.0, None);
+        resume(&mut run, &mut instant, &[GirderState::Free], 0.0, None);
         let site = &run.world.sites[0];
         assert_eq!((site.armed, site.lifted, site.beside), (false, false, Some(0.0)), "not lifted: it has not touched");
     }
@@ -274,15 +280,23 @@ mod tests {
     fn the_first_state_is_logged_and_afterwards_changes_alone() {
         let mut run = resumed([0.0; 2], [-0.1, 0.0]);
         let first = &run.record.transitions[0];
-        assert_eq!((run.record.transitions.len(), first.from, first.to), (1, State::Free, State::Free), "the first");
+        assert_eq!(
+            (run.record.transitions.len(), first.from, first.to),
+            (1, GirderState::Free, GirderState::Free),
+            "the first"
+        );
         let mut instant = ImpactInstant { t: 0.1, ..example::instant(&run.world, [-0.1, 0.0]) };
         let energy = instant.kinematics.cluster.kinetic_energy();
-        resume(&mut run, &mut instant, &[State::Free], energy, None);
+        resume(&mut run, &mut instant, &[GirderState::Free], energy, None);
         assert_eq!(run.record.transitions.len(), 1, "the same state without a loss of energy");
         let mut instant = ImpactInstant { t: 0.2, ..example::instant(&run.world, [-0.1, 0.0]) };
-        resume(&mut run, &mut instant, &[State::Sliding], energy, None);
+        resume(&mut run, &mut instant, &[GirderState::Sliding], energy, None);
         let last = run.record.transitions.last().expect("a change");
-        assert_eq!((last.t, last.from, last.to), (0.2, State::Sliding, State::Free), "from the state after the hits");
+        assert_eq!(
+            (last.t, last.from, last.to),
+            (0.2, GirderState::Sliding, GirderState::Free),
+            "from the state after the hits"
+        );
     }
 
     #[test]

@@ -7,7 +7,7 @@ use glam::{DVec2, DVec3};
 use crate::dynamics::Model;
 use crate::dynamics::impact2d::delassus::{Cluster, ContactPoint};
 use crate::dynamics::impact2d::instant::ImpactInstant;
-use crate::dynamics::impact2d::kinematics::Kinematics;
+use crate::dynamics::impact2d::kinematics::BodyKinematics;
 use crate::dynamics::impact2d::world::World;
 use crate::scene::{Scene, format, presets};
 
@@ -68,7 +68,7 @@ pub(in crate::dynamics::impact2d) fn instant(world: &World, [v_x, v_y]: [f64; 2]
 }
 
 /// Declared contacts of the first pair with a gap below 1e-12 m, along their face.
-pub(in crate::dynamics::impact2d) fn touching(model: &Model, kinematics: &Kinematics) -> Vec<usize> {
+pub(in crate::dynamics::impact2d) fn touching(model: &Model, kinematics: &BodyKinematics) -> Vec<usize> {
     let point = |site: usize| kinematics.point(model, site);
     let mut sites: Vec<usize> = model.pairs[0].sites.clone().collect();
     sites.retain(|&site| point(site).gap.abs() < 1e-12);

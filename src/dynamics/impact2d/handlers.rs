@@ -228,7 +228,7 @@ fn overlap(world: &World, slots: &[usize]) -> Option<(usize, f64)> {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::dynamics::impact2d::State;
+    use crate::dynamics::impact2d::GirderState;
     use crate::dynamics::impact2d::example;
     use crate::dynamics::run::{Finished, Run as _};
     use crate::scene::format;
@@ -286,7 +286,7 @@ mod tests {
         let hit = &record(&end).hits[0];
         let lost = 0.5 * 2.0 * 0.25 * 0.25 * (1.0 - 0.16);
         assert!((hit.t - 0.012).abs() < 1e-15 && (hit.impulses.lost - lost).abs() < 1e-15, "{hit:?}");
-        assert_eq!(record(&end).state(0, 0.05), State::Free, "b");
+        assert_eq!(record(&end).state(0, 0.05), GirderState::Free, "b");
     }
 
     #[test]
@@ -348,7 +348,7 @@ mod tests {
     fn a_plastic_hit_without_force_rests_at_the_wall() {
         let end = finished(&model(1, 0.0025, 0.25, 0.0), 0);
         assert_eq!(record(&end).hits.len(), 1, "no bounce");
-        let states: Vec<State> = record(&end).transitions.iter().map(|change| change.to).collect();
-        assert!(!states.is_empty() && record(&end).state(0, 0.1) != State::FreeTurning, "{states:?}");
+        let states: Vec<GirderState> = record(&end).transitions.iter().map(|change| change.to).collect();
+        assert!(!states.is_empty() && record(&end).state(0, 0.1) != GirderState::FreeTurning, "{states:?}");
     }
 }

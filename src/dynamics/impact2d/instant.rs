@@ -5,10 +5,10 @@ use smallvec::smallvec;
 use crate::dynamics::impact2d::constants::{RUN_SPEED_ROUNDING, TOUCH};
 use crate::dynamics::impact2d::delassus::ContactPoint;
 use crate::dynamics::impact2d::impulse::collision::ContactManifold;
-use crate::dynamics::impact2d::kinematics::{Kinematics, ground_acceleration};
-use crate::dynamics::impact2d::tracks::Motion;
+use crate::dynamics::impact2d::kinematics::{BodyKinematics, ground_acceleration};
+use crate::dynamics::impact2d::tracks::Trajectory;
 use crate::dynamics::impact2d::world::World;
-use crate::dynamics::impact2d::{InlineVec, State};
+use crate::dynamics::impact2d::{GirderState, InlineVec};
 use crate::dynamics::model::coordinates::planar::{POSITIONS, PlanarState};
 
 /// Bodies joined by touching pairs and lasting contacts at one instant. A *place* is the position of a body in these lists.
@@ -18,9 +18,9 @@ pub(in crate::dynamics::impact2d) struct ImpactInstant {
     /// Slots, rising; so are the numbers in the model.
     pub slots: InlineVec<usize>,
     pub states: InlineVec<PlanarState>,
-    pub kinematics: Kinematics,
+    pub kinematics: BodyKinematics,
     /// States among a–f before.
-    pub before: InlineVec<State>,
+    pub before: InlineVec<GirderState>,
     /// Pairs that touch.
     pub manifolds: InlineVec<ContactManifold>,
     /// Speed that is round-off \[m/s\].
@@ -35,7 +35,7 @@ impl ImpactInstant {
         let bodies: InlineVec<usize> = slots.iter().map(|&slot| world.bodies[slot].body).collect();
         let ground = &world.model.ground;
         let piece = ground.piece(ground.piece_number(t));
-        let kinematics = Kinematics::new(&world.model, &bodies, &states, ground_acceleration(ground, &piece, t));
+        let kinematics = BodyKinematics::new(&world.model, &bodies, &states, ground_acceleration(ground, &piece, t));
         let before = slots.iter().map(|&slot| world.bodies[slot].state).collect();
         let manifolds = manifolds(world, &slots, &kinematics);
         let points = manifolds.iter().flat_map(|manifold| &manifold.points);
@@ -58,7 +58,7 @@ fn connected(world: &World, t: f64, seeds: &[usize]) -> InlineVec<usize> {
     while let Some(&slot) = slots.get(next) {
         next += 1;
         let mut joined: InlineVec<usize> = InlineVec::new();
-        if let Motion::Lasting(number, _) = world.bodies[slot].motion
+        if let Trajectory::Lasting(number, _) = world.bodies[slot].motion
             && let Some(contact) = &world.lasting[number]
         {
             joined.extend(world.slots(&contact.bodies));
@@ -83,7 +83,7 @@ fn connected(world: &World, t: f64, seeds: &[usize]) -> InlineVec<usize> {
 pub(in crate::dynamics::impact2d) fn manifolds(
     world: &World,
     slots: &[usize],
-    kinematics: &Kinematics,
+    kinematics: &BodyKinematics,
 ) -> InlineVec<ContactManifold> {
     let mut manifolds = InlineVec::new();
     for pair in world.pairs_within(slots) {

@@ -15,7 +15,7 @@ use crate::motion::{Ground, LinearPiece};
 
 /// Bodies at an instant. A *place* is the position of a body in these lists.
 #[derive(Clone, Debug)]
-pub struct Kinematics {
+pub struct BodyKinematics {
     /// Numbers in the model, rising.
     pub bodies: InlineVec<usize>,
     /// Poses.
@@ -28,7 +28,7 @@ pub struct Kinematics {
     pub sizes: InlineVec<f64>,
 }
 
-impl Kinematics {
+impl BodyKinematics {
     /// Bodies in these states under this acceleration of the ground \[m/s²\].
     pub fn new(model: &Model, bodies: &[usize], states: &[PlanarState], ground: DVec3) -> Self {
         let mut kinematics = Self {
@@ -109,7 +109,7 @@ mod tests {
         let body = &model.bodies[0];
         let q = DVec3::new(1e-3, -2e-3, 0.0);
         let ground = DVec3::new(0.5, 0.0, 0.0);
-        let kinematics = Kinematics::new(&model, &[0], &[[q.x, q.y, 0.0, 0.0, 0.0, 0.0]], ground);
+        let kinematics = BodyKinematics::new(&model, &[0], &[[q.x, q.y, 0.0, 0.0, 0.0, 0.0]], ground);
         let spring = body.planar.stiffness * q / body.mass;
         let expected = DVec3::new(4.0 / body.mass - spring.x - 0.5, -spring.y, 0.0);
         assert!((kinematics.free[0] - expected).length() < 1e-12, "{} against {expected}", kinematics.free[0]);

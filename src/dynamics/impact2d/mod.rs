@@ -37,7 +37,7 @@ mod tracks;
 mod world;
 
 pub use record::{Hit, LastingInterval, Record, Transition};
-pub use state::State;
+pub use state::GirderState;
 pub use tables::Row;
 
 /// A list that holds two entries without allocation: an instant mostly concerns one girder or two, and as many points.

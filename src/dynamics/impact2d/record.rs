@@ -6,7 +6,7 @@ use glam::DVec2;
 
 use crate::dynamics::impact2d::impulse::collision::HitImpulses;
 use crate::dynamics::impact2d::lasting::constrained_motion::ContactMode;
-use crate::dynamics::impact2d::state::State;
+use crate::dynamics::impact2d::state::GirderState;
 use crate::dynamics::impact2d::tables::Row;
 
 /// A hit of a pair.
@@ -23,9 +23,9 @@ pub struct Hit {
     /// Impulses, and the energy that they took.
     pub impulses: HitImpulses,
     /// State of the first side's girder before.
-    pub from: State,
+    pub from: GirderState,
     /// Its state after the hit.
-    pub to: State,
+    pub to: GirderState,
     /// The row of Tables 8–10; none for hits that the tables do not cover.
     pub row: Option<Row>,
 }
@@ -47,9 +47,9 @@ pub struct Transition {
     /// The pair that decided, where there is one.
     pub pair: Option<usize>,
     /// Before.
-    pub from: State,
+    pub from: GirderState,
     /// After.
-    pub to: State,
+    pub to: GirderState,
     /// The row of Tables 4–10.
     pub row: Option<Row>,
     /// Energy lost besides hits, in coming to rest below the stop speed \[J\].
@@ -113,11 +113,11 @@ impl Record {
     }
 
     /// State of a girder at `t` \[s\].
-    pub fn state(&self, body: usize, t: f64) -> State {
+    pub fn state(&self, body: usize, t: f64) -> GirderState {
         let [of_body, _] = self.index();
         let own = of_body.get(body).map_or(&[][..], Vec::as_slice);
         let until = own.partition_point(|&number| self.transitions[number].t <= t);
-        own[..until].last().map_or(State::Free, |&number| self.transitions[number].to)
+        own[..until].last().map_or(GirderState::Free, |&number| self.transitions[number].to)
     }
 
     fn index(&self) -> &[Vec<Vec<usize>>; 2] {
@@ -172,8 +172,8 @@ impl Record {
 mod tests {
     use super::*;
 
-    fn change(t: f64, body: usize, to: State) -> Transition {
-        Transition { t, body, pair: None, from: State::Free, to, row: None, lost: 0.0 }
+    fn change(t: f64, body: usize, to: GirderState) -> Transition {
+        Transition { t, body, pair: None, from: GirderState::Free, to, row: None, lost: 0.0 }
     }
 
     fn interval(from: f64, until: f64) -> LastingInterval {
@@ -182,12 +182,15 @@ mod tests {
 
     #[test]
     fn the_state_is_that_of_the_last_change_of_the_girder() {
-        let transitions =
-            vec![change(0.0, 0, State::Free), change(1.0, 0, State::Resting), change(2.0, 1, State::Sliding)];
+        let transitions = vec![
+            change(0.0, 0, GirderState::Free),
+            change(1.0, 0, GirderState::Resting),
+            change(2.0, 1, GirderState::Sliding),
+        ];
         let record = Record { transitions, end: 3.0, ..Record::default() };
-        assert_eq!(record.state(0, 0.5), State::Free, "before the change");
-        assert_eq!(record.state(0, 1.0), State::Resting, "at the change");
-        assert_eq!(record.state(0, 2.5), State::Resting, "another girder's change");
+        assert_eq!(record.state(0, 0.5), GirderState::Free, "before the change");
+        assert_eq!(record.state(0, 1.0), GirderState::Resting, "at the change");
+        assert_eq!(record.state(0, 2.5), GirderState::Resting, "another girder's change");
     }
 
     #[test]
@@ -201,7 +204,7 @@ mod tests {
     fn logs_of_groups_are_merged_in_order_and_cut_at_the_end() {
         let one = Record { lasting: vec![interval(0.5, 3.0), interval(2.5, 3.0)], ..Record::default() };
         let other = Record {
-            transitions: vec![change(0.0, 1, State::Free), change(2.1, 1, State::Free)],
+            transitions: vec![change(0.0, 1, GirderState::Free), change(2.1, 1, GirderState::Free)],
             lasting: vec![interval(0.1, 0.2)],
             ..Record::default()
         };

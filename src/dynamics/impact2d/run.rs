@@ -14,7 +14,7 @@ use crate::dynamics::impact2d::event_source::EventSource;
 use crate::dynamics::impact2d::lasting::painleve;
 use crate::dynamics::impact2d::lasting::switch::Ending;
 use crate::dynamics::impact2d::record::{LastingInterval, Record};
-use crate::dynamics::impact2d::tracks::Motion;
+use crate::dynamics::impact2d::tracks::Trajectory;
 use crate::dynamics::impact2d::world::World;
 use crate::dynamics::locate::constants::MAX_ADVANCES;
 use crate::dynamics::trajectory::segment::{Segment, SegmentMotion};
@@ -130,7 +130,7 @@ impl ImpactRun {
     /// Stores the motion of a body until `t`.
     pub(in crate::dynamics::impact2d) fn close_segment(&mut self, slot: usize, t: f64) {
         let since = self.world.bodies[slot].since;
-        if let Motion::Lasting(..) = self.world.bodies[slot].motion {
+        if let Trajectory::Lasting(..) = self.world.bodies[slot].motion {
             // A slide may begin and end at rest, so its peak lies within.
             for part in [0.25, 0.5, 0.75, 1.0] {
                 let state = self.world.state(slot, since + part * (t - since));
@@ -142,12 +142,12 @@ impl ImpactRun {
         }
         self.world.remember(slot, t);
         let path = match &self.world.bodies[slot].motion {
-            Motion::Flight(flight) => {
+            Trajectory::Flight(flight) => {
                 let system = Arc::clone(&self.world.bodies[slot].free_motion);
                 let flight = FlightInPlan::on_bearings(system, flight.clone());
                 Some(SegmentMotion::Flight(Box::new(BodyFlight::InPlan(flight))))
             }
-            Motion::Lasting(number, place) => {
+            Trajectory::Lasting(number, place) => {
                 self.world.lasting[*number].as_ref().and_then(|contact| contact.path(*place))
             }
         };
@@ -210,7 +210,7 @@ mod tests {
         assert!(run.world.pairs[0].impact_due, "it approaches");
         assert!((run.schedule.queue.first_time() - 0.012).abs() < 1e-15, "gap over speed");
         let away = run.world.bodies[0].free_motion.fly(0.0, [0.0, 0.0, 0.0, -0.25, 0.0, 0.0]);
-        run.world.bodies[0].motion = Motion::Flight(away);
+        run.world.bodies[0].motion = Trajectory::Flight(away);
         run.search_around(&[0], 0.0);
         assert!(!run.world.pairs[0].impact_due, "it goes away");
         assert_eq!(run.schedule.queue.pop(), None, "no event is left");
@@ -225,7 +225,7 @@ mod tests {
             (site.armed, site.lifted, site.in_front_at) = (false, true, in_front_at);
             // Behind the plane of the face, so that the search itself arms no point.
             let behind = run.world.bodies[0].free_motion.fly(1.0, [0.01, 0.0, 0.0, 0.0, 0.0, 0.0]);
-            run.world.bodies[0].motion = Motion::Flight(behind);
+            run.world.bodies[0].motion = Trajectory::Flight(behind);
             run.search(0, 1.0);
             assert_eq!(run.world.sites[0].armed, armed, "in front at {in_front_at:?}, searched at 1 s");
         }
@@ -248,7 +248,7 @@ mod tests {
             let sites = example::touching(&run.world.model, &example::instant(&run.world, [0.0; 2]).kinematics);
             let mode = ContactMode { pair: 0, sites, friction: FrictionMode::Stick };
             run.world.lasting.push(Some(LastingContact::new(vec![0], vec![mode], &[[0.0; 6]], 0.0)));
-            run.world.bodies[0].motion = Motion::Lasting(0, 0);
+            run.world.bodies[0].motion = Trajectory::Lasting(0, 0);
             run.plan(0);
             let until = run.world.planned_end(0).expect("a planned step");
             assert_eq!(run.schedule.queue.first_time(), until, "the end of its step is an event");

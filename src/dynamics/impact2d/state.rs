@@ -2,7 +2,7 @@
 
 /// State of a girder.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord, Hash)]
-pub enum State {
+pub enum GirderState {
     /// a) 並進回転: free, turning.
     FreeTurning,
     /// b) 並進: free, not turning.
@@ -17,7 +17,7 @@ pub enum State {
     Resting,
 }
 
-impl State {
+impl GirderState {
     /// All, a to f.
     pub const ALL: [Self; 6] =
         [Self::FreeTurning, Self::Free, Self::SlidingTurning, Self::Turning, Self::Sliding, Self::Resting];
@@ -70,9 +70,9 @@ mod tests {
 
     #[test]
     fn letters_run_from_a_to_f_and_contact_begins_at_c() {
-        let letters: String = State::ALL.iter().map(|state| state.letter()).collect();
+        let letters: String = GirderState::ALL.iter().map(|state| state.letter()).collect();
         assert_eq!(letters, "abcdef", "the paper's order");
-        let touching: String = State::ALL.iter().filter(|s| s.touches()).map(|state| state.letter()).collect();
+        let touching: String = GirderState::ALL.iter().filter(|s| s.touches()).map(|state| state.letter()).collect();
         assert_eq!(touching, "cdef", "states with lasting contact");
     }
 }

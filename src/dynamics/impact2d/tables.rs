@@ -3,7 +3,7 @@
 //! The tables name a change after the fact. What decides it is [`mode_selection`](super::lasting::mode_selection) without a
 //! hit and [`collision`](super::impulse::collision) with one.
 
-use crate::dynamics::impact2d::state::State;
+use crate::dynamics::impact2d::state::GirderState;
 
 /// A row of the paper's Tables 4–10, counted from 1 from above.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord, Hash)]
@@ -36,7 +36,7 @@ pub enum Outcome {
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct HitConditions {
     /// The state before.
-    pub from: State,
+    pub from: GirderState,
     /// Whether the whole face hit, θ = 0.
     pub flush: bool,
     /// Whether the girder turns after the first impulse.
@@ -57,16 +57,22 @@ impl Row {
     }
 
     /// The row for a change without a hit (Tables 4–7): from a state in contact to another.
-    pub fn without_hit(from: State, to: State) -> Option<Self> {
+    pub fn without_hit(from: GirderState, to: GirderState) -> Option<Self> {
         let table = match from {
-            State::SlidingTurning => 4,
-            State::Turning => 5,
-            State::Sliding => 6,
-            State::Resting => 7,
-            State::Free | State::FreeTurning => return None,
+            GirderState::SlidingTurning => 4,
+            GirderState::Turning => 5,
+            GirderState::Sliding => 6,
+            GirderState::Resting => 7,
+            GirderState::Free | GirderState::FreeTurning => return None,
         };
-        let order =
-            [State::Resting, State::Sliding, State::Turning, State::SlidingTurning, State::Free, State::FreeTurning];
+        let order = [
+            GirderState::Resting,
+            GirderState::Sliding,
+            GirderState::Turning,
+            GirderState::SlidingTurning,
+            GirderState::Free,
+            GirderState::FreeTurning,
+        ];
         let row = order.iter().position(|state| *state == to);
         // A flush face does not turn as it leaves: states a and b share the last row of Tables 6 and 7.
         let last = if table >= 6 { 5 } else { 6 };
@@ -78,10 +84,10 @@ impl Row {
     /// another end is in contact.
     pub fn of_hit(l: &HitConditions) -> Option<Self> {
         match (l.from, l.flush) {
-            (State::FreeTurning | State::Free, false) => Some(Self::of(8, corner(l.outcome))),
-            (State::FreeTurning, true) => Some(Self::of(8, 5 + face(l))),
-            (State::Free, true) => Some(Self::of(9, translation(l))),
-            (State::SlidingTurning | State::Turning, true) => Some(Self::of(10, face(l))),
+            (GirderState::FreeTurning | GirderState::Free, false) => Some(Self::of(8, corner(l.outcome))),
+            (GirderState::FreeTurning, true) => Some(Self::of(8, 5 + face(l))),
+            (GirderState::Free, true) => Some(Self::of(9, translation(l))),
+            (GirderState::SlidingTurning | GirderState::Turning, true) => Some(Self::of(10, face(l))),
             _ => None,
         }
     }
@@ -224,18 +230,41 @@ mod tests {
 
     #[test]
     fn changes_without_a_hit_start_in_contact() {
-        assert_eq!(Row::without_hit(State::Free, State::Resting), None, "a flight ends with a hit");
-        assert_eq!(Row::without_hit(State::SlidingTurning, State::FreeTurning), Some(Row::of(4, 6)), "last of six");
-        assert_eq!(Row::without_hit(State::Resting, State::FreeTurning), Some(Row::of(7, 5)), "last of five");
+        assert_eq!(Row::without_hit(GirderState::Free, GirderState::Resting), None, "a flight ends with a hit");
+        assert_eq!(
+            Row::without_hit(GirderState::SlidingTurning, GirderState::FreeTurning),
+            Some(Row::of(4, 6)),
+            "last of six"
+        );
+        assert_eq!(
+            Row::without_hit(GirderState::Resting, GirderState::FreeTurning),
+            Some(Row::of(7, 5)),
+            "last of five"
+        );
     }
 
     #[test]
     fn hits_that_the_tables_do_not_cover_have_no_row() {
         let outcome = Outcome::Separates;
-        let hit =
-            HitConditions { from: State::Resting, flush: true, turns: true, slides: true, e_n: 0.4, e_t: 0.0, outcome };
+        let hit = HitConditions {
+            from: GirderState::Resting,
+            flush: true,
+            turns: true,
+            slides: true,
+            e_n: 0.4,
+            e_t: 0.0,
+            outcome,
+        };
         assert_eq!(Row::of_hit(&hit), None, "a face that lies on the wall");
-        assert_eq!(Row::of_hit(&HitConditions { from: State::Turning, flush: false, ..hit }), None, "a second corner");
-        assert_eq!(Row::of_hit(&HitConditions { from: State::Turning, ..hit }), Some(Row::of(10, 2)), "a landing face");
+        assert_eq!(
+            Row::of_hit(&HitConditions { from: GirderState::Turning, flush: false, ..hit }),
+            None,
+            "a second corner"
+        );
+        assert_eq!(
+            Row::of_hit(&HitConditions { from: GirderState::Turning, ..hit }),
+            Some(Row::of(10, 2)),
+            "a landing face"
+        );
     }
 }

@@ -3,14 +3,14 @@
 use std::sync::Arc;
 
 use crate::dynamics::free_flight::flight::{Flight, FreeMotion};
-use crate::dynamics::impact2d::State;
+use crate::dynamics::impact2d::GirderState;
 use crate::dynamics::impact2d::closing::planar_gap::PlanarSite;
 use crate::dynamics::trajectory::segment::Segment;
 use crate::dynamics::world::site_geometry::SiteGeometry;
 
-/// The motion in force.
+/// Trajectory in force of a body.
 #[derive(Clone, Debug)]
-pub(in crate::dynamics) enum Motion {
+pub(in crate::dynamics) enum Trajectory {
     /// Free flight.
     Flight(Flight),
     /// Lasting contact: its number, and the place of the body in it.
@@ -25,13 +25,13 @@ pub(in crate::dynamics) struct BodyTrack {
     /// Free motion.
     pub free_motion: Arc<FreeMotion>,
     /// Motion in force.
-    pub motion: Motion,
+    pub motion: Trajectory,
     /// Motion so far.
     pub segments: Vec<Segment>,
     /// Start of the motion in force \[s\].
     pub since: f64,
     /// State among a–f.
-    pub state: State,
+    pub state: GirderState,
     /// Pairs of the body.
     pub pairs: Vec<usize>,
 }

@@ -11,8 +11,8 @@ use crate::dynamics::impact2d::closing::planar_gap::PlanarSite;
 use crate::dynamics::impact2d::constants::{KEPT_TOUCH, TOUCH};
 use crate::dynamics::impact2d::delassus::ContactPoint;
 use crate::dynamics::impact2d::lasting::lasting_contact::LastingContact;
-use crate::dynamics::impact2d::tracks::{BodyTrack, Motion, PairTrack, SiteTrack};
-use crate::dynamics::impact2d::{InlineVec, State};
+use crate::dynamics::impact2d::tracks::{BodyTrack, PairTrack, SiteTrack, Trajectory};
+use crate::dynamics::impact2d::{GirderState, InlineVec};
 use crate::dynamics::model::coordinates::planar::{self, PlanarState, WIDTH};
 use crate::dynamics::model::motion_bounds::MotionBounds;
 use crate::dynamics::world::site_geometry::SiteGeometry;
@@ -107,23 +107,23 @@ impl World {
     /// End of the planned step of a body; none in free flight \[s\].
     pub(in crate::dynamics::impact2d) fn planned_end(&self, slot: usize) -> Option<f64> {
         match self.bodies[slot].motion {
-            Motion::Lasting(number, _) => self.lasting[number].as_ref().map(|contact| contact.until),
-            Motion::Flight(_) => None,
+            Trajectory::Lasting(number, _) => self.lasting[number].as_ref().map(|contact| contact.until),
+            Trajectory::Flight(_) => None,
         }
     }
 
     /// Bounds on the motion of a body in its planned step; none in free flight.
     pub(in crate::dynamics::impact2d) fn planned_bounds(&self, slot: usize) -> Option<MotionBounds> {
         match self.bodies[slot].motion {
-            Motion::Lasting(number, place) => self.lasting[number].as_ref().map(|contact| contact.bounds(place)),
-            Motion::Flight(_) => None,
+            Trajectory::Lasting(number, place) => self.lasting[number].as_ref().map(|contact| contact.bounds(place)),
+            Trajectory::Flight(_) => None,
         }
     }
 
     /// Makes a flight under a record keep the states from which it is evaluated up to `until`.
     pub(in crate::dynamics::impact2d) fn remember(&mut self, slot: usize, until: f64) {
         let track = &mut self.bodies[slot];
-        if let Motion::Flight(flight) = &mut track.motion {
+        if let Trajectory::Flight(flight) = &mut track.motion {
             track.free_motion.remember(flight, until);
         }
     }
@@ -132,8 +132,8 @@ impl World {
     pub(in crate::dynamics::impact2d) fn state(&self, slot: usize, t: f64) -> PlanarState {
         let track = &self.bodies[slot];
         match &track.motion {
-            Motion::Flight(flight) => track.free_motion.state(flight, t),
-            Motion::Lasting(number, place) => {
+            Trajectory::Flight(flight) => track.free_motion.state(flight, t),
+            Trajectory::Lasting(number, place) => {
                 self.lasting[*number].as_ref().map_or([0.0; WIDTH], |contact| contact.state(*place, t))
             }
         }
@@ -213,10 +213,10 @@ fn body_track(model: &Model, body: usize) -> BodyTrack {
     let free_motion = Arc::new(FreeMotion::new(&model.bodies[body], &model.ground, model.duration));
     let initial = model.bodies[body].initial();
     let state: PlanarState = std::array::from_fn(|i| initial[i]);
-    let motion = Motion::Flight(free_motion.fly(0.0, state));
+    let motion = Trajectory::Flight(free_motion.fly(0.0, state));
     let (segments, pairs) = (Vec::new(), Vec::new());
     let [.., theta, _, _, spin] = state;
-    let at_start = if theta != 0.0 || spin != 0.0 { State::FreeTurning } else { State::Free };
+    let at_start = if theta != 0.0 || spin != 0.0 { GirderState::FreeTurning } else { GirderState::Free };
     BodyTrack { body, free_motion, motion, segments, since: 0.0, state: at_start, pairs }
 }
 

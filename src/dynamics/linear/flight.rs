@@ -21,16 +21,16 @@ pub struct LinearMotion {
 
 /// Start and parameters of a flight: place and speed of each drift at the start, then the free part of each coefficient.
 #[derive(Clone, Copy, Debug)]
-pub struct Flight<'a> {
+pub struct FlightParameters<'a> {
     /// When it begins \[s\].
     pub start: f64,
     /// Numbers of [`LinearMotion::begin`].
     pub numbers: &'a [f64],
 }
 
-/// A flight at one time.
+/// Coordinates of a flight at one time, in the drifts and exponentials of the block.
 #[derive(Clone, Debug, Default)]
-pub struct Parts {
+pub struct ModalCoordinates {
     /// Place and speed of each drift.
     pub drifts: Vec<[f64; 2]>,
     /// Free part of each coefficient.
@@ -71,7 +71,7 @@ impl LinearMotion {
     }
 
     /// A flight at `t`.
-    pub fn at(&self, flight: Flight<'_>, t: f64) -> Parts {
+    pub fn at(&self, flight: FlightParameters<'_>, t: f64) -> ModalCoordinates {
         let (exponents, tau) = (&self.spectrum.exponents, t - flight.start);
         let (drifts, free) = flight.numbers.split_at(2 * self.spectrum.drifts.len());
         let drift = |(i, start): (usize, &[f64; 2])| {
@@ -87,11 +87,11 @@ impl LinearMotion {
         let mut all = vec![Complex::from(0.0); exponents.len()];
         self.driven.coefficients(&self.spectrum, t, &mut all);
         all.iter_mut().zip(&free).for_each(|(all, free)| *all += free);
-        Parts { drifts: drifts.as_chunks().0.iter().enumerate().map(drift).collect(), free, all }
+        ModalCoordinates { drifts: drifts.as_chunks().0.iter().enumerate().map(drift).collect(), free, all }
     }
 
     /// Places and speeds of coordinates in a row, from `first` on.
-    pub fn read(&self, parts: &Parts, first: usize, places: &mut [f64], speeds: &mut [f64]) {
+    pub fn read(&self, parts: &ModalCoordinates, first: usize, places: &mut [f64], speeds: &mut [f64]) {
         let spectrum = &self.spectrum;
         places.fill(0.0);
         speeds.fill(0.0);
@@ -118,7 +118,7 @@ impl LinearMotion {
 
     /// Bounds of a coefficient from a look on for a window \[s\]: its modulus; what its motion does to speeds; to accelerations, those by
     /// the ground itself under a record apart.
-    pub fn largest(&self, parts: &Parts, k: usize, window: f64) -> [f64; 3] {
+    pub fn largest(&self, parts: &ModalCoordinates, k: usize, window: f64) -> [f64; 3] {
         let (constant, [fast, gain]) = (self.driven.constant(k), self.sizes[k]);
         // A free part only falls.
         if let Some([steady, drive]) = self.driven.steady(k) {
@@ -141,7 +141,7 @@ impl LinearMotion {
 
     /// Bounds of the second derivative of each coefficient over a stretch from `from` to `until` \[s\]. Under a record it is that of the
     /// part that swings about the line that the ground's line would hold it at, and grows by what a kink adds.
-    pub fn second_derivatives(&self, flight: Flight<'_>, [from, until]: [f64; 2]) -> Vec<f64> {
+    pub fn second_derivatives(&self, flight: FlightParameters<'_>, [from, until]: [f64; 2]) -> Vec<f64> {
         let parts = self.at(flight, from);
         let free = || parts.free.iter().zip(&self.sizes).map(|(c, [fast, _])| fast * fast * c.norm());
         match self.driven.forced(&self.spectrum, from) {
@@ -162,7 +162,7 @@ impl LinearMotion {
     }
 
     /// Bounds of a drift from a look on for a window: place, speed, acceleration.
-    pub fn drift_bounds(&self, parts: &Parts, i: usize, window: f64) -> [f64; 3] {
+    pub fn drift_bounds(&self, parts: &ModalCoordinates, i: usize, window: f64) -> [f64; 3] {
         let ([place, speed], acceleration) = (parts.drifts[i], self.driven.drift_rate(i, self.peak));
         let speed = speed.abs() + acceleration * window;
         [place.abs() + speed * window, speed, acceleration]

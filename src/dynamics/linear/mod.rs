@@ -13,7 +13,7 @@ mod works;
 mod tests;
 
 pub use driven::Driven;
-pub use flight::{Flight, LinearMotion, Parts};
+pub use flight::{FlightParameters, LinearMotion, ModalCoordinates};
 pub use spectrum::Spectrum;
 pub use works::{LineOrSine, PowerForm};
 

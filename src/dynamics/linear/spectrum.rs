@@ -74,8 +74,8 @@ impl Spectrum {
     }
 }
 
-/// One exponential.
-struct Pair {
+/// An eigenvalue \[1/s\] with its right and left eigenvectors.
+struct Eigenpair {
     exponent: Complex,
     shape: DVector<Complex>,
     left: DVector<Complex>,
@@ -112,7 +112,7 @@ fn parts(stiffness: &DMatrix<f64>, damping: &DMatrix<f64>) -> Vec<Vec<usize>> {
 }
 
 /// `λ² + c λ + k = 0` of one coordinate.
-fn single(at: usize, size: usize, k: f64, c: f64) -> Option<Vec<Pair>> {
+fn single(at: usize, size: usize, k: f64, c: f64) -> Option<Vec<Eigenpair>> {
     let half = 0.5 * c;
     let under = k - half * half;
     let pair = |exponent: Complex, other: Complex| {
@@ -120,7 +120,7 @@ fn single(at: usize, size: usize, k: f64, c: f64) -> Option<Vec<Pair>> {
         shape[at] = 1.0.into();
         // (ξ, ξ̇) = c (1, λ) + c′ (1, λ′).
         (left[at], left[size + at]) = (-other / (exponent - other), Complex::from(1.0) / (exponent - other));
-        Pair { exponent, shape, left }
+        Eigenpair { exponent, shape, left }
     };
     // The condition of the two vectors is about |λ|/|λ − λ′|.
     if k == 0.0 || under.abs().sqrt() * WORST_CONDITION < k.sqrt().max(half) {
@@ -137,7 +137,7 @@ fn single(at: usize, size: usize, k: f64, c: f64) -> Option<Vec<Pair>> {
 }
 
 /// A part of several coordinates.
-fn coupled(part: &[usize], stiffness: &DMatrix<f64>, damping: &DMatrix<f64>) -> Option<Vec<Pair>> {
+fn coupled(part: &[usize], stiffness: &DMatrix<f64>, damping: &DMatrix<f64>) -> Option<Vec<Eigenpair>> {
     let (n, size) = (part.len(), stiffness.nrows());
     let own = |m: &DMatrix<f64>| DMatrix::from_fn(n, n, |i, j| m[(part[i], part[j])]);
     let factor = own(stiffness).cholesky()?.l();
@@ -169,7 +169,7 @@ fn coupled(part: &[usize], stiffness: &DMatrix<f64>, damping: &DMatrix<f64>) -> 
             left[at] = (0..n).map(|j| inverse[(k, j)] * factor[(i, j)]).sum();
             left[size + at] = inverse[(k, n + i)];
         }
-        pairs.push(Pair { exponent, shape, left });
+        pairs.push(Eigenpair { exponent, shape, left });
     }
     // Conjugate pairs are complete.
     let count: usize = pairs.iter().map(|pair| if pair.exponent.im > 0.0 { 2 } else { 1 }).sum();

@@ -3,7 +3,7 @@
 use glam::DVec3;
 use nalgebra::{DMatrix, DVector};
 
-use super::{Flight, LineOrSine, LinearMotion, PowerForm, Spectrum};
+use super::{FlightParameters, LineOrSine, LinearMotion, PowerForm, Spectrum};
 use crate::motion::Ground;
 
 const SIZE: usize = 4;
@@ -40,7 +40,7 @@ fn second_derivatives_of_coefficients_are_not_above_their_bounds() {
         let spectrum = Spectrum::of(&stiffness, &damping).expect("a spectrum");
         let motion = LinearMotion::of(spectrum, &LOAD, [&BY_X, &BY_Y], (&ground, 4.0)).expect("a closed form");
         let numbers = motion.begin(0.013, &PLACES, &SPEEDS);
-        let flight = Flight { start: 0.013, numbers: &numbers };
+        let flight = FlightParameters { start: 0.013, numbers: &numbers };
         let at = |t: f64| motion.at(flight, t).all;
         // Stretches that hold a kink of the record, and none.
         for (from, width) in [(0.013, 0.03), (0.02, 0.2), (0.4, 0.012), (1.3, 0.07)] {
@@ -141,7 +141,7 @@ fn flights_agree_with_integration() {
             let (motion, start) = (motion(free, &ground), 0.13);
             let numbers = motion.begin(start, &PLACES, &SPEEDS);
             for end in [0.13, 0.31, 1.7] {
-                let parts = motion.at(Flight { start, numbers: &numbers }, end);
+                let parts = motion.at(FlightParameters { start, numbers: &numbers }, end);
                 let (mut places, mut speeds) = ([0.0; SIZE], [0.0; SIZE]);
                 motion.read(&parts, 0, &mut places, &mut speeds);
                 let (mut place, mut speed) = ([0.0; 2], [0.0; 2]);
@@ -161,7 +161,7 @@ fn work_and_loss_are_the_integrals_of_powers() {
     for ground in grounds() {
         let (motion, start) = (motion(false, &ground), 0.13);
         let numbers = motion.begin(start, &PLACES, &SPEEDS);
-        let flight = Flight { start, numbers: &numbers };
+        let flight = FlightParameters { start, numbers: &numbers };
         let [_, c] = matrices(false);
         let form = PowerForm::of(&motion, &c).expect("dashpots");
         let (mut t, end, mut work, mut loss) = (start, 0.9, 0.0, 0.0);
@@ -193,7 +193,7 @@ fn coefficients_stay_within_their_bounds() {
     for ground in grounds() {
         let motion = motion(true, &ground);
         let numbers = motion.begin(0.0, &PLACES, &SPEEDS);
-        let flight = Flight { start: 0.0, numbers: &numbers };
+        let flight = FlightParameters { start: 0.0, numbers: &numbers };
         for from in [0.0, 0.4] {
             let here = motion.at(flight, from);
             let window = motion.window(0.3);

@@ -4,7 +4,7 @@ use nalgebra::DMatrix;
 
 use super::driven::Forced;
 use super::exponentials::moments;
-use super::{Complex, Flight, LinearMotion};
+use super::{Complex, FlightParameters, LinearMotion};
 
 /// A quadratic form of the speeds, `ξ̇ᵀ D ξ̇`: the power that dashpots take \[W\], in the exponentials.
 #[derive(Clone, Debug)]
@@ -36,7 +36,7 @@ impl PowerForm {
     }
 
     /// Its integral from `from` to `until`, within one piece of the ground's motion \[J\].
-    pub fn work(&self, motion: &LinearMotion, flight: Flight<'_>, [from, until]: [f64; 2]) -> f64 {
+    pub fn work(&self, motion: &LinearMotion, flight: FlightParameters<'_>, [from, until]: [f64; 2]) -> f64 {
         let terms = terms(motion, flight, from);
         let mut sum = 0.0;
         for (n, a) in terms.iter().enumerate() {
@@ -74,7 +74,7 @@ fn speed(motion: &LinearMotion, row: &[f64], k: usize) -> Complex {
 }
 
 /// The coefficients over a stretch from `from`; their constant part, which has no speed, is left out.
-fn terms(motion: &LinearMotion, flight: Flight<'_>, from: f64) -> Vec<Term> {
+fn terms(motion: &LinearMotion, flight: FlightParameters<'_>, from: f64) -> Vec<Term> {
     let spectrum = &motion.spectrum;
     let (parts, forced, none) = (motion.at(flight, from), motion.driven.forced(spectrum, from), Complex::from(0.0));
     let free = |k: usize| match &forced {
@@ -100,7 +100,13 @@ fn terms(motion: &LinearMotion, flight: Flight<'_>, from: f64) -> Vec<Term> {
 
 impl LinearMotion {
     /// `∫ a(t) row·ξ̇ dt` from `from` to `until`, within one piece of the ground's motion; the row is on no drift.
-    pub fn moved_by(&self, flight: Flight<'_>, row: &[f64], [from, until]: [f64; 2], ground: &LineOrSine) -> f64 {
+    pub fn moved_by(
+        &self,
+        flight: FlightParameters<'_>,
+        row: &[f64],
+        [from, until]: [f64; 2],
+        ground: &LineOrSine,
+    ) -> f64 {
         let h = until - from;
         let mut sum = Complex::from(0.0);
         for term in terms(self, flight, from) {

@@ -2,7 +2,7 @@
 
 use std::fmt::Debug;
 
-use crate::dynamics::linear::{Flight, Parts};
+use crate::dynamics::linear::{FlightParameters, ModalCoordinates};
 use crate::dynamics::model::motion_bounds::MotionBounds;
 
 /// Force of connections between the ground and a body of one coordinate u, per unit mass: `load − stiffness u`.
@@ -16,7 +16,7 @@ pub struct GroundSpring {
 
 /// The free motion of a body: bearings, given pushes and ground, without contact.
 ///
-/// A [`Flight`] is computed from when it began and from the numbers that [`begin`](Self::begin) makes of the state then; states are those
+/// A [`FlightParameters`] is computed from when it began and from the numbers that [`begin`](Self::begin) makes of the state then; states are those
 /// since the body was placed.
 pub trait ClosedForm: Debug + Send + Sync {
     /// Parameters of a flight that begins at `start`, from the states of the bodies that move together, in their order.
@@ -33,25 +33,25 @@ pub trait ClosedForm: Debug + Send + Sync {
     fn remember(&self, _start: f64, _numbers: &mut Vec<f64>, _t: f64) {}
 
     /// End of the stretch from `t` on within which the motion is smooth and swings by about a radian at most \[s\].
-    fn window_end(&self, _flight: Flight<'_>, _t: f64) -> f64 {
+    fn window_end(&self, _flight: FlightParameters<'_>, _t: f64) -> f64 {
         f64::INFINITY
     }
 
     /// Least and greatest value of the only coordinate over an interval without a kink \[m\]; `None` with several coordinates.
-    fn range(&self, _flight: Flight<'_>, _span: [f64; 2]) -> Option<[f64; 2]> {
+    fn range(&self, _flight: FlightParameters<'_>, _span: [f64; 2]) -> Option<[f64; 2]> {
         None
     }
 
     /// Numbers of the rest of a flight, from `t` on with this state.
-    fn resume(&self, flight: Flight<'_>, _state: &[f64]) -> Vec<f64> {
+    fn resume(&self, flight: FlightParameters<'_>, _state: &[f64]) -> Vec<f64> {
         flight.numbers.to_vec()
     }
 
     /// State at `t` of a flight, written to `out`.
-    fn state(&self, flight: Flight<'_>, t: f64, out: &mut [f64]);
+    fn state(&self, flight: FlightParameters<'_>, t: f64, out: &mut [f64]);
 
     /// Bounds on the motion of any section in a flight from `t` on for at most `horizon` \[s\].
-    fn bounds(&self, flight: Flight<'_>, t: f64, horizon: f64) -> MotionBounds;
+    fn bounds(&self, flight: FlightParameters<'_>, t: f64, horizon: f64) -> MotionBounds;
 
     /// States of the body by a unit coefficient of each exponential of its motion, 1 and i, beside that at rest; none of a motion that is
     /// no sum of exponentials.
@@ -60,7 +60,7 @@ pub trait ClosedForm: Debug + Send + Sync {
     }
 
     /// Bounds of the second derivatives of their coefficients in a flight over a stretch, in the same order.
-    fn second_derivatives(&self, _flight: Flight<'_>, _span: [f64; 2]) -> Vec<f64> {
+    fn second_derivatives(&self, _flight: FlightParameters<'_>, _span: [f64; 2]) -> Vec<f64> {
         Vec::new()
     }
 
@@ -70,12 +70,18 @@ pub trait ClosedForm: Debug + Send + Sync {
     }
 
     /// Common part of the states and bounds at `t` of all bodies that move together.
-    fn parts(&self, _flight: Flight<'_>, _t: f64) -> Parts {
-        Parts::default()
+    fn parts(&self, _flight: FlightParameters<'_>, _t: f64) -> ModalCoordinates {
+        ModalCoordinates::default()
     }
 
     /// State and bounds at `t` together, from these parts.
-    fn look(&self, flight: Flight<'_>, _parts: &Parts, t: [f64; 2], out: &mut [f64]) -> MotionBounds {
+    fn look(
+        &self,
+        flight: FlightParameters<'_>,
+        _parts: &ModalCoordinates,
+        t: [f64; 2],
+        out: &mut [f64],
+    ) -> MotionBounds {
         let [t, horizon] = t;
         self.state(flight, t, out);
         self.bounds(flight, t, horizon)
@@ -83,7 +89,7 @@ pub trait ClosedForm: Debug + Send + Sync {
 
     /// Work of the ground's inertia forces and of pushes, losses in bearings and in the body, over a stretch without a kink of the
     /// ground's motion \[J\], with those of bodies that move together at the first of them; `None` where they are left to quadrature.
-    fn works(&self, _flight: Flight<'_>, _span: [f64; 2]) -> Option<[f64; 4]> {
+    fn works(&self, _flight: FlightParameters<'_>, _span: [f64; 2]) -> Option<[f64; 4]> {
         None
     }
 

@@ -43,12 +43,12 @@ pub struct Solid {
 }
 
 /// Poses of a body's sections.
-pub type Poses = SmallVec<[Frame; 1]>;
+pub type SectionPoses = SmallVec<[Frame; 1]>;
 
 /// Geometry of a solid: corners \[m\], faces as outward unit normal and distance from the origin \[m\], unit vectors along the sides; each
 /// with the number of its section.
 #[derive(Clone, Debug, Default)]
-pub(in crate::dynamics) struct Parts {
+pub(in crate::dynamics) struct SolidGeometry {
     pub corners: Vec<(usize, DVec3)>,
     pub faces: Vec<(usize, DVec3, f64)>,
     pub sides: Vec<(usize, DVec3)>,
@@ -63,9 +63,9 @@ impl Meeting {
 
     /// Largest distance by which all of one body is before the plane of a face of the other \[m\]; negative where there is no such
     /// face. The bodies are at least as far apart.
-    pub fn apart(&self, [here, there]: &[Poses; 2]) -> f64 {
+    pub fn apart(&self, [here, there]: &[SectionPoses; 2]) -> f64 {
         let [one, other] = &self.solids;
-        let behind = |face: &Solid, node: &Solid, [at, from]: [&Poses; 2]| {
+        let behind = |face: &Solid, node: &Solid, [at, from]: [&SectionPoses; 2]| {
             let seen: SmallVec<[_; 1]> = from.iter().map(|from| node.seen_from(at, (face, from))).collect();
             let before = |&(section, normal, level): &(usize, DVec3, f64)| {
                 seen[section].iter().map(|corner| corner.dot(normal)).fold(f64::INFINITY, f64::min) - level
@@ -76,7 +76,7 @@ impl Meeting {
     }
 
     /// How far the two overlap along a unit vector that points out of body `out`; negative apart \[m\].
-    pub fn overlap_along(&self, axis: DVec3, out: usize, poses: &[Poses; 2]) -> f64 {
+    pub fn overlap_along(&self, axis: DVec3, out: usize, poses: &[SectionPoses; 2]) -> f64 {
         let reach = |which: usize, sign: f64| {
             let (solid, poses) = (&self.solids[which], &poses[which]);
             let along = solid.corners.iter().map(|&(section, corner)| {
@@ -90,7 +90,7 @@ impl Meeting {
 
     /// How far the two overlap along the direction along which they do the least, the shortest way by which they part; negative apart
     /// \[m\]. Of convex polyhedra that direction is normal to a face of either or to an edge of each (separating axes).
-    pub fn least_overlap(&self, poses: &[Poses; 2]) -> f64 {
+    pub fn least_overlap(&self, poses: &[SectionPoses; 2]) -> f64 {
         let [one, other] = [0, 1].map(|which| self.solids[which].at(&poses[which]));
         let normals = [0, 1].map(|which| {
             let solid = &self.solids[which];
@@ -118,8 +118,8 @@ impl Meeting {
 
 impl Solid {
     /// A body that stands at `home` \[m\], by its faces and the shortest of their sides \[m\].
-    pub(in crate::dynamics) fn of(home: DVec3, parts: Parts, least_side: f64) -> Self {
-        let Parts { mut corners, mut faces, sides } = parts;
+    pub(in crate::dynamics) fn of(home: DVec3, parts: SolidGeometry, least_side: f64) -> Self {
+        let SolidGeometry { mut corners, mut faces, sides } = parts;
         let mut edges: Vec<(usize, DVec3)> = Vec::new();
         for (section, side) in sides {
             let is_other = |(own, edge): &(usize, DVec3)| *own != section || edge.cross(side).length() > PARALLEL;
@@ -144,7 +144,7 @@ impl Solid {
     }
 
     /// The poses of its sections by those of its body's.
-    pub(in crate::dynamics) fn poses(&self, of_section: impl Fn(usize) -> Frame) -> Poses {
+    pub(in crate::dynamics) fn poses(&self, of_section: impl Fn(usize) -> Frame) -> SectionPoses {
         self.sections.iter().map(|&section| of_section(section)).collect()
     }
 
@@ -154,7 +154,7 @@ impl Solid {
     }
 
     /// Its corners with these poses of its sections \[m\].
-    fn at(&self, poses: &Poses) -> Vec<DVec3> {
+    fn at(&self, poses: &SectionPoses) -> Vec<DVec3> {
         let place = |&(section, corner): &(usize, DVec3)| {
             let pose = &poses[section];
             self.home + pose.shift + pose.turn(corner)
@@ -163,7 +163,7 @@ impl Solid {
     }
 
     /// Corners about the origin of another body, in the axes that a section of this had as placed \[m\].
-    fn seen_from(&self, own: &Poses, (other, from): (&Self, &Frame)) -> Vec<DVec3> {
+    fn seen_from(&self, own: &SectionPoses, (other, from): (&Self, &Frame)) -> Vec<DVec3> {
         let back = from.turned.transpose();
         self.corners
             .iter()
@@ -188,7 +188,7 @@ mod tests {
     /// A cube with sides of 1 m about the origin.
     fn cube() -> Solid {
         let corner = |i: u32| DVec3::from([0, 1, 2].map(|axis| if i >> axis & 1 == 0 { -0.5 } else { 0.5 }));
-        let parts = Parts {
+        let parts = SolidGeometry {
             corners: (0..8).map(|i| (0, corner(i))).collect(),
             faces: DVec3::AXES.iter().flat_map(|&axis| [(0, axis, 0.5), (0, -axis, 0.5)]).collect(),
             sides: DVec3::AXES.map(|axis| (0, axis)).into(),
@@ -198,7 +198,7 @@ mod tests {
 
     fn overlap(shift: DVec3, turns: [DQuat; 2]) -> f64 {
         let meeting = Meeting::of([SolidId::Girder(0), SolidId::Girder(1)], [cube(), cube()]);
-        let pose = |shift, turn| -> Poses {
+        let pose = |shift, turn| -> SectionPoses {
             smallvec![Frame { shift, turned: turned_by(turn), level: false, ..Frame::fixed(DVec3::ZERO) }]
         };
         let [one, other] = [pose(DVec3::ZERO, turns[0]), pose(shift, turns[1])];

@@ -4,7 +4,7 @@ use glam::{DMat3, DVec3};
 
 use crate::dynamics::model::body::Body;
 use crate::dynamics::model::contact_sites::{pair_side, placed_at};
-use crate::dynamics::model::meeting::{Meeting, Parts, Solid};
+use crate::dynamics::model::meeting::{Meeting, Solid, SolidGeometry};
 use crate::dynamics::model::pair::Carrier;
 use crate::scene::facing::{Side, SolidId};
 use crate::scene::{Kind, Scene, SceneErrors};
@@ -28,7 +28,7 @@ pub(super) fn meetings(scene: &Scene, bodies: &[Body], met: &[[SolidId; 2]]) -> 
 
 /// A body by its faces, in plan by those that stand upright.
 fn solid(scene: &Scene, bodies: &[Body], id: SolidId) -> Result<Solid, SceneErrors> {
-    let (mut parts, mut home, mut least_side) = (Parts::default(), DVec3::ZERO, f64::INFINITY);
+    let (mut parts, mut home, mut least_side) = (SolidGeometry::default(), DVec3::ZERO, f64::INFINITY);
     for face in Side::of(scene.kind, id) {
         let side = pair_side(scene, bodies, face)?;
         let section = |carrier| side.body.map_or(0, |body| bodies[body].section_of(carrier));

@@ -10,7 +10,7 @@ use glam::DVec3;
 use crate::contact::{Frame, locate};
 use crate::dynamics::Model;
 use crate::dynamics::model::coordinates::state_layout::StateLayout;
-use crate::dynamics::model::meeting::{Poses, Solid};
+use crate::dynamics::model::meeting::{SectionPoses, Solid};
 use crate::dynamics::model::reference_pose::ReferencePose;
 use crate::dynamics::penalty3d::active_contact::ActiveContact;
 use crate::dynamics::penalty3d::constants::UNCARRIED;
@@ -124,7 +124,7 @@ impl MetContacts {
     }
 
     /// Poses of the sections of both relative to their placed poses.
-    fn poses(&self, model: &Model, bodies: BodiesAt<'_>) -> [Poses; 2] {
+    fn poses(&self, model: &Model, bodies: BodiesAt<'_>) -> [SectionPoses; 2] {
         [0, 1].map(|side| {
             let (index, stand) = self.sides[side];
             model.meetings[self.meeting].solids[side].poses(|section| bodies.whole(index, section, stand))

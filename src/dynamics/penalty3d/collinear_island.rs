@@ -32,7 +32,7 @@ struct BodySection {
 
 /// Two sides in flush contact.
 #[derive(Clone, Copy, Debug, PartialEq)]
-struct Joint {
+struct FlushContact {
     /// The node's and the face's section of the first contact; `None` for an abutment.
     sides: [Option<BodySection>; 2],
     /// The face's normal along the axis, ±1.
@@ -61,7 +61,7 @@ pub(in crate::dynamics) struct CollinearIsland {
     lines: Vec<AxialBody>,
     /// Whether a body bends.
     bends: bool,
-    joints: Vec<Joint>,
+    joints: Vec<FlushContact>,
     /// Index of the first contact of each contact's joint.
     first: Vec<usize>,
 }
@@ -233,7 +233,7 @@ impl AxialContact {
 
     /// The joint of contacts between the same sides; `None` where their penetrations differ or their moments do not
     /// cancel.
-    fn together<'a, I: Iterator<Item = &'a Self>>(first: &Self, members: impl Fn() -> I) -> Option<Joint> {
+    fn together<'a, I: Iterator<Item = &'a Self>>(first: &Self, members: impl Fn() -> I) -> Option<FlushContact> {
         let level = members()
             .all(|m| m.law == first.law && (m.placed_gap - first.placed_gap).abs() <= LEVEL_ROUNDING * m.reach);
         let lever = |side: Option<BodySection>, m: &Self| if m.sides[0] == side { m.levers[0] } else { m.levers[1] };
@@ -247,7 +247,7 @@ impl AxialContact {
         let count = members().count() as f64;
         let placed_gap = members().map(|m| m.placed_gap).sum::<f64>() / count;
         let law = first.law.map(|of_one| of_one.times(count));
-        (level && balanced).then_some(Joint { sides: first.sides, normal: first.normal, placed_gap, law })
+        (level && balanced).then_some(FlushContact { sides: first.sides, normal: first.normal, placed_gap, law })
     }
 }
 

@@ -26,14 +26,14 @@ use crate::dynamics::trajectory::stored_path::{StoredMotion, StoredPath};
 
 /// In place of the number of an initial state: the state is the end of the members' flights.
 const FLOWN: u32 = u32::MAX;
-/// Bit of [`Member::base`] that marks the number of a stored reference pose.
+/// Bit of [`StepBody::base`] that marks the number of a stored reference pose.
 const STORED_BIT: u32 = 1 << 31;
 
 /// Steps of a group of bodies.
 #[derive(Clone, Debug, Default)]
 pub struct RecomputedSteps {
     sequences: Vec<StepSequence>,
-    members: Vec<Member>,
+    members: Vec<StepBody>,
     logged_states: Vec<LoggedState>,
     steps: Vec<Step>,
     starts: PackedStates,
@@ -49,7 +49,7 @@ struct StepSequence {
 
 /// A body of a step and its reference pose.
 #[derive(Clone, Copy, Debug)]
-pub(in crate::dynamics) struct Member {
+pub(in crate::dynamics) struct StepBody {
     /// Number of the body in the model.
     pub body: u32,
     /// Number of the flight that ends at the reference pose, or with [`STORED_BIT`] the number of the stored reference
@@ -57,7 +57,7 @@ pub(in crate::dynamics) struct Member {
     base: u32,
 }
 
-impl Member {
+impl StepBody {
     /// A body whose reference pose is the end of flight `number`, less than [`STORED_BIT`].
     pub(in crate::dynamics) fn flown(body: u32, number: u32) -> Self {
         Self { body, base: number & !STORED_BIT }
@@ -104,7 +104,7 @@ fn count(n: usize) -> Option<u32> {
 
 impl RecomputedSteps {
     /// Begins a sequence of steps; its number, `None` where numbers are exhausted.
-    pub(in crate::dynamics) fn open(&mut self, members: Vec<Member>, logged_states: Vec<LoggedState>) -> Option<u32> {
+    pub(in crate::dynamics) fn open(&mut self, members: Vec<StepBody>, logged_states: Vec<LoggedState>) -> Option<u32> {
         let sequence =
             StepSequence { members: count(self.members.len())?, logged_states: count(self.logged_states.len())? };
         let number = count(self.sequences.len())?;
@@ -152,7 +152,7 @@ impl RecomputedSteps {
         self.steps.is_empty()
     }
 
-    fn of(&self, sequence: usize) -> (&[Member], &[LoggedState]) {
+    fn of(&self, sequence: usize) -> (&[StepBody], &[LoggedState]) {
         let StepSequence { members, logged_states } = self.sequences[sequence];
         let next = self.sequences.get(sequence + 1);
         let (to, end) = next
@@ -178,7 +178,7 @@ impl RecomputedSteps {
         let bodies: Vec<usize> = members.iter().map(|member| member.body as usize).collect();
         let layout = StateLayout::of(bodies.iter().map(|&body| &past.model.bodies[body]));
         // Reference pose, and for a body that comes from a flight its state at the end of that flight.
-        let pose_and_state = |member: &Member| {
+        let pose_and_state = |member: &StepBody| {
             let body = &past.model.bodies[member.body as usize];
             if member.base & STORED_BIT == 0 {
                 let mut state = state_at_landing(*member, past);
@@ -220,7 +220,7 @@ impl RecomputedSteps {
     /// Memory of the steps \[bytes\].
     pub fn bytes(&self) -> usize {
         self.sequences.len() * size_of::<StepSequence>()
-            + self.members.len() * size_of::<Member>()
+            + self.members.len() * size_of::<StepBody>()
             + self.logged_states.len() * size_of::<LoggedState>()
             + self.steps.len() * size_of::<Step>()
             + self.starts.bytes()
@@ -248,7 +248,7 @@ fn recompute_step(equations: &mut EquationsOfMotion<'_>, from: f64, y: &mut [f64
 }
 
 /// State at the end of a body's flight, which is the beginning of the next sequence of its path.
-fn state_at_landing(member: Member, past: &Past<'_>) -> PlanarState {
+fn state_at_landing(member: StepBody, past: &Past<'_>) -> PlanarState {
     let (body, flown) = (member.body as usize, member.base as usize);
     match (past.paths[body].motion_of(flown), past.paths[body].next(flown), &past.free_motions[body]) {
         ((from, StoredMotion::Start(state)), Some(until), Some(free_motion)) => {

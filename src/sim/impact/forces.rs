@@ -4,7 +4,7 @@ use glam::{DVec2, DVec3};
 
 use super::events::contact_state;
 use crate::dynamics::impact2d::delassus::centre;
-use crate::dynamics::impact2d::kinematics::{Kinematics, ground_acceleration};
+use crate::dynamics::impact2d::kinematics::{BodyKinematics, ground_acceleration};
 use crate::dynamics::impact2d::lasting::constrained_motion::{ContactMode, Reaction};
 use crate::dynamics::impact2d::lasting::indeterminate::solve_reactions;
 use crate::dynamics::impact2d::{LastingInterval, Record};
@@ -12,7 +12,7 @@ use crate::dynamics::model::coordinates::planar::PlanarState;
 use crate::sim::{ContactNow, History};
 
 /// Where an interval's bodies are at `t`, and its reactions.
-fn reactions(history: &History, interval: &LastingInterval, t: f64) -> Option<(Kinematics, Vec<Reaction>)> {
+fn reactions(history: &History, interval: &LastingInterval, t: f64) -> Option<(BodyKinematics, Vec<Reaction>)> {
     let model = history.model();
     let state = |body: &usize| -> PlanarState {
         let state = history.state(*body, t);
@@ -23,7 +23,7 @@ fn reactions(history: &History, interval: &LastingInterval, t: f64) -> Option<(K
     // A run that ends with its record ends before the step of the ground that follows.
     let number = if t < interval.until { ground.piece_number(t) } else { ground.piece_number_before(t) };
     let piece = ground.piece(number);
-    let kinematics = Kinematics::new(model, &interval.bodies, &states, ground_acceleration(ground, &piece, t));
+    let kinematics = BodyKinematics::new(model, &interval.bodies, &states, ground_acceleration(ground, &piece, t));
     let points: Vec<_> = interval.modes.iter().map(|mode| mode.points(model, &kinematics)).collect();
     let motion = solve_reactions(&kinematics, &interval.modes, &points, &model.impact)?;
     Some((kinematics, motion.reactions))
@@ -46,7 +46,7 @@ pub(in crate::sim) fn contacts(history: &History, record: &Record, t: f64) -> Ve
 
 fn now(
     history: &History,
-    kinematics: &Kinematics,
+    kinematics: &BodyKinematics,
     mode: &ContactMode,
     reaction: &Reaction,
     end: usize,

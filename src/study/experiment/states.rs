@@ -5,7 +5,7 @@
 
 use serde::{Deserialize, Serialize};
 
-use crate::sim::{ContactNow, ContactState, History, State};
+use crate::sim::{ContactNow, ContactState, GirderState, History};
 
 /// Rotation \[rad\] and its rate \[rad/s\] below which a girder counts as not turning: what rounding leaves of a girder that is
 /// hit symmetrically is 1e-12 and less.
@@ -52,7 +52,7 @@ pub(super) fn stretches(history: &History, girder: usize) -> Vec<Stretch> {
     all
 }
 
-fn state(history: &History, girder: usize, t: f64) -> State {
+fn state(history: &History, girder: usize, t: f64) -> GirderState {
     if let Some(record) = history.impact() {
         return record.state(girder, t);
     }
@@ -68,17 +68,17 @@ fn state(history: &History, girder: usize, t: f64) -> State {
 }
 
 /// The state that contacts of one girder amount to.
-fn of_contacts(contacts: &[&ContactNow], turning: bool, apart: f64) -> State {
+fn of_contacts(contacts: &[&ContactNow], turning: bool, apart: f64) -> GirderState {
     let slides = contacts.iter().any(|now| now.state == ContactState::Slip);
     let distance = |a: &&ContactNow, b: &&ContactNow| a.point.truncate().distance(b.point.truncate());
     let flush = contacts.iter().any(|a| contacts.iter().any(|b| distance(a, b) > apart));
     match (contacts.is_empty(), flush, slides) {
-        (true, ..) if turning => State::FreeTurning,
-        (true, ..) => State::Free,
-        (_, true, true) => State::Sliding,
-        (_, true, false) => State::Resting,
-        (_, false, true) => State::SlidingTurning,
-        (_, false, false) => State::Turning,
+        (true, ..) if turning => GirderState::FreeTurning,
+        (true, ..) => GirderState::Free,
+        (_, true, true) => GirderState::Sliding,
+        (_, true, false) => GirderState::Resting,
+        (_, false, true) => GirderState::SlidingTurning,
+        (_, false, false) => GirderState::Turning,
     }
 }
 

@@ -2,7 +2,7 @@
 
 use girderbench::contact::{Frame, locate};
 use girderbench::dynamics::impact2d::lasting::constrained_motion::FrictionMode;
-use girderbench::dynamics::impact2d::{LastingInterval, State, Transition};
+use girderbench::dynamics::impact2d::{GirderState, LastingInterval, Transition};
 use girderbench::scene::{Flush, Kind, ModelKind, Scene};
 use girderbench::sim::History;
 use girderbench::study::stability::family;
@@ -132,8 +132,8 @@ fn a_corner_that_friction_drives_in_is_stopped_at_once() {
     let record = history.impact().expect("the impact model");
     let scale = history.ledger(history.end()).scale;
     // The second impulse of a hit leaves the corner sliding; nothing agrees with that, and friction stops it.
-    let stops = |change: &&Transition| change.from == State::SlidingTurning && change.lost > 1e-6 * scale;
-    let turns = |change: &Transition| change.to == State::Turning;
+    let stops = |change: &&Transition| change.from == GirderState::SlidingTurning && change.lost > 1e-6 * scale;
+    let turns = |change: &Transition| change.to == GirderState::Turning;
     let stopped: Vec<&Transition> = record.transitions.iter().filter(stops).collect();
     assert!(stopped.into_iter().any(turns), "a slide is stopped, and that takes energy");
     // No energy is added, and the ledger knows what was lost.

@@ -1,7 +1,7 @@
 //! The rules of a hit: the paper's printed equations, closed forms, energy.
 
 use crate::support::within;
-use girderbench::dynamics::impact2d::State;
+use girderbench::dynamics::impact2d::GirderState;
 use girderbench::dynamics::impact2d::delassus::{Cluster, ContactPoint};
 use girderbench::dynamics::impact2d::impulse::collision::{ContactManifold, ImpactLaw, collide};
 use girderbench::dynamics::impact2d::impulse::corner::{Coefficients, first_impulse, second_impulse};
@@ -192,7 +192,7 @@ fn no_hit_adds_energy_and_none_leaves_a_point_driven_in() {
         let manifold =
             ContactManifold { pair: 0, sites: (0..points.len()).collect(), points: points.iter().copied().collect() };
         let mut after = cluster.clone();
-        let collision = collide(&mut after, &manifold, State::FreeTurning, &law);
+        let collision = collide(&mut after, &manifold, GirderState::FreeTurning, &law);
         // Held by more than friction.
         let beyond = |p: [f64; 2]| p[1].abs() > mu_s * p[0] * (1.0 + 1e-9);
         let edge = collision.conditions.flush && round % 2 == 1 && beyond(collision.impulses.first);

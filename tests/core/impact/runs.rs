@@ -1,7 +1,7 @@
 //! Runs of the impact model against closed forms.
 
 use crate::support::within;
-use girderbench::dynamics::impact2d::State;
+use girderbench::dynamics::impact2d::GirderState;
 use girderbench::scene::{
     Abutment, Direction, Flush, Girder, ImpactSettings, ModelKind, ModelSettings, Motion, RecordMotion, Scene,
 };
@@ -126,7 +126,7 @@ fn a_girder_that_bounces_under_a_constant_pull_comes_to_rest_as_the_closed_form_
             t += 2.0 * v / pull;
         }
         assert!(v < e * impact.stop_speed && v >= e * e * impact.stop_speed, "stops below the stop speed: {v}");
-        assert_eq!(record.state(0, 1.9), State::Resting, "e = {e}: rests");
+        assert_eq!(record.state(0, 1.9), GirderState::Resting, "e = {e}: rests");
         // What the rule leaves out is hops of less than v²/(2 a).
         let hop = impact.stop_speed.powi(2) / (2.0 * pull);
         let end = history.motion(0, 2.0).displacement.x;
@@ -192,7 +192,12 @@ fn a_girder_that_rocks_as_it_lands_ends_on_its_face() {
     for (push, v_y) in [(5.0, 0.02), (10.0, 0.05), (20.0, 0.1), (10.0, 0.3)] {
         let history = run(&pressed([push, 0.0], v_y));
         let record = history.impact().expect("the impact model");
-        assert_eq!(record.state(0, 2.0), State::Resting, "push {push} N, {v_y} m/s: {:?}", record.transitions.last());
+        assert_eq!(
+            record.state(0, 2.0),
+            GirderState::Resting,
+            "push {push} N, {v_y} m/s: {:?}",
+            record.transitions.last()
+        );
         let end = history.motion(0, 2.0);
         assert!(
             (end.displacement.x - 0.001).abs() < 1e-9 && end.theta.abs() < 1e-8,
@@ -225,8 +230,8 @@ fn what_breaks_away_and_stops_rests_again_and_no_break_is_overlooked() {
     for phase in [0.0, 2.8125, 33.3, 77.0, 90.0, 123.4] {
         let history = run(&shaken(10.0, 1.0005, 1.0, phase, 4.0));
         let record = history.impact().expect("the impact model");
-        let slides = record.transitions.iter().filter(|change| change.to == State::Sliding).count();
-        let rests = record.transitions.iter().filter(|change| change.to == State::Resting).count();
+        let slides = record.transitions.iter().filter(|change| change.to == GirderState::Sliding).count();
+        let rests = record.transitions.iter().filter(|change| change.to == GirderState::Resting).count();
         assert!(slides >= 7 && rests >= 7, "phase {phase}°: {slides} slides, {rests} rests");
         assert!(record.hits.is_empty(), "phase {phase}°: nothing hits: {:?}", record.hits.first());
         let end = history.motion(0, 4.0);
@@ -276,9 +281,9 @@ fn both_girders_of_a_hit_change_their_states() {
     scene.girders.push(other);
     let history = run(&scene);
     let record = history.impact().expect("the impact model");
-    assert_eq!(record.state(1, 0.0), State::Free, "at rest");
+    assert_eq!(record.state(1, 0.0), GirderState::Free, "at rest");
     assert!(history.motion(1, 0.1).spin.z.abs() > 0.1, "it is turned");
-    assert_eq!(record.state(1, 0.1), State::FreeTurning, "and says so");
+    assert_eq!(record.state(1, 0.1), GirderState::FreeTurning, "and says so");
 }
 
 #[test]
@@ -316,7 +321,7 @@ fn a_face_that_friction_alone_stops_does_so_where_and_when_the_parabola_says() {
         let record = history.impact().expect("the impact model");
         let slowing = scene.impact.mu_kinetic * 10.0 / 2.0;
         let stops = 0.3 / slowing;
-        let rests = record.transitions.iter().find(|change| change.to == State::Resting).expect("it stops").t;
+        let rests = record.transitions.iter().find(|change| change.to == GirderState::Resting).expect("it stops").t;
         within(&format!("{skew_deg}° stops"), (rests - stops).abs(), 1e-15);
         for i in 0..=20 {
             let t = 0.05 * f64::from(i);
@@ -345,7 +350,7 @@ fn a_face_that_slides_on_its_bearings_is_the_damped_oscillator_about_where_frict
     let stops = (b * swing - a * decay).atan2(a * swing + b * decay) / swing;
     within("turns round", history.motion(0, stops).velocity.y.abs(), 1e-14);
     assert!(history.motion(0, stops + 1e-6).velocity.y < 0.0, "the bearings break what friction would hold");
-    assert_eq!(record.state(0, 1.0), State::Resting, "until it comes to rest");
+    assert_eq!(record.state(0, 1.0), GirderState::Resting, "until it comes to rest");
     for i in 0..=40 {
         let t = stops * f64::from(i) / 40.0;
         let here = history.motion(0, t);
@@ -377,7 +382,7 @@ fn a_pressed_girder_comes_to_rest_at_a_wall_of_any_width() {
         #[expect(clippy::cast_precision_loss, reason = "a few hits")]
         let hits = record.hits.len() as f64;
         assert!(hits <= hops.ceil() + 2.0, "{length} m at {width} m: {hits} hits, {hops} by e");
-        assert_eq!(record.state(0, 1.0), State::Resting, "pressed onto the wall");
+        assert_eq!(record.state(0, 1.0), GirderState::Resting, "pressed onto the wall");
         // The band within which a point touches is 1e-9 of the girder's radius, 1.6e-8 m at 30 m; it is moved out to the face.
         within("place", history.motion(0, 1.0).displacement.x - 0.05, 1e-9);
     }

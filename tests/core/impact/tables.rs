@@ -3,14 +3,14 @@
 use girderbench::dynamics::Model;
 use girderbench::dynamics::impact2d::delassus::{Cluster, ContactPoint};
 use girderbench::dynamics::impact2d::impulse::collision::{ContactManifold, ImpactLaw, collide};
-use girderbench::dynamics::impact2d::kinematics::Kinematics;
+use girderbench::dynamics::impact2d::kinematics::BodyKinematics;
 use girderbench::dynamics::impact2d::lasting::constrained_motion::ContactMode;
 use girderbench::dynamics::impact2d::lasting::mode_selection::{Candidate, Excluded, select_modes};
-use girderbench::dynamics::impact2d::{Row, State};
+use girderbench::dynamics::impact2d::{GirderState, Row};
 use girderbench::scene::{ImpactSettings, format};
 use glam::{DVec2, DVec3};
 
-use State::{Free, FreeTurning, Resting, Sliding, SlidingTurning, Turning};
+use GirderState::{Free, FreeTurning, Resting, Sliding, SlidingTurning, Turning};
 
 /// A girder at a wall, by what acts on it: pushes along x and y \[N\], θ, speed along the wall, friction.
 struct Held {
@@ -28,7 +28,7 @@ const A: f64 = 0.095;
 const B: f64 = 0.035;
 
 /// The row for leaving `from` in a state that is held at the wall.
-fn row_between(from: State, held: &Held) -> Option<Row> {
+fn row_between(from: GirderState, held: &Held) -> Option<Row> {
     let text = format!(
         r#"
         name = "held"
@@ -56,7 +56,7 @@ fn row_between(from: State, held: &Held) -> Option<Row> {
     // The corner stays at the wall.
     let x = A - r * (alpha - held.theta.abs()).cos();
     let state = [x, 0.0, held.theta, 0.0, held.v_y, 0.0];
-    let kinematics = Kinematics::new(&model, &[0], &[state], DVec3::ZERO);
+    let kinematics = BodyKinematics::new(&model, &[0], &[state], DVec3::ZERO);
     let touching: Vec<(usize, ContactPoint)> =
         (0..2).map(|site| (site, kinematics.point(&model, site))).filter(|(_, p)| p.gap.abs() < 1e-12).collect();
     let mut touching = touching;
@@ -77,7 +77,7 @@ fn row_between(from: State, held: &Held) -> Option<Row> {
     Row::without_hit(from, to)
 }
 
-fn expect(from: State, table: u8, cases: &[(u8, Held)]) {
+fn expect(from: GirderState, table: u8, cases: &[(u8, Held)]) {
     for (row, held) in cases {
         assert_eq!(row_between(from, held), Some(Row { table, row: *row }), "Table {table}, row {row}");
         let row = Row { table, row: *row };
@@ -194,7 +194,7 @@ impl Struck {
         }
     }
 
-    fn row(&self, from: State) -> Option<Row> {
+    fn row(&self, from: GirderState) -> Option<Row> {
         let numbers = ImpactSettings {
             restitution_normal: self.e_n,
             restitution_tangential: self.e_t,
@@ -221,7 +221,7 @@ impl Struck {
     }
 }
 
-fn hits(from: State, table: u8, cases: &[(u8, Struck)]) {
+fn hits(from: GirderState, table: u8, cases: &[(u8, Struck)]) {
     for (row, struck) in cases {
         assert_eq!(struck.row(from), Some(Row { table, row: *row }), "Table {table}, row {row}");
         assert!(!Row { table, row: *row }.conditions().is_empty(), "Table {table}, row {row} has its conditions");

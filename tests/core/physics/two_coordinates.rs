@@ -6,7 +6,7 @@ use std::sync::Arc;
 use crate::support::{scene, within};
 use girderbench::contact::Frame;
 use girderbench::dynamics::Model;
-use girderbench::dynamics::linear::Flight;
+use girderbench::dynamics::linear::FlightParameters;
 use girderbench::dynamics::model::body::{
     Body, BodyCoordinates, BodyEnergies, BodyPowers, Coordinates, Counted, Point,
 };
@@ -155,8 +155,8 @@ impl Coordinates for TwoCoordinates {
 }
 
 impl ClosedForm for TwoCoordinates {
-    fn state(&self, flight: Flight<'_>, t: f64, out: &mut [f64]) {
-        let Flight { start, numbers: from } = flight;
+    fn state(&self, flight: FlightParameters<'_>, t: f64, out: &mut [f64]) {
+        let FlightParameters { start, numbers: from } = flight;
         let [place, velocity] = [POSITIONS, RATES].map(|part| DVec2::from_slice(&from[part]));
         let (w, tau) = (self.omega, t - start);
         let (s, c) = (w * tau).sin_cos();
@@ -165,7 +165,7 @@ impl ClosedForm for TwoCoordinates {
         out[RATES].copy_from_slice(&(velocity * c - place * (w * s)).to_array());
     }
 
-    fn bounds(&self, flight: Flight<'_>, t: f64, horizon: f64) -> MotionBounds {
+    fn bounds(&self, flight: FlightParameters<'_>, t: f64, horizon: f64) -> MotionBounds {
         let mut state = [0.0; 4];
         self.state(flight, t, &mut state);
         let [place, rate] = [POSITIONS, RATES].map(|part| DVec2::from_slice(&state[part]).length());

@@ -6,7 +6,7 @@ use std::sync::Arc;
 use crate::support::{scene, within};
 use girderbench::contact::Frame;
 use girderbench::dynamics::Model;
-use girderbench::dynamics::linear::Flight;
+use girderbench::dynamics::linear::FlightParameters;
 use girderbench::dynamics::model::body::{
     Body, BodyCoordinates, BodyEnergies, BodyPowers, Coordinates, Counted, Point,
 };
@@ -183,8 +183,8 @@ impl Coordinates for TwoEnds {
 }
 
 impl ClosedForm for TwoEnds {
-    fn state(&self, flight: Flight<'_>, t: f64, out: &mut [f64]) {
-        let Flight { start, numbers: from } = flight;
+    fn state(&self, flight: FlightParameters<'_>, t: f64, out: &mut [f64]) {
+        let FlightParameters { start, numbers: from } = flight;
         let (w, tau) = (self.omega, t - start);
         let [place, rate] = [POSITIONS, RATES].map(|part| of_section(0, DVec2::from_slice(&from[part])));
         let [r, v] = [0.5 * (from[1] - from[0]), 0.5 * (from[3] - from[2])];
@@ -195,7 +195,7 @@ impl ClosedForm for TwoEnds {
         }
     }
 
-    fn bounds(&self, flight: Flight<'_>, t: f64, horizon: f64) -> MotionBounds {
+    fn bounds(&self, flight: FlightParameters<'_>, t: f64, horizon: f64) -> MotionBounds {
         let mut state = [0.0; 4];
         self.state(flight, t, &mut state);
         let rate = of_section(0, DVec2::from_slice(&state[RATES])).abs();

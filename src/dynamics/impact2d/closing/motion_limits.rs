@@ -7,7 +7,7 @@
 use crate::dynamics::free_flight::flight::StateInFlight;
 use crate::dynamics::free_flight::flight::{FreeMotion, FreeMotionForm};
 use crate::dynamics::free_flight::uncoupled_axis::UncoupledAxis;
-use crate::dynamics::impact2d::tracks::Motion;
+use crate::dynamics::impact2d::tracks::Trajectory;
 use crate::dynamics::impact2d::world::World;
 use crate::dynamics::model::coordinates::planar::{POSITIONS, PlanarState, part};
 use crate::dynamics::model::motion_bounds::MotionBounds;
@@ -45,7 +45,7 @@ impl<'a> FlyingBody<'a> {
     /// The body in a slot at `t`, for bounds over the next `horizon` \[s\]; none in lasting contact.
     pub(in crate::dynamics::impact2d) fn of(world: &'a World, slot: usize, t: f64, horizon: f64) -> Option<Self> {
         let track = &world.bodies[slot];
-        let Motion::Flight(flight) = &track.motion else { return None };
+        let Trajectory::Flight(flight) = &track.motion else { return None };
         let StateInFlight { state, free } = track.free_motion.parts(flight, t);
         Some(Self { free_motion: &track.free_motion, state, free, horizon })
     }

@@ -8,7 +8,7 @@ use smallvec::SmallVec;
 use crate::dynamics::impact2d::closing::gap_derivatives::{PairMotion, poses};
 use crate::dynamics::impact2d::closing::planar_gap::gap;
 use crate::dynamics::impact2d::constants::SEARCHED_PERIODS;
-use crate::dynamics::impact2d::tracks::Motion;
+use crate::dynamics::impact2d::tracks::Trajectory;
 use crate::dynamics::impact2d::world::World;
 use crate::dynamics::locate::advancement::{AdvanceOutcome, Advancement, BoundedGap, FirstZero, polish};
 use crate::dynamics::locate::constants::{MAX_ADVANCES, RESOLUTION, SAMPLES_PER_SEARCH};
@@ -75,11 +75,11 @@ pub(in crate::dynamics::impact2d) fn next_impact(world: &mut World, pair: usize,
 fn half_period(world: &World, slots: [Option<usize>; 2]) -> f64 {
     let ground = if let Ground::Sine { omega, .. } = world.model.ground { omega } else { 0.0 };
     let shortest = |slot: usize| match world.bodies[slot].motion {
-        Motion::Flight(_) => {
+        Trajectory::Flight(_) => {
             let [omega, damping] = world.bodies[slot].free_motion.rates;
             std::f64::consts::PI / omega.max(damping).max(ground)
         }
-        Motion::Lasting(..) => f64::INFINITY,
+        Trajectory::Lasting(..) => f64::INFINITY,
     };
     slots.into_iter().flatten().map(shortest).fold(f64::INFINITY, f64::min)
 }
@@ -310,7 +310,7 @@ mod tests {
         run.world.update_peaks(0, &state);
         // Without a contact mode the integrator follows the bearings alone.
         run.world.lasting.push(Some(LastingContact::new(vec![0], Vec::new(), &[state], 0.0)));
-        run.world.bodies[0].motion = Motion::Lasting(0, 0);
+        run.world.bodies[0].motion = Trajectory::Lasting(0, 0);
         let found = (0..1000).find_map(|_| {
             run.plan(0);
             let (from, until) = run.world.lasting[0].as_ref().map(|contact| (contact.from, contact.until))?;

@@ -7,7 +7,7 @@ use crate::dynamics::impact2d::constants::SINGULAR_PIVOT;
 use crate::dynamics::impact2d::delassus::{Cluster, ContactPoint, centre};
 use crate::dynamics::impact2d::impulse::corner::{Coefficients, SecondImpulse, first_impulse, second_impulse};
 use crate::dynamics::impact2d::impulse::face::{Ends, centroid, two_corner};
-use crate::dynamics::impact2d::state::State;
+use crate::dynamics::impact2d::state::GirderState;
 use crate::dynamics::impact2d::tables::{HitConditions, Outcome};
 use crate::dynamics::integrator::dense_lu::solve_regularised;
 use crate::scene::{Flush, ImpactSettings};
@@ -91,7 +91,7 @@ impl ImpactLaw<'_> {
 }
 
 /// Applies the impulses of a contact that approaches; `from` is the state of the first side's girder.
-pub fn collide(cluster: &mut Cluster, manifold: &ContactManifold, from: State, law: &ImpactLaw<'_>) -> Collision {
+pub fn collide(cluster: &mut Cluster, manifold: &ContactManifold, from: GirderState, law: &ImpactLaw<'_>) -> Collision {
     match manifold.points[..] {
         [first, second] => {
             let ends = [first, second];
@@ -113,7 +113,13 @@ fn fastest_end(cluster: &Cluster, ends: &Ends) -> usize {
     usize::from(v1 < v0)
 }
 
-fn corner(cluster: &mut Cluster, point: &ContactPoint, end: usize, from: State, law: &ImpactLaw<'_>) -> Collision {
+fn corner(
+    cluster: &mut Cluster,
+    point: &ContactPoint,
+    end: usize,
+    from: GirderState,
+    law: &ImpactLaw<'_>,
+) -> Collision {
     let approach = cluster.speeds(point);
     let coefficients = law.at_speed(law.corner(), -approach[0]);
     let (first, mut work) = first_impulse(cluster, point, &coefficients);
@@ -146,7 +152,7 @@ fn outcome(
     (Some(again), Outcome::SecondImpulse { held: again.held })
 }
 
-fn face(cluster: &mut Cluster, ends: &Ends, from: State, law: &ImpactLaw<'_>) -> Collision {
+fn face(cluster: &mut Cluster, ends: &Ends, from: GirderState, law: &ImpactLaw<'_>) -> Collision {
     let speeds = [0, 1].map(|i| cluster.speed(&ends[i], ends[i].n));
     if speeds.iter().all(|v| v.abs() < law.settings.stop_speed) {
         return plastic_face(cluster, ends, from);
@@ -182,7 +188,7 @@ fn face(cluster: &mut Cluster, ends: &Ends, from: State, law: &ImpactLaw<'_>) ->
 }
 
 /// Impulse on a face slower than the stop speed at both ends: `e_n` = 0 at each end, `e_t` = −1.
-fn plastic_face(cluster: &mut Cluster, ends: &Ends, from: State) -> Collision {
+fn plastic_face(cluster: &mut Cluster, ends: &Ends, from: GirderState) -> Collision {
     let middle = ends[0].towards(&ends[1], 0.5);
     let approach = cluster.speeds(&middle);
     let before = [0, 1].map(|i| cluster.speed(&ends[i], ends[i].n));
@@ -203,7 +209,7 @@ fn plastic_face(cluster: &mut Cluster, ends: &Ends, from: State) -> Collision {
 }
 
 /// Impulse along the face with unilateral conditions at both ends.
-fn two_corner_face(cluster: &mut Cluster, ends: &Ends, from: State, law: &ImpactLaw<'_>) -> Collision {
+fn two_corner_face(cluster: &mut Cluster, ends: &Ends, from: GirderState, law: &ImpactLaw<'_>) -> Collision {
     let coefficients = if law.inelastic { law.face().inelastic() } else { law.face() };
     let middle = ends[0].towards(&ends[1], 0.5);
     let approach = cluster.speeds(&middle);
@@ -255,7 +261,7 @@ mod tests {
         let before = cluster.clone();
         let settings = ImpactSettings { flush, ..ImpactSettings::default() };
         let law = ImpactLaw { settings: &settings, speed_noise: 1e-14, inelastic };
-        let collision = collide(&mut cluster, &manifold, State::Free, &law);
+        let collision = collide(&mut cluster, &manifold, GirderState::Free, &law);
         (collision, [before, cluster])
     }
 

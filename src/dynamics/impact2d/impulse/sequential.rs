@@ -5,7 +5,7 @@
 
 use glam::DVec2;
 
-use crate::dynamics::impact2d::State;
+use crate::dynamics::impact2d::GirderState;
 use crate::dynamics::impact2d::constants::{
     HITS_WITH_RESTITUTION, IMPACT_SPEED_ROUNDING, NORMAL_DRIFT, SEQUENTIAL_HITS,
 };
@@ -22,7 +22,7 @@ pub(in crate::dynamics::impact2d) fn impulses(
     world: &World,
     record: &mut Record,
     instant: &mut ImpactInstant,
-    to: &mut [State],
+    to: &mut [GirderState],
 ) -> f64 {
     let mut lost = 0.0;
     for count in 0.. {
@@ -65,7 +65,7 @@ fn hit(
     record: &mut Record,
     instant: &mut ImpactInstant,
     manifold: &ContactManifold,
-    to: &mut [State],
+    to: &mut [GirderState],
     inelastic: bool,
 ) -> f64 {
     let model = &world.model;
@@ -100,18 +100,18 @@ fn hit(
 }
 
 /// The state that a hit alone leads to; between two girders contact modes are selected afterwards.
-fn state_after(collision: &Collision, to_wall: bool) -> State {
+fn state_after(collision: &Collision, to_wall: bool) -> GirderState {
     let (conditions, last) = (&collision.conditions, collision.impulses.last);
     let flat = conditions.flush && (!conditions.turns || last.is_some());
     match (last, conditions.outcome) {
-        (Some(_), _) => State::Sliding,
-        (_, Outcome::Separates) if !conditions.turns => State::Free,
-        (_, Outcome::Separates) => State::FreeTurning,
-        _ if !to_wall => State::FreeTurning,
-        (_, Outcome::Contact { at_rest: true }) if flat => State::Resting,
-        (_, Outcome::Contact { at_rest: false }) if flat => State::Sliding,
-        (_, Outcome::Contact { at_rest: true } | Outcome::SecondImpulse { held: true }) => State::Turning,
-        (_, Outcome::Contact { .. } | Outcome::SecondImpulse { held: false }) => State::SlidingTurning,
+        (Some(_), _) => GirderState::Sliding,
+        (_, Outcome::Separates) if !conditions.turns => GirderState::Free,
+        (_, Outcome::Separates) => GirderState::FreeTurning,
+        _ if !to_wall => GirderState::FreeTurning,
+        (_, Outcome::Contact { at_rest: true }) if flat => GirderState::Resting,
+        (_, Outcome::Contact { at_rest: false }) if flat => GirderState::Sliding,
+        (_, Outcome::Contact { at_rest: true } | Outcome::SecondImpulse { held: true }) => GirderState::Turning,
+        (_, Outcome::Contact { .. } | Outcome::SecondImpulse { held: false }) => GirderState::SlidingTurning,
     }
 }
 
@@ -134,7 +134,7 @@ mod tests {
         for (v_x, count) in [(0.5, 1), (-0.5, 0)] {
             let (world, mut instant) = at_wall([v_x, 0.0]);
             let before = instant.kinematics.cluster.kinetic_energy();
-            let (mut record, mut to) = (Record::default(), [State::Free]);
+            let (mut record, mut to) = (Record::default(), [GirderState::Free]);
             let lost = impulses(&world, &mut record, &mut instant, &mut to);
             assert_eq!(record.hits.len(), count, "{v_x} m/s");
             let after = instant.kinematics.cluster.kinetic_energy();
@@ -153,18 +153,18 @@ mod tests {
             site.kept = true;
         }
         let mut record = Record::default();
-        let lost = impulses(&world, &mut record, &mut instant, &mut [State::Resting]);
+        let lost = impulses(&world, &mut record, &mut instant, &mut [GirderState::Resting]);
         assert_eq!((record.hits.len(), lost), (0, 0.0), "1e-12 m/s by the integrator");
     }
 
     #[test]
     fn an_oblique_hit_without_friction_keeps_its_tangential_velocity() {
         let (world, mut instant) = at_wall([0.5, 0.3]);
-        let (mut record, mut to) = (Record::default(), [State::Free]);
+        let (mut record, mut to) = (Record::default(), [GirderState::Free]);
         impulses(&world, &mut record, &mut instant, &mut to);
         let v = instant.kinematics.cluster.velocity[0];
         let e_n = world.model.impact.restitution_normal;
         assert!((v - DVec3::new(-0.5 * e_n, 0.3, 0.0)).length() < 1e-15, "{v}");
-        assert_eq!(to, [State::Free], "b");
+        assert_eq!(to, [GirderState::Free], "b");
     }
 }

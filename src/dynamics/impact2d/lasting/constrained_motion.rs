@@ -11,8 +11,8 @@ use glam::{DVec2, DVec3};
 use crate::dynamics::Model;
 use crate::dynamics::impact2d::constants::SINGULAR_PIVOT;
 use crate::dynamics::impact2d::delassus::{ContactPoint, centre};
-use crate::dynamics::impact2d::kinematics::Kinematics;
-use crate::dynamics::impact2d::{InlineVec, State};
+use crate::dynamics::impact2d::kinematics::BodyKinematics;
+use crate::dynamics::impact2d::{GirderState, InlineVec};
 use crate::dynamics::integrator::dense_lu::{is_singular, solve_regularised};
 use crate::scene::ImpactSettings;
 
@@ -77,12 +77,12 @@ impl ContactMode {
     }
 
     /// The state c–f of a girder in this contact.
-    pub fn state(&self) -> State {
+    pub fn state(&self) -> GirderState {
         match (self.is_flush(), self.friction.sticks()) {
-            (true, true) => State::Resting,
-            (true, false) => State::Sliding,
-            (false, true) => State::Turning,
-            (false, false) => State::SlidingTurning,
+            (true, true) => GirderState::Resting,
+            (true, false) => GirderState::Sliding,
+            (false, true) => GirderState::Turning,
+            (false, false) => GirderState::SlidingTurning,
         }
     }
 
@@ -98,7 +98,7 @@ impl ContactMode {
     }
 
     /// The kept points.
-    pub fn points(&self, model: &Model, kinematics: &Kinematics) -> Vec<ContactPoint> {
+    pub fn points(&self, model: &Model, kinematics: &BodyKinematics) -> Vec<ContactPoint> {
         self.sites.iter().map(|&site| kinematics.point(model, site)).collect()
     }
 }
@@ -150,7 +150,7 @@ struct Unknown {
 
 /// Whether reactions of these contacts balance each other, so that those of a motion are not unique.
 pub(in crate::dynamics::impact2d) fn are_indeterminate(
-    kinematics: &Kinematics,
+    kinematics: &BodyKinematics,
     modes: &[ContactMode],
     points: &[Vec<ContactPoint>],
     settings: &ImpactSettings,
@@ -160,13 +160,13 @@ pub(in crate::dynamics::impact2d) fn are_indeterminate(
 }
 
 /// Acceleration at one unknown per unit of another \[1/kg\].
-fn mobility(kinematics: &Kinematics, [row, column]: [&Unknown; 2]) -> f64 {
+fn mobility(kinematics: &BodyKinematics, [row, column]: [&Unknown; 2]) -> f64 {
     kinematics.cluster.mobility(&row.point, row.direction, &column.point, column.force)
 }
 
 /// Reactions of least norm, and the accelerations with them; none where a number is not finite.
 pub(in crate::dynamics::impact2d) fn least_reactions(
-    kinematics: &Kinematics,
+    kinematics: &BodyKinematics,
     modes: &[ContactMode],
     points: &[Vec<ContactPoint>],
     settings: &ImpactSettings,
@@ -241,7 +241,7 @@ fn unknowns(modes: &[ContactMode], points: &[Vec<ContactPoint>], settings: &Impa
 /// Bodies joined by contact modes, by their places, each group with its modes, in order of the first place.
 pub(in crate::dynamics::impact2d) fn connected_groups(
     model: &Model,
-    kinematics: &Kinematics,
+    kinematics: &BodyKinematics,
     modes: Vec<ContactMode>,
 ) -> Vec<(Vec<usize>, Vec<ContactMode>)> {
     let mut groups: Vec<(Vec<usize>, Vec<ContactMode>)> = Vec::new();
@@ -272,9 +272,9 @@ mod tests {
     use crate::dynamics::model::coordinates::planar::WIDTH;
 
     /// A girder of 2 kg, 0.19 × 0.07 m, at a wall at +x under this push \[N\] and acceleration of the ground, at rest.
-    fn at_wall(force: [f64; 2]) -> (Model, Kinematics) {
+    fn at_wall(force: [f64; 2]) -> (Model, BodyKinematics) {
         let model = example::block(&format!("push = {{ force_n = {force:?} }}"), 0.0);
-        let kinematics = Kinematics::new(&model, &[0], &[[0.0; WIDTH]], DVec3::new(0.0, 0.5, 0.0));
+        let kinematics = BodyKinematics::new(&model, &[0], &[[0.0; WIDTH]], DVec3::new(0.0, 0.5, 0.0));
         (model, kinematics)
     }
 
@@ -340,9 +340,9 @@ mod tests {
     #[test]
     fn states_follow_from_points_and_friction() {
         let state = |count: usize, friction| ContactMode { pair: 0, sites: vec![0; count], friction }.state();
-        assert_eq!(state(2, FrictionMode::Stick), State::Resting, "f");
-        assert_eq!(state(2, FrictionMode::Slip(1.0)), State::Sliding, "e");
-        assert_eq!(state(1, FrictionMode::Stick), State::Turning, "d");
-        assert_eq!(state(1, FrictionMode::Frictionless), State::SlidingTurning, "c");
+        assert_eq!(state(2, FrictionMode::Stick), GirderState::Resting, "f");
+        assert_eq!(state(2, FrictionMode::Slip(1.0)), GirderState::Sliding, "e");
+        assert_eq!(state(1, FrictionMode::Stick), GirderState::Turning, "d");
+        assert_eq!(state(1, FrictionMode::Frictionless), GirderState::SlidingTurning, "c");
     }
 }

@@ -12,7 +12,7 @@ use crate::dynamics::Model;
 use crate::dynamics::impact2d::InlineVec;
 use crate::dynamics::impact2d::constants::{IMPACT_FORCE_ROUNDING, MODE_COMBINATIONS};
 use crate::dynamics::impact2d::delassus::Cluster;
-use crate::dynamics::impact2d::kinematics::Kinematics;
+use crate::dynamics::impact2d::kinematics::BodyKinematics;
 use crate::dynamics::impact2d::lasting::constrained_motion::{ContactMode, FrictionMode};
 use crate::dynamics::impact2d::lasting::mode_selection::{Candidate, Consistency, Excluded, combination};
 
@@ -28,7 +28,7 @@ pub(in crate::dynamics::impact2d) struct Stopped {
 /// Velocities after impulses within Coulomb's law that stop a slip; none where there are no such, or too many combinations.
 pub(in crate::dynamics::impact2d) fn stop_within_friction(
     model: &Model,
-    kinematics: &Kinematics,
+    kinematics: &BodyKinematics,
     candidates: &[Candidate],
 ) -> Option<Stopped> {
     let kinematics = in_velocities(model, kinematics);
@@ -73,7 +73,7 @@ pub(in crate::dynamics::impact2d) fn stop_within_friction(
 }
 
 /// The same bodies with velocities in place of free accelerations, and none by which directions turn.
-fn in_velocities(model: &Model, kinematics: &Kinematics) -> Kinematics {
+fn in_velocities(model: &Model, kinematics: &BodyKinematics) -> BodyKinematics {
     let mut still = kinematics.clone();
     for frame in &mut still.frames {
         (frame.velocity, frame.spin) = (DVec3::ZERO, DVec3::ZERO);

@@ -15,7 +15,7 @@ use crate::dynamics::impact2d::InlineVec;
 use crate::dynamics::impact2d::constants::CONE_RESIDUAL;
 use crate::dynamics::impact2d::delassus::{Cluster, ContactPoint};
 use crate::dynamics::impact2d::impulse::simultaneous::non_negative_impulses;
-use crate::dynamics::impact2d::kinematics::Kinematics;
+use crate::dynamics::impact2d::kinematics::BodyKinematics;
 use crate::dynamics::impact2d::lasting::constrained_motion::{
     ConstrainedMotion, ContactMode, FrictionMode, Reaction, least_reactions,
 };
@@ -33,7 +33,7 @@ struct Generator {
 /// Solves for the reactions of all contacts, `points` being theirs: those of least norm, of wedged contacts those within the friction cones
 /// where there are such. None where a number is not finite.
 pub fn solve_reactions(
-    kinematics: &Kinematics,
+    kinematics: &BodyKinematics,
     modes: &[ContactMode],
     points: &[Vec<ContactPoint>],
     settings: &ImpactSettings,
@@ -49,7 +49,7 @@ pub fn solve_reactions(
 
 /// Reactions within all friction cones with these accelerations of contacts that stick; none where there are no such.
 pub(in crate::dynamics::impact2d) fn reactions_in_cones(
-    kinematics: &Kinematics,
+    kinematics: &BodyKinematics,
     modes: &[ContactMode],
     points: &[Vec<ContactPoint>],
     settings: &ImpactSettings,
@@ -128,7 +128,7 @@ mod tests {
     const TURN: f64 = 20.0 * std::f64::consts::PI / 180.0;
 
     /// A girder of 2 kg, turned, between two parallel walls that it touches with opposite corners, pushed along them by 5 N.
-    fn between_walls() -> (Model, Kinematics, Vec<ContactMode>) {
+    fn between_walls() -> (Model, BodyKinematics, Vec<ContactMode>) {
         let gap = HALF[0] * TURN.cos() + HALF[1] * TURN.sin() - HALF[0];
         let wall = |name: &str, end: &str| {
             format!(
@@ -146,7 +146,7 @@ mod tests {
         let model = Model::compile(&format::parse(&text, "test").expect("a scene")).expect("a sound scene");
         let mut state = [0.0; WIDTH];
         state[2] = TURN;
-        let kinematics = Kinematics::new(&model, &[0], &[state], DVec3::ZERO);
+        let kinematics = BodyKinematics::new(&model, &[0], &[state], DVec3::ZERO);
         let touching = |pair: usize| {
             let near = |&site: &usize| kinematics.point(&model, site).gap.abs() < 1e-12;
             model.pairs[pair].sites.clone().find(near).expect("a corner at the wall")

@@ -13,13 +13,13 @@ use crate::dynamics::impact2d::InlineVec;
 use crate::dynamics::impact2d::constants::{
     FIRST_STEP, NOT_FINITE_FACTOR, REJECTED_FACTOR, REJECTED_STEPS, STRETCHED_STEP, SWITCHING_SAMPLES,
 };
-use crate::dynamics::impact2d::kinematics::{Kinematics, ground_acceleration};
+use crate::dynamics::impact2d::kinematics::{BodyKinematics, ground_acceleration};
 use crate::dynamics::impact2d::lasting::constrained_motion::{
     ConstrainedMotion, ContactMode, FrictionMode, Reaction, least_reactions,
 };
 use crate::dynamics::impact2d::lasting::indeterminate::solve_reactions;
 use crate::dynamics::impact2d::lasting::slide_on_wall::slide_on_wall;
-use crate::dynamics::impact2d::lasting::switch::{Ending, Switch};
+use crate::dynamics::impact2d::lasting::switch::{Ending, SwitchingFunction};
 use crate::dynamics::integrator::dense_output::{DENSE_TERMS, DenseOutput};
 use crate::dynamics::integrator::dop853::{Dop853, next_factor};
 use crate::dynamics::integrator::system::System;
@@ -71,12 +71,12 @@ struct ConstrainedOde<'a> {
 }
 
 impl ConstrainedOde<'_> {
-    fn kinematics(&self, t: f64, y: &[f64]) -> Kinematics {
+    fn kinematics(&self, t: f64, y: &[f64]) -> BodyKinematics {
         let ground = ground_acceleration(&self.model.ground, &self.piece, t);
-        Kinematics::new(self.model, self.bodies, &states(y), ground)
+        BodyKinematics::new(self.model, self.bodies, &states(y), ground)
     }
 
-    fn motion(&self, t: f64, y: &[f64]) -> (Kinematics, Option<ConstrainedMotion>) {
+    fn motion(&self, t: f64, y: &[f64]) -> (BodyKinematics, Option<ConstrainedMotion>) {
         let kinematics = self.kinematics(t, y);
         let points: Vec<_> = self.modes.iter().map(|mode| mode.points(self.model, &kinematics)).collect();
         let motion = solve_reactions(&kinematics, self.modes, &points, &self.model.impact);
@@ -278,7 +278,7 @@ impl LastingContact {
     }
 
     /// Events that can end the contact.
-    fn endings(&self) -> Vec<Switch> {
+    fn endings(&self) -> Vec<SwitchingFunction> {
         let mut all = Vec::new();
         for (number, mode) in self.modes.iter().enumerate() {
             for (end, &site) in mode.sites.iter().enumerate() {
@@ -289,9 +289,9 @@ impl LastingContact {
                     _ => true,
                 };
                 if pressed {
-                    all.push(Switch { mode: number, end, ending: Ending::Opens(site) });
+                    all.push(SwitchingFunction { mode: number, end, ending: Ending::Opens(site) });
                 }
-                all.push(Switch { mode: number, end, ending: Ending::LeavesFace(site) });
+                all.push(SwitchingFunction { mode: number, end, ending: Ending::LeavesFace(site) });
             }
             let along: &[Ending] = match mode.friction {
                 FrictionMode::Stick => &[Ending::BreaksAway(mode.pair)],
@@ -299,13 +299,19 @@ impl LastingContact {
                 FrictionMode::SlipAtEnd { .. } => &[Ending::SlipStops(mode.pair), Ending::LeavesEnd(mode.pair)],
                 FrictionMode::Frictionless | FrictionMode::Wedged => &[],
             };
-            all.extend(along.iter().copied().map(|ending| Switch { mode: number, end: 0, ending }));
+            all.extend(along.iter().copied().map(|ending| SwitchingFunction { mode: number, end: 0, ending }));
         }
         all
     }
 
     /// Switching functions at `t`: positive while their event has not happened; none without a solution.
-    fn switching_functions(&self, model: &Model, piece: LinearPiece, switches: &[Switch], t: f64) -> Option<Vec<f64>> {
+    fn switching_functions(
+        &self,
+        model: &Model,
+        piece: LinearPiece,
+        switches: &[SwitchingFunction],
+        t: f64,
+    ) -> Option<Vec<f64>> {
         let y: Vec<f64> = (0..self.bodies.len()).flat_map(|place| self.state(place, t)).collect();
         let ode = ConstrainedOde { model, bodies: &self.bodies, modes: &self.modes, piece, allowed: [1.0; 2] };
         let (kinematics, motion) = ode.motion(t, &y);
@@ -314,7 +320,7 @@ impl LastingContact {
     }
 
     /// One switching function at `t`, 0 without a solution. Where it depends on no reaction, none is solved for.
-    fn switching_function(&self, model: &Model, piece: LinearPiece, switch: Switch, t: f64) -> f64 {
+    fn switching_function(&self, model: &Model, piece: LinearPiece, switch: SwitchingFunction, t: f64) -> f64 {
         if matches!(switch.ending, Ending::Opens(_) | Ending::BreaksAway(_) | Ending::LeavesEnd(_)) {
             return self.switching_functions(model, piece, &[switch], t).map_or(0.0, |values| values[0]);
         }

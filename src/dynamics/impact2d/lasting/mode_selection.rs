@@ -11,7 +11,7 @@ use crate::dynamics::impact2d::constants::{
     IMPACT_FORCE_ROUNDING, MODE_COMBINATIONS, MODE_COMBINATIONS_LEFT, MODE_SWEEPS,
 };
 use crate::dynamics::impact2d::delassus::{ContactPoint, centre};
-use crate::dynamics::impact2d::kinematics::Kinematics;
+use crate::dynamics::impact2d::kinematics::BodyKinematics;
 use crate::dynamics::impact2d::lasting::constrained_motion::{
     ConstrainedMotion, ContactMode, FrictionMode, are_indeterminate, least_reactions,
 };
@@ -81,7 +81,7 @@ impl Candidate {
 }
 
 /// Modes of all candidates together; none where no combination is consistent (Painlevé).
-pub fn select_modes(model: &Model, kinematics: &Kinematics, candidates: &[Candidate]) -> Option<Vec<ContactMode>> {
+pub fn select_modes(model: &Model, kinematics: &BodyKinematics, candidates: &[Candidate]) -> Option<Vec<ContactMode>> {
     select(&Consistency { model, kinematics, candidates, impulses: false }, FrictionMode::Stick)
 }
 
@@ -89,7 +89,7 @@ pub fn select_modes(model: &Model, kinematics: &Kinematics, candidates: &[Candid
 /// cones; none where no combination is.
 pub(in crate::dynamics::impact2d) fn select_wedged(
     model: &Model,
-    kinematics: &Kinematics,
+    kinematics: &BodyKinematics,
     candidates: &[Candidate],
 ) -> Option<Vec<ContactMode>> {
     // What has ended is a reaction of least norm.
@@ -150,7 +150,7 @@ fn relax(consistency: &Consistency<'_>, options: &[Vec<Option<ContactMode>>]) ->
 /// Inputs of the consistency check of a combination of modes.
 pub(super) struct Consistency<'a> {
     pub model: &'a Model,
-    pub kinematics: &'a Kinematics,
+    pub kinematics: &'a BodyKinematics,
     pub candidates: &'a [Candidate],
     /// Whether reactions are impulses and accelerations velocities: a slip may not have turned then.
     pub impulses: bool,
@@ -265,9 +265,9 @@ mod tests {
     use crate::dynamics::model::coordinates::planar::WIDTH;
 
     /// A block of 2 kg flush at a wall at +x under this push \[N\], and its candidate.
-    fn block(force: [f64; 2], slip: f64) -> (Model, Kinematics, Candidate) {
+    fn block(force: [f64; 2], slip: f64) -> (Model, BodyKinematics, Candidate) {
         let model = example::block(&format!("push = {{ force_n = {force:?} }}"), 0.0);
-        let kinematics = Kinematics::new(&model, &[0], &[[0.0; WIDTH]], DVec3::ZERO);
+        let kinematics = BodyKinematics::new(&model, &[0], &[[0.0; WIDTH]], DVec3::ZERO);
         let sites = example::touching(&model, &kinematics);
         let points = sites.iter().map(|&site| kinematics.point(&model, site)).collect();
         let excluded = Excluded::default();

@@ -20,7 +20,7 @@ use glam::DVec3;
 use crate::dynamics::impact2d::delassus::{Cluster, ContactPoint, centre};
 use crate::dynamics::impact2d::impulse::simultaneous;
 use crate::dynamics::impact2d::instant::ImpactInstant;
-use crate::dynamics::impact2d::kinematics::Kinematics;
+use crate::dynamics::impact2d::kinematics::BodyKinematics;
 use crate::dynamics::impact2d::lasting::candidates::{candidates, tangential_speed};
 use crate::dynamics::impact2d::lasting::constrained_motion::{
     ConstrainedMotion, ContactMode, FrictionMode, least_reactions,
@@ -117,7 +117,7 @@ pub(in crate::dynamics::impact2d) fn must_go_on(world: &World, t: f64, slots: &[
 }
 
 /// Consistent modes, if need be with slips below the stop speed turned into stick.
-fn modes_or_slow_stick(world: &World, kinematics: &Kinematics, all: &mut [Candidate]) -> Option<Vec<ContactMode>> {
+fn modes_or_slow_stick(world: &World, kinematics: &BodyKinematics, all: &mut [Candidate]) -> Option<Vec<ContactMode>> {
     let stop_speed = world.model.impact.stop_speed;
     select_modes(&world.model, kinematics, all).or_else(|| {
         let mut slow = false;
@@ -130,7 +130,11 @@ fn modes_or_slow_stick(world: &World, kinematics: &Kinematics, all: &mut [Candid
 }
 
 /// Consistent modes, with slips below the stop speed turned into stick or wedged ones where there are no others.
-fn modes_at_rest_or_wedged(world: &World, kinematics: &Kinematics, all: &mut [Candidate]) -> Option<Vec<ContactMode>> {
+fn modes_at_rest_or_wedged(
+    world: &World,
+    kinematics: &BodyKinematics,
+    all: &mut [Candidate],
+) -> Option<Vec<ContactMode>> {
     modes_or_slow_stick(world, kinematics, all).or_else(|| select_wedged(&world.model, kinematics, all))
 }
 
@@ -143,7 +147,7 @@ fn anew_after_impulses(
     stopped: &[usize],
 ) -> Vec<Candidate> {
     instant.take_velocities();
-    instant.kinematics = Kinematics::new(&world.model, &instant.kinematics.bodies, &instant.states, ground);
+    instant.kinematics = BodyKinematics::new(&world.model, &instant.kinematics.bodies, &instant.states, ground);
     let mut all = candidates(world, instant, ending);
     for candidate in all.iter_mut().filter(|candidate| stopped.contains(&candidate.pair)) {
         candidate.slip = 0.0;
@@ -152,7 +156,7 @@ fn anew_after_impulses(
 }
 
 /// Contacts under pressure without friction: those of the accelerations nearest to the free ones that let no point approach.
-fn frictionless_modes(kinematics: &Kinematics, all: &[Candidate]) -> Vec<ContactMode> {
+fn frictionless_modes(kinematics: &BodyKinematics, all: &[Candidate]) -> Vec<ContactMode> {
     let free = ConstrainedMotion { reactions: Vec::new(), accelerations: kinematics.free.clone() };
     let points: Vec<ContactPoint> = all.iter().flat_map(|candidate| candidate.points.clone()).collect();
     let rates: Vec<f64> = points.iter().map(|p| free.along(p, p.n, p.bias[0])).collect();

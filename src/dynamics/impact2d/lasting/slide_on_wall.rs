@@ -5,7 +5,7 @@ use glam::{DVec2, DVec3};
 use crate::dynamics::Model;
 use crate::dynamics::free_flight::sliding_face::SlidingFace;
 use crate::dynamics::impact2d::delassus::centre;
-use crate::dynamics::impact2d::kinematics::Kinematics;
+use crate::dynamics::impact2d::kinematics::BodyKinematics;
 use crate::dynamics::impact2d::lasting::constrained_motion::{ContactMode, FrictionMode};
 use crate::dynamics::model::body::Body;
 use crate::dynamics::model::coordinates::planar::{self, PlanarState};
@@ -30,7 +30,7 @@ pub(in crate::dynamics::impact2d) fn slide_on_wall(
     if !(sides.contains(&None) && girder.free[0] && girder.free[1]) {
         return None;
     }
-    let kinematics = Kinematics::new(model, &[body], std::slice::from_ref(state), DVec3::ZERO);
+    let kinematics = BodyKinematics::new(model, &[body], std::slice::from_ref(state), DVec3::ZERO);
     let touching = centre(&mode.points(model, &kinematics));
     // The wall's normal towards the girder, whichever side of the pair it is.
     let normal = if sides[0].is_none() { -touching.n } else { touching.n };
@@ -79,7 +79,7 @@ mod tests {
     fn closed_form(points: usize, friction: FrictionMode, change: impl FnOnce(&mut Model)) -> Option<SlidingFace> {
         let mut model = example::at_wall(|_| ());
         change(&mut model);
-        let kinematics = Kinematics::new(&model, &[0], &[[0.0; WIDTH]], DVec3::ZERO);
+        let kinematics = BodyKinematics::new(&model, &[0], &[[0.0; WIDTH]], DVec3::ZERO);
         let mut sites = example::touching(&model, &kinematics);
         sites.truncate(points);
         let mode = ContactMode { pair: 0, sites, friction };

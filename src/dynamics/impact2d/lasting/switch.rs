@@ -3,7 +3,7 @@
 use crate::dynamics::Model;
 use crate::dynamics::impact2d::constants::BORDER;
 use crate::dynamics::impact2d::delassus::centre;
-use crate::dynamics::impact2d::kinematics::Kinematics;
+use crate::dynamics::impact2d::kinematics::BodyKinematics;
 use crate::dynamics::impact2d::lasting::constrained_motion::{ContactMode, Reaction};
 
 /// Event that ends an interval of lasting contact.
@@ -25,19 +25,19 @@ pub(in crate::dynamics::impact2d) enum Ending {
 
 /// A switching function: its event, the contact mode by its place in the list, and which of the kept points.
 #[derive(Clone, Copy, Debug)]
-pub(in crate::dynamics::impact2d) struct Switch {
+pub(in crate::dynamics::impact2d) struct SwitchingFunction {
     pub mode: usize,
     pub end: usize,
     pub ending: Ending,
 }
 
-impl Switch {
+impl SwitchingFunction {
     /// Normal reaction \[N\], distance from the border of the face \[m\], distance from the friction cone \[N\], or slip \[m/s\].
     pub(in crate::dynamics::impact2d) fn value(
         &self,
         mode: &ContactMode,
         model: &Model,
-        kinematics: &Kinematics,
+        kinematics: &BodyKinematics,
         reaction: &Reaction,
     ) -> f64 {
         match self.ending {

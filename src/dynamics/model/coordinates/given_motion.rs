@@ -7,7 +7,7 @@ use std::sync::Arc;
 use glam::{DMat3, DQuat, DVec3};
 
 use crate::contact::Frame;
-use crate::dynamics::linear::Flight;
+use crate::dynamics::linear::FlightParameters;
 use crate::dynamics::model::body::{Body, BodyEnergies, BodyPowers, Coordinates, Counted, Point};
 use crate::dynamics::model::closed_form::ClosedForm;
 use crate::dynamics::model::ground_now::GroundNow;
@@ -152,15 +152,15 @@ impl ClosedForm for GivenMotion {
         Vec::new()
     }
 
-    fn window_end(&self, _: Flight<'_>, t: f64) -> f64 {
+    fn window_end(&self, _: FlightParameters<'_>, t: f64) -> f64 {
         self.motion.next_kink(t).min(t + self.motion.pace())
     }
 
-    fn state(&self, _: Flight<'_>, t: f64, out: &mut [f64]) {
+    fn state(&self, _: FlightParameters<'_>, t: f64, out: &mut [f64]) {
         self.write(self.motion.at(t), out);
     }
 
-    fn bounds(&self, _: Flight<'_>, t: f64, horizon: f64) -> MotionBounds {
+    fn bounds(&self, _: FlightParameters<'_>, t: f64, horizon: f64) -> MotionBounds {
         let window = horizon.min(AHEAD * self.motion.pace());
         let ([velocity, displacement], acceleration) = (self.motion.at(t), self.motion.peak());
         let speed = velocity.length() + acceleration * window;
@@ -172,7 +172,7 @@ impl ClosedForm for GivenMotion {
         }
     }
 
-    fn works(&self, _: Flight<'_>, _: [f64; 2]) -> Option<[f64; 4]> {
+    fn works(&self, _: FlightParameters<'_>, _: [f64; 2]) -> Option<[f64; 4]> {
         Some([0.0; 4])
     }
 

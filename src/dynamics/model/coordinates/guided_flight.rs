@@ -6,7 +6,7 @@
 
 use glam::DVec3;
 
-use crate::dynamics::linear::Flight;
+use crate::dynamics::linear::FlightParameters;
 use crate::dynamics::model::closed_form::{ClosedForm, GroundSpring};
 use crate::dynamics::model::motion_bounds::MotionBounds;
 use crate::motion::responses::responses;
@@ -45,7 +45,7 @@ impl GuidedFlight {
     }
 
     /// `u, u̇` at `t`.
-    fn at(&self, Flight { start, numbers }: Flight<'_>, t: f64) -> [f64; 2] {
+    fn at(&self, FlightParameters { start, numbers }: FlightParameters<'_>, t: f64) -> [f64; 2] {
         let Some(FlightNumbers { spring, own, states_at_samples }) = FlightNumbers::of(numbers) else {
             return [f64::NAN; 2];
         };
@@ -137,7 +137,7 @@ impl ClosedForm for GuidedFlight {
         }
     }
 
-    fn window_end(&self, Flight { numbers, .. }: Flight<'_>, t: f64) -> f64 {
+    fn window_end(&self, FlightParameters { numbers, .. }: FlightParameters<'_>, t: f64) -> f64 {
         let omega = numbers.first().map_or(0.0, |stiffness| stiffness.sqrt());
         let kink = self.ground.next_kink(t);
         let phase = omega * (kink - t);
@@ -152,22 +152,22 @@ impl ClosedForm for GuidedFlight {
         }
     }
 
-    fn range(&self, flight: Flight<'_>, [from, until]: [f64; 2]) -> Option<[f64; 2]> {
+    fn range(&self, flight: FlightParameters<'_>, [from, until]: [f64; 2]) -> Option<[f64; 2]> {
         let FlightNumbers { spring, .. } = FlightNumbers::of(flight.numbers)?;
         let piece = self.ground.piece(self.ground.piece_number(from));
         let state = self.at(flight, from);
         Some(Extremes::of(spring.stiffness, state, self.force(spring, &piece, from), until - from).range)
     }
 
-    fn resume(&self, flight: Flight<'_>, state: &[f64]) -> Vec<f64> {
+    fn resume(&self, flight: FlightParameters<'_>, state: &[f64]) -> Vec<f64> {
         flight.numbers.iter().take(HEAD - 2).chain(state).copied().collect()
     }
 
-    fn state(&self, flight: Flight<'_>, t: f64, out: &mut [f64]) {
+    fn state(&self, flight: FlightParameters<'_>, t: f64, out: &mut [f64]) {
         out.copy_from_slice(&self.at(flight, t));
     }
 
-    fn bounds(&self, flight: Flight<'_>, t: f64, horizon: f64) -> MotionBounds {
+    fn bounds(&self, flight: FlightParameters<'_>, t: f64, horizon: f64) -> MotionBounds {
         let (mut bounds, end) = (MotionBounds::still(horizon), t + horizon);
         let Some(FlightNumbers { spring, .. }) = FlightNumbers::of(flight.numbers) else {
             return MotionBounds { window: 0.0, ..bounds };
@@ -207,7 +207,7 @@ mod tests {
     fn the_closed_form_solves_the_equation_of_motion() {
         for omega2 in [0.0, 9.0, 900.0, 6e4] {
             let (form, start, numbers) = flight(omega2);
-            let flight = Flight { start, numbers: &numbers };
+            let flight = FlightParameters { start, numbers: &numbers };
             for t in [0.0045, 0.0137, 0.0255, 0.0612, 0.093] {
                 let step = 1e-4 / omega2.sqrt().max(10.0);
                 let rate = |k: f64| form.at(flight, t + k * step)[1];
@@ -228,11 +228,11 @@ mod tests {
         let mut kept = numbers.clone();
         form.remember(start, &mut kept, 0.055);
         assert_eq!(kept.len(), numbers.len() + 2 * 5, "samples at 10 to 50 ms");
-        let own = Flight { start, numbers: &kept };
+        let own = FlightParameters { start, numbers: &kept };
         let rest = form.resume(own, &form.at(own, 0.0231));
         for t in [0.0231, 0.041, 0.0599, 0.2] {
             let [a, b, c] = [(start, &numbers), (start, &kept), (0.0231, &rest)]
-                .map(|(start, numbers)| form.at(Flight { start, numbers }, t));
+                .map(|(start, numbers)| form.at(FlightParameters { start, numbers }, t));
             assert_eq!(a, b, "{t} s");
             assert!((a[0] - c[0]).abs() < 1e-16 && (a[1] - c[1]).abs() < 1e-14, "{t} s: {a:?} against {c:?}");
         }
@@ -242,7 +242,7 @@ mod tests {
     fn bounds_hold_and_stretches_end_at_samples() {
         for omega2 in [0.0, 1e-16, 900.0, 6e4] {
             let (form, start, numbers) = flight(omega2);
-            let flight = Flight { start, numbers: &numbers };
+            let flight = FlightParameters { start, numbers: &numbers };
             let bounds = form.bounds(flight, 0.004, 0.04);
             assert!(bounds.window >= 0.04, "{bounds:?}");
             let fastest = (0..=400).map(|i| form.at(flight, 0.004 + 1e-4 * f64::from(i))[1].abs());

@@ -5,7 +5,7 @@ use nalgebra::DMatrix;
 use super::joint::Joint;
 use super::part::{LinearPart, RIGID};
 use super::reach::{Reach, Shapes};
-use crate::dynamics::linear::{Complex, LinearMotion, Parts, PowerForm, Spectrum};
+use crate::dynamics::linear::{Complex, LinearMotion, ModalCoordinates, PowerForm, Spectrum};
 use crate::motion::Ground;
 
 /// Largest [`Spectrum::start_error`] of a decomposition that is relied on \[–\]; beyond it the bodies are integrated. Measured: 1e-14 of
@@ -26,7 +26,7 @@ pub struct LinearBlock {
     pub(super) fastest: f64,
 }
 
-/// A body of a block.
+/// A body of a block: its coordinates and loads in it.
 #[derive(Debug)]
 pub(super) struct Member {
     /// Its coordinates that are not held: number in the block, number in the body, root of the mass.
@@ -152,7 +152,8 @@ impl LinearBlock {
         let spectrum = &self.motion.spectrum;
         let (drifts, count) = (vec![[0.0; 2]; spectrum.drifts.len()], spectrum.exponents.len());
         let state = |k: usize, unit: Complex| {
-            let mut parts = Parts { drifts: drifts.clone(), free: Vec::new(), all: vec![Complex::from(0.0); count] };
+            let mut parts =
+                ModalCoordinates { drifts: drifts.clone(), free: Vec::new(), all: vec![Complex::from(0.0); count] };
             parts.all[k] = unit;
             let mut state = vec![0.0; 2 * own.start.len()];
             self.write(member, &parts, &mut state);
@@ -163,7 +164,7 @@ impl LinearBlock {
     }
 
     /// Writes places and rates of a member from a flight's parts.
-    pub(super) fn write(&self, member: usize, parts: &Parts, out: &mut [f64]) {
+    pub(super) fn write(&self, member: usize, parts: &ModalCoordinates, out: &mut [f64]) {
         let own = &self.members[member];
         let (places, rates) = out.split_at_mut(own.start.len());
         places.copy_from_slice(&own.start);

@@ -3,13 +3,13 @@
 use super::block::LinearBlock;
 use super::part::RIGID;
 use super::reach::Reach;
-use crate::dynamics::linear::Parts;
+use crate::dynamics::linear::ModalCoordinates;
 use crate::dynamics::model::motion_bounds::MotionBounds;
 use crate::dynamics::model::section_bounds::SectionBounds;
 
 impl LinearBlock {
     /// Bounds on any section of a member from `t`, whose parts these are, on for at most `horizon` \[s\].
-    pub(super) fn member_bounds(&self, member: usize, parts: &Parts, horizon: f64) -> MotionBounds {
+    pub(super) fn member_bounds(&self, member: usize, parts: &ModalCoordinates, horizon: f64) -> MotionBounds {
         let window = self.motion.window(horizon);
         let sections = self.members[member].sections.iter();
         let all: Vec<MotionBounds> =
@@ -26,7 +26,7 @@ impl LinearBlock {
         }
     }
 
-    fn section_bounds(&self, member: usize, reaches: &[Reach], parts: &Parts, window: f64) -> MotionBounds {
+    fn section_bounds(&self, member: usize, reaches: &[Reach], parts: &ModalCoordinates, window: f64) -> MotionBounds {
         let own = &self.members[member];
         let mut sum = SectionBounds::default();
         let (mut reach, mut turn, mut apart) = (0.0, 0.0, 0.0);

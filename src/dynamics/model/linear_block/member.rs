@@ -3,7 +3,7 @@
 use std::sync::Arc;
 
 use super::block::LinearBlock;
-use crate::dynamics::linear::{Flight, Parts};
+use crate::dynamics::linear::{FlightParameters, ModalCoordinates};
 use crate::dynamics::model::closed_form::ClosedForm;
 use crate::dynamics::model::motion_bounds::MotionBounds;
 
@@ -21,19 +21,25 @@ impl ClosedForm for BlockMember {
         self.block.begin_all(start, states)
     }
 
-    fn state(&self, flight: Flight<'_>, t: f64, out: &mut [f64]) {
+    fn state(&self, flight: FlightParameters<'_>, t: f64, out: &mut [f64]) {
         self.block.write(self.member, &self.block.motion.at(flight, t), out);
     }
 
-    fn bounds(&self, flight: Flight<'_>, t: f64, horizon: f64) -> MotionBounds {
+    fn bounds(&self, flight: FlightParameters<'_>, t: f64, horizon: f64) -> MotionBounds {
         self.block.member_bounds(self.member, &self.block.motion.at(flight, t), horizon)
     }
 
-    fn parts(&self, flight: Flight<'_>, t: f64) -> Parts {
+    fn parts(&self, flight: FlightParameters<'_>, t: f64) -> ModalCoordinates {
         self.block.motion.at(flight, t)
     }
 
-    fn look(&self, _: Flight<'_>, parts: &Parts, [_, horizon]: [f64; 2], out: &mut [f64]) -> MotionBounds {
+    fn look(
+        &self,
+        _: FlightParameters<'_>,
+        parts: &ModalCoordinates,
+        [_, horizon]: [f64; 2],
+        out: &mut [f64],
+    ) -> MotionBounds {
         self.block.write(self.member, parts, out);
         self.block.member_bounds(self.member, parts, horizon)
     }
@@ -42,7 +48,7 @@ impl ClosedForm for BlockMember {
         self.block.shapes(self.member)
     }
 
-    fn second_derivatives(&self, flight: Flight<'_>, span: [f64; 2]) -> Vec<f64> {
+    fn second_derivatives(&self, flight: FlightParameters<'_>, span: [f64; 2]) -> Vec<f64> {
         self.block.motion.second_derivatives(flight, span)
     }
 
@@ -55,7 +61,7 @@ impl ClosedForm for BlockMember {
     }
 
     /// Those of the block are the first body's.
-    fn works(&self, flight: Flight<'_>, span: [f64; 2]) -> Option<[f64; 4]> {
+    fn works(&self, flight: FlightParameters<'_>, span: [f64; 2]) -> Option<[f64; 4]> {
         Some(if self.member > 0 { [0.0; 4] } else { self.block.works_of_all(flight, span) })
     }
 }

@@ -1,13 +1,13 @@
 //! Work of the ground and of pushes on a block, and losses in it, over a stretch of a flight.
 
 use super::block::LinearBlock;
-use crate::dynamics::linear::{Flight, LineOrSine, PowerForm};
+use crate::dynamics::linear::{FlightParameters, LineOrSine, PowerForm};
 use crate::motion::Ground;
 
 impl LinearBlock {
     /// Work of the ground's inertia forces and of pushes, losses in bearings and in the bodies themselves \[J\]; of all members, over a
     /// stretch within one piece of the ground's motion.
-    pub(super) fn works_of_all(&self, flight: Flight<'_>, span: [f64; 2]) -> [f64; 4] {
+    pub(super) fn works_of_all(&self, flight: FlightParameters<'_>, span: [f64; 2]) -> [f64; 4] {
         let parts = span.map(|t| self.motion.at(flight, t));
         let push = |member: usize| -> f64 {
             let own = &self.members[member];
@@ -25,11 +25,11 @@ impl LinearBlock {
         [self.ground_work(flight, span), pushed, bearings, own]
     }
 
-    fn ground_work(&self, flight: Flight<'_>, [from, until]: [f64; 2]) -> f64 {
+    fn ground_work(&self, flight: FlightParameters<'_>, [from, until]: [f64; 2]) -> f64 {
         (0..2).map(|axis| self.ground_work_along(axis, flight, [from, until])).sum()
     }
 
-    fn ground_work_along(&self, axis: usize, flight: Flight<'_>, [from, until]: [f64; 2]) -> f64 {
+    fn ground_work_along(&self, axis: usize, flight: FlightParameters<'_>, [from, until]: [f64; 2]) -> f64 {
         let mut row = vec![0.0; self.motion.spectrum.size];
         let mut work = 0.0;
         for member in &self.members {

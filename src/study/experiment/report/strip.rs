@@ -5,7 +5,7 @@ use std::fmt::Write as _;
 use crate::plot::COLORS;
 use crate::plot::draw::{escape, line, text};
 use crate::plot::paper::INK;
-use crate::sim::State;
+use crate::sim::GirderState;
 use crate::study::experiment::observe::HitSeen;
 use crate::study::experiment::states::Stretch;
 
@@ -67,7 +67,7 @@ pub(super) fn strip(bands: &[Band<'_>], end: f64) -> String {
 
 fn legend(svg: &mut String, y: f64) {
     let mut x = FIELD[0];
-    for state in State::ALL {
+    for state in GirderState::ALL {
         let words = format!("{}: {}", state.letter(), state.label());
         let _ =
             write!(svg, r#"<rect x="{x}" y="{}" width="10" height="10" fill="{}"/>"#, y - 9.0, color(state.letter()));
@@ -80,12 +80,12 @@ fn legend(svg: &mut String, y: f64) {
 /// States with their part of the time and how often they were entered: `a 92.1 %, c 0.4 % (31×)`.
 pub(super) fn pattern(states: &[Stretch]) -> String {
     let whole: f64 = states.iter().map(Stretch::length).sum();
-    let of_state = |state: State| {
+    let of_state = |state: GirderState| {
         let own = || states.iter().filter(|stretch| stretch.letter == state.letter());
         let (times, part) = (own().count(), 100.0 * own().map(Stretch::length).sum::<f64>() / whole);
         (times > 0).then(|| format!("{} {part:.1} % ({times}×)", state.letter()))
     };
-    State::ALL.into_iter().filter_map(of_state).collect::<Vec<_>>().join(", ")
+    GirderState::ALL.into_iter().filter_map(of_state).collect::<Vec<_>>().join(", ")
 }
 
 #[cfg(test)]

@@ -12,7 +12,7 @@ fn sliding(preset: &str, change: impl FnOnce(&mut Model), sign: f64) -> (Model, 
         scene.girders[0].push.force = [40.0, 3.0, 0.0];
     });
     change(&mut model);
-    let home = Kinematics::new(&model, &[0], &[[0.0; WIDTH]], DVec3::ZERO);
+    let home = BodyKinematics::new(&model, &[0], &[[0.0; WIDTH]], DVec3::ZERO);
     let sites = example::touching(&model, &home);
     let sites = vec![sites[0], sites[sites.len() - 1]];
     let s: DVec2 = home.point(&model, sites[0]).s;
