@@ -55,8 +55,8 @@ impl Scene {
         stiffness.into_iter().chain(bearings).chain(soil).collect()
     }
 
-    /// What is still assumed of it after it has become another: paths whose value is the same; of a table of which a part has
-    /// changed, the numbers that have not.
+    /// Paths of the assumed values that another state of the same table leaves as they were; of a table of which a part has changed, the
+    /// unchanged numbers.
     pub fn still_assumed(&self, after: &Self) -> Vec<String> {
         if self.assumed.is_empty() {
             return Vec::new();
@@ -67,7 +67,7 @@ impl Scene {
         }
     }
 
-    /// What is assumed without a number that is.
+    /// Paths of the assumed values, less a number that is given.
     pub fn assumed_without(&self, given: &str) -> Vec<String> {
         let Ok(table) = Table::try_from(self) else { return self.assumed.clone() };
         let rest = |path: &String| {

@@ -1,4 +1,4 @@
-//! What a girder stands on.
+//! Bearings of a girder.
 //!
 //! `bearings` is a table (equal bearings, given by frequency and damping) or a list (one by one), and some numbers may
 //! be one or two; both are read by hand, because serde's untagged enums forget what was wrong and where.

@@ -1,4 +1,4 @@
-//! What design codes for seat lengths need beside the scene; nothing of the run depends on it.
+//! Inputs of design codes for seat lengths beside the scene; the run does not depend on them.
 
 use serde::{Deserialize, Serialize};
 

@@ -19,7 +19,7 @@ const STIFFNESS_RATIO: f64 = 6.5;
 const FRICTION: f64 = 0.05;
 
 words! {
-    /// What kind of bearings carries a whole deck.
+    /// Kind of bearings under a whole deck.
     BearingKind, by default LeadRubber {
         /// Rubber with a lead plug: k₁ up to yield, k₂ after it.
         LeadRubber = "lead-rubber",

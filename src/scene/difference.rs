@@ -20,7 +20,7 @@ pub struct Values(BTreeMap<String, Value>);
 pub struct Difference<'a> {
     /// Its place.
     pub place: &'a str,
-    /// What the first scene has there, and the second; nothing where a scene leaves it out.
+    /// Values in the first scene and in the second; `None` in a scene without the key.
     pub values: [Option<&'a Value>; 2],
 }
 

@@ -105,7 +105,7 @@ impl Push {
 }
 
 words! {
-    /// What a planar run does when a bearing loses its support.
+    /// Effect of a bearing's loss of support on a planar run.
     AfterUnseating, by default Stop {
         /// It stops, with the reason.
         Stop = "stop",

@@ -9,7 +9,7 @@ use super::motion::{Motion, MotionVisitor};
 /// `[[ground]]`: a motion with a name, which abutments and piers have where they give that name.
 #[derive(Clone, Debug, PartialEq, Serialize)]
 pub struct NamedGround {
-    /// What supports call it.
+    /// Name by which supports refer to it.
     pub name: String,
     /// How it moves.
     #[serde(flatten)]

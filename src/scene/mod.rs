@@ -1,4 +1,4 @@
-//! What a user places: plain data, the units in the names of the file's keys.
+//! Scene as the user describes it: plain data, with units in the names of the file's keys.
 //!
 //! A [`Scene`] is what the file says and nothing more: defaults are filled in when it is read, every number is SI (or
 //! carries its unit in its name), and nothing here moves. Sizes and places are as written; [`placed`] turns them into

@@ -115,13 +115,13 @@ impl Laid {
         Ok(changed)
     }
 
-    /// What stands at a path, where something does.
+    /// Value at a path.
     pub fn value(&self, path: &str) -> Option<&Value> {
         value_at(&self.table, path)
     }
 }
 
-/// What a record's file held is no part of the written scene; it stays while the file is the same.
+/// Keeps the samples read from a record's file, which are no part of the written scene, while the file is the same.
 fn keep_loaded(scene: &Scene, changed: &mut Scene) {
     for (place, after) in changed.motions_mut() {
         let before = scene.motions().find(|(before, _)| *before == place).map(|(_, motion)| motion);

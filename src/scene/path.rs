@@ -2,7 +2,7 @@
 
 use toml::{Table, Value};
 
-/// What stands at a path of a table, where something does.
+/// Value at a path of a table.
 pub(super) fn value_at<'t>(table: &'t Table, path: &str) -> Option<&'t Value> {
     let mut steps = path.split('.').map(str::trim);
     let mut here = table.get(steps.next()?)?;

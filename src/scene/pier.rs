@@ -6,7 +6,7 @@ use super::PerDirection;
 use super::keys::{Fallback, Range, table, words};
 
 words! {
-    /// What the cap allows the top of a column.
+    /// Support of a column's top by the cap.
     ColumnTop, by default Free {
         /// It turns freely: a cantilever, `3 E I/h³`.
         Free = "free",

@@ -6,7 +6,7 @@ use crate::language::{Language, Text, message};
 /// A scene that comes with the program.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub struct Preset {
-    /// What `run NAME` calls it.
+    /// Name for `run NAME`.
     pub name: &'static str,
     /// One line on what it shows.
     pub summary: Text,
@@ -61,7 +61,7 @@ pub fn load(name: &str) -> Result<Scene, SceneErrors> {
     get(name).ok_or_else(|| unknown(name).into()).and_then(|preset| format::parse(preset.text, preset.name))
 }
 
-/// What a scene says of itself: of a preset in the language in use, unless its own words were changed.
+/// Description of a scene; of a preset in the language in use, unless the user changed it.
 pub fn told(scene: &Scene) -> &str {
     let own = scene.description.as_str();
     let preset = get(&scene.name).filter(|_| Language::current() != Language::English);

@@ -1,4 +1,4 @@
-//! What is done to the samples of a record before they are scaled: cut, baseline, taper, pad, time scale, peak.
+//! Processing of a record's samples before they are scaled: cut, baseline, taper, pad, time scale, peak.
 //!
 //! In this order, so that a taper ends what a cut leaves and padding stays still.
 
@@ -12,7 +12,7 @@ use crate::motion::format::STANDARD_GRAVITY;
 use crate::motion::process;
 
 words! {
-    /// What is taken off an acceleration.
+    /// Baseline correction: the part subtracted from an acceleration.
     Baseline, by default None {
         /// Nothing.
         None = "none",
@@ -89,7 +89,7 @@ impl Processing {
         (first, end.clamp(first, count))
     }
 
-    /// What cannot be done to so many samples at such an interval \[s\]: key, value and remedy.
+    /// Fault for a record of `count` samples at intervals `dt` \[s\]: key, value and remedy.
     pub fn fault(&self, dt: f64, count: usize) -> Option<(&'static str, f64, Message)> {
         let (first, end) = self.kept(dt, count);
         let length = (end - first).saturating_sub(1) as f64 * dt;
@@ -108,7 +108,7 @@ impl Processing {
         (self.pad > 0.0 && padded > MOST).then(|| ("pad_s", self.pad, Text::new("wrong-padding").into()))
     }
 
-    /// What it does, a step each, in the order done.
+    /// Texts of its steps, in order.
     pub fn in_words(&self) -> Vec<String> {
         let cut = (self.from.is_some() || self.until.is_some()).then(|| {
             let end = |t: Option<f64>, otherwise: Text| t.map_or_else(|| otherwise.into(), |t| format!("{t} s"));

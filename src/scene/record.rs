@@ -140,7 +140,7 @@ pub struct RecordMotion {
     /// Multiplies every sample for a vertical component.
     #[serde(default, skip_serializing_if = "is_zero")]
     pub vertical_scale: f64,
-    /// What is done to the samples before they are scaled.
+    /// Processing of the samples before they are scaled.
     #[serde(default, skip_serializing_if = "Stands::is_left_out")]
     pub processing: Processing,
     /// Azimuth of world x, clockwise from north \[degrees\].
@@ -149,7 +149,7 @@ pub struct RecordMotion {
     /// Several components in place of the one above.
     #[serde(rename = "component", default, skip_serializing_if = "Vec::is_empty")]
     pub components: Vec<Component>,
-    /// What `file` held, once it has been read. Never written.
+    /// Samples of `file`, once it has been read. Never written.
     #[serde(skip)]
     pub loaded: Option<Arc<Record>>,
     /// The same of each component's file.
@@ -224,7 +224,7 @@ impl RecordMotion {
         series((component.samples.as_ref(), component.dt), loaded, component.channel)
     }
 
-    /// What the file of a component held, by its place in the list.
+    /// Samples of a component's file, by the component's place in the list.
     pub fn component_record(&self, n: usize) -> Option<&Record> {
         self.loaded_components.get(n)?.as_deref()
     }

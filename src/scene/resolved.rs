@@ -6,7 +6,7 @@ use super::{
     Bearing, BearingKind, BearingSlide, BearingYield, Bearings, DeckBearings, Girder, Kind, Scene, SharedBearings,
 };
 
-/// What bearings depend on beside their girder.
+/// Properties of the scene that its bearings depend on.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Setting {
     /// Planar or spatial.
@@ -16,7 +16,7 @@ pub struct Setting {
 }
 
 impl Scene {
-    /// What the bearings of its girders depend on.
+    /// Properties that the bearings of its girders depend on.
     pub fn setting(&self) -> Setting {
         Setting { kind: self.kind, gravity: self.gravity }
     }

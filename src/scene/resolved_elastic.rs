@@ -1,4 +1,4 @@
-//! What the keys of an elastic girder come to for a girder of its size.
+//! Numbers in force of an elastic girder's keys, from the girder's size.
 
 use super::elastic::{DEGREES, Elastic, Rayleigh};
 use super::girder::Girder;
@@ -7,7 +7,7 @@ use crate::language::{Message, Text, message};
 
 /// `k_s G A` of a girder that is rigid in shear, in parts of `G A`.
 const RIGID_IN_SHEAR: f64 = 1e4;
-/// What `ρ A a0` may differ from the mass by, in parts of it.
+/// Allowed difference of `ρ A a0` from the mass, relative to it \[–\].
 const SAME_MASS: f64 = 0.01;
 
 /// The numbers in force of an elastic girder.
@@ -65,7 +65,7 @@ impl Elastic {
         }
     }
 
-    /// What is wrong with keys that stand together: key, value, remedy.
+    /// Faults of keys that contradict each other: key, value, remedy.
     pub(in crate::scene) fn faults(&self, girder: &Girder) -> Vec<(&'static str, Message, Message)> {
         let mut faults = Vec::new();
         let mut add = |key, value: Message, remedy: Text| faults.push((key, value, remedy.into()));

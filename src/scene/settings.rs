@@ -42,7 +42,7 @@ words! {
 }
 
 words! {
-    /// What a plot panel shows of its quantities.
+    /// Representation of a plot panel's quantities.
     PlotShows, by default History {
         /// Their course over time, or over another quantity.
         History = "history",

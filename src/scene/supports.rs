@@ -1,4 +1,4 @@
-//! What stands on piers: bearings one by one, and the ends of girders.
+//! Bodies on piers: bearings one by one, and the ends of girders.
 
 use glam::{DVec2, DVec3};
 
@@ -72,7 +72,7 @@ impl Girder {
     }
 }
 
-/// What a bearing stands on.
+/// Support under a bearing.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum StandsOn {
     /// The ground.
@@ -113,7 +113,7 @@ impl Scene {
         bearings.named_supports(girder).into_iter().map(|name| self.pier_named(name?)).collect()
     }
 
-    /// What each bearing of a girder stands on, in the order of [`Bearings::resolve`].
+    /// Support under each bearing of a girder, in the order of [`Bearings::resolve`].
     pub fn standing(&self, girder: &Girder) -> Vec<StandsOn> {
         let Some(bearings) = &girder.bearings else { return Vec::new() };
         let named = |name: &str| {
@@ -127,7 +127,7 @@ impl Scene {
             .collect()
     }
 
-    /// What all bearings nearer to an end of a girder than to the other stand on; `None` where they do not stand on one.
+    /// Common support of all bearings nearer to an end of a girder than to the other; `None` where they have several.
     pub fn standing_under(&self, girder: &Girder, end: End) -> Option<StandsOn> {
         let shear = girder.prism().shear();
         let resolved = girder.bearings.as_ref()?.resolve(girder, self.setting());

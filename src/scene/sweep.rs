@@ -50,7 +50,7 @@ impl SweepMotion {
         (sweep.interval(), sweep.samples(MOST_INTERVALS))
     }
 
-    /// What does not fit together: key, value and remedy.
+    /// Fault of keys that contradict each other: key, value and remedy.
     pub(in crate::scene) fn fault(&self) -> Option<(&'static str, f64, Text)> {
         let too_long = self.sweep().intervals() > f64::from(MOST_INTERVALS);
         too_long.then_some(("length_s", self.length, Text::new("wrong-sweep-length")))

@@ -122,7 +122,7 @@ impl SyntheticMotion {
         (2..=1000).contains(&target.len()) && positive && grows && first[0] >= 2.0 * self.dt && last[0] <= self.duration
     }
 
-    /// What does not fit together: key, value and remedy.
+    /// Fault of keys that contradict each other: key, value and remedy.
     pub(in crate::scene) fn fault(&self) -> Option<(&'static str, f64, Text)> {
         // The filter's step is semi-implicit: stable below 2 / ω_g, true to a few percent below a tenth of that.
         let coarse = self.dt * std::f64::consts::TAU * self.ground_hz * self.ground_damping.max(1.0) > 0.5;

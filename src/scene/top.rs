@@ -19,7 +19,7 @@ pub struct Scene {
     /// Version of the file format; 1.
     #[serde(default = "format_version")]
     pub format: u32,
-    /// What the scene is called.
+    /// Name of the scene.
     pub name: String,
     /// A line or two on what the scene shows.
     #[serde(default, skip_serializing_if = "String::is_empty")]
@@ -36,7 +36,7 @@ pub struct Scene {
     /// Values that were not given, as paths of `--set`.
     #[serde(default, skip_serializing_if = "Vec::is_empty")]
     pub assumed: Vec<String>,
-    /// What computes it.
+    /// Models that compute it.
     #[serde(default, skip_serializing_if = "is_default")]
     pub model: ModelSettings,
     /// Girders, in the order of the file.
@@ -78,10 +78,10 @@ pub struct Scene {
     /// How exactly it is to be computed.
     #[serde(default, skip_serializing_if = "is_default")]
     pub solver: SolverSettings,
-    /// What must not be passed.
+    /// Limits that a run is checked against.
     #[serde(default, skip_serializing_if = "is_default")]
     pub limits: Limits,
-    /// What design codes for seat lengths need beside the scene.
+    /// Inputs of design codes for seat lengths beside the scene.
     #[serde(default, skip_serializing_if = "is_default")]
     pub codes: Codes,
     /// How it is first shown.

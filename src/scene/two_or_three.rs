@@ -6,7 +6,8 @@ use serde::{Deserializer, Serialize, Serializer};
 /// Writes two numbers where the third is 0.
 ///
 /// # Errors
-/// What the serializer answers.
+///
+/// Those of the serializer.
 pub(super) fn serialize<S: Serializer>(v: &[f64; 3], serializer: S) -> Result<S::Ok, S::Error> {
     if v[2].to_bits() == 0 { v[..2].serialize(serializer) } else { v.serialize(serializer) }
 }
@@ -44,7 +45,8 @@ pub(super) mod optional {
     /// Writes what is given; what is not is left out before.
     ///
     /// # Errors
-    /// What the serializer answers.
+    ///
+    /// Those of the serializer.
     #[expect(clippy::ref_option, reason = "serde passes fields by reference")]
     pub(in crate::scene) fn serialize<S: Serializer>(v: &Option<[f64; 3]>, serializer: S) -> Result<S::Ok, S::Error> {
         match v {

@@ -1,4 +1,4 @@
-//! What a scene gives and its run does not use, in words.
+//! Texts on values of a scene that its run does not use.
 
 use super::shown::escaped;
 use super::{Direction, Girder, GroundId, Motion, Scene};

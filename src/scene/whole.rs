@@ -5,7 +5,8 @@ use serde::Serializer;
 /// Writes a whole number without a fraction, any other as it is: a check refuses that by name.
 ///
 /// # Errors
-/// What the serializer answers.
+///
+/// Those of the serializer.
 #[expect(clippy::trivially_copy_pass_by_ref, reason = "what serde asks for")]
 pub(super) fn serialize<S: Serializer>(number: &f64, serializer: S) -> Result<S::Ok, S::Error> {
     match *number {

@@ -62,7 +62,7 @@ macro_rules! contact_tables {
         pub struct ContactNumber {
             /// Its key.
             pub key: &'static str,
-            /// What its field in the window is called, the key of a text.
+            /// Key of the text that names its field in the window.
             pub label: &'static str,
             /// For every pair.
             pub of_all: fn(&mut ContactSettings) -> &mut f64,

@@ -81,7 +81,7 @@ fn beyond_zero(table: &[[f64; 2]]) -> &[[f64; 2]] {
     }
 }
 
-/// What is wrong with a table of depths and forces.
+/// Fault of a table of depths and forces.
 fn unsteady(table: &[[f64; 2]]) -> Option<Fault> {
     let table = beyond_zero(table);
     let mut before = [0.0; 2];

@@ -1,8 +1,8 @@
-//! What is wrong with a device.
+//! Faults of devices.
 
 use crate::language::{Message, Text};
 
-/// What is wrong with a key of a device: its name, what stands there, what would be right.
+/// Fault of a key of a device: its name, the value found, the remedy.
 pub type Fault = (&'static str, Message, Message);
 
 /// A number as it stands in a file.

@@ -41,7 +41,7 @@ impl Joint {
         (self.axes * DVec3::from(given)).try_normalize()
     }
 
-    /// What is wrong with the points of a device that acts along the line between them.
+    /// Fault of the points of a device that acts along the line between them.
     pub(super) fn too_short(&self) -> Option<Fault> {
         let remedy = Text::new("wrong-points-too-near");
         (self.length() < SHORTEST).then(|| {
@@ -50,7 +50,7 @@ impl Joint {
     }
 }
 
-/// What is wrong with a direction that is given.
+/// Fault of a given direction.
 pub(super) fn no_direction(key: &'static str, given: Option<[f64; 3]>) -> Option<Fault> {
     let vector = given?;
     let short = DVec3::from(vector).try_normalize().is_none();

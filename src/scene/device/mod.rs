@@ -61,7 +61,7 @@ macro_rules! devices {
                 match self { $( Self::$Kind(_) => DeviceKind::$Kind, )+ }
             }
 
-            /// What it has in common with the others.
+            /// Properties common to all devices.
             pub fn part(&self) -> &dyn Part {
                 match self { $( Self::$Kind(one) => one, )+ }
             }

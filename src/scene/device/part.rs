@@ -1,4 +1,4 @@
-//! What every device has: a name, two bodies, two points.
+//! Properties common to all devices: a name, two bodies, two points.
 
 use super::fault::Fault;
 use super::joint::Joint;
@@ -41,6 +41,6 @@ pub trait Part: std::fmt::Debug {
     /// The same, to be changed.
     fn ends_mut(&mut self) -> EndsMut<'_>;
 
-    /// What is wrong with it beyond the ranges of its keys; of its points once they are known.
+    /// Faults beyond the ranges of its keys; those of its points once these are known.
     fn faults(&self, joint: Option<&Joint>) -> Vec<Fault>;
 }

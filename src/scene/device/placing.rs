@@ -35,7 +35,7 @@ pub fn point_on(scene: &Scene, body: Option<&str>, world: DVec3) -> Option<[f64;
     Some((stand.axes.transpose() * (world - stand.origin)).to_array())
 }
 
-/// What a point of a device is on, as placed.
+/// Body of a device's point, as placed.
 struct Stand {
     girder: Option<usize>,
     abutment: Option<usize>,

@@ -17,15 +17,15 @@ use crate::language::{Text, values};
 /// A quantity of a scene, and the range that belongs to the domain.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Limit {
-    /// What is limited.
+    /// Name of the limited quantity.
     pub quantity: Text,
     /// Its unit; empty for a pure number.
     pub unit: &'static str,
     /// From the first to the second number, both included.
     pub range: [f64; 2],
-    /// What is to be expected below the first number and above the second.
+    /// Consequence of a value below the first number and above the second.
     pub beyond: [Option<Text>; 2],
-    /// What brings a scene back.
+    /// Remedy for a scene beyond it.
     pub remedy: Text,
 }
 
@@ -149,7 +149,7 @@ pub const TURN: Limit = Limit {
     beyond: [NOTHING, Some(UNCHECKED)],
     remedy: Text::new("domain-mend-turn"),
 };
-/// What seeds cover.
+/// Friction coefficients of the seeds.
 pub const FRICTION: Limit = Limit {
     quantity: Text::new("domain-friction"),
     unit: "",
@@ -183,9 +183,9 @@ pub struct Departure {
     pub place: String,
     /// The facing pair that it belongs to.
     pub pair: Option<String>,
-    /// What it is.
+    /// Value in the scene.
     pub value: f64,
-    /// What it should be.
+    /// Limit that it exceeds.
     pub limit: Limit,
 }
 
@@ -200,7 +200,7 @@ impl Departure {
         self.limit.range[usize::from(!self.is_below())]
     }
 
-    /// What is to be expected.
+    /// Expected consequence.
     pub fn consequence(&self) -> Text {
         self.limit.beyond[usize::from(!self.is_below())].unwrap_or(UNCHECKED)
     }
@@ -275,7 +275,7 @@ pub fn is_inside(scene: &Scene) -> bool {
     outside(scene).is_empty()
 }
 
-/// What was found so far.
+/// Departures found so far.
 struct Departures(Vec<Departure>);
 
 impl Departures {

@@ -8,7 +8,7 @@ use crate::scene::{
 /// The single values at the top of a scene.
 #[derive(Clone, Debug, PartialEq)]
 pub struct General {
-    /// What the scene is called.
+    /// Name of the scene.
     pub name: String,
     /// A line or two on it.
     pub description: String,
@@ -69,7 +69,7 @@ pub enum Edit {
     Wave(Option<Wave>),
     /// Limits that are watched.
     Limits(Limits),
-    /// What design codes for seat lengths need.
+    /// Inputs of design codes for seat lengths.
     Codes(Codes),
     /// Solver settings.
     Solver(SolverSettings),

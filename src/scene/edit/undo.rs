@@ -8,13 +8,13 @@ use crate::scene::Scene;
 struct Step {
     /// For menus: "Undo move deck".
     label: String,
-    /// What to apply.
+    /// Edit to apply.
     edit: Edit,
-    /// What the step drags, while it may still grow.
+    /// Value that the step drags, while it may still grow.
     dragging: Option<String>,
 }
 
-/// What was done to a scene, and what was undone.
+/// Edits done to a scene, and edits undone.
 #[derive(Clone, Debug, Default)]
 pub struct UndoStack {
     done: Vec<Step>,
@@ -93,12 +93,12 @@ impl UndoStack {
         shift(&mut self.undone, &mut self.done, scene)
     }
 
-    /// What [`undo`](Self::undo) would undo.
+    /// Label of the edit that [`undo`](Self::undo) reverts.
     pub fn undo_label(&self) -> Option<&str> {
         self.done.last().map(|step| step.label.as_str())
     }
 
-    /// What [`redo`](Self::redo) would do again.
+    /// Label of the edit that [`redo`](Self::redo) repeats.
     pub fn redo_label(&self) -> Option<&str> {
         self.undone.last().map(|step| step.label.as_str())
     }

@@ -136,7 +136,7 @@ impl Side {
         }
     }
 
-    /// What follows the body's name in the name of the face; nothing for the front of an abutment.
+    /// Ending of the face's name after the body's; empty for the front of an abutment.
     pub fn label(self) -> &'static str {
         match self {
             Self::Girder(_, end) => end.label(),

@@ -1,4 +1,4 @@
-//! What is wrong with a value of a scene file, where it stands, and the words for it.
+//! Fault of a value of a scene file, its place, and its text.
 
 use toml::Value;
 
@@ -26,7 +26,7 @@ impl Step {
     }
 }
 
-/// What is wrong.
+/// Kind of a fault.
 #[derive(Clone, Debug, PartialEq)]
 pub(super) enum What {
     /// A key that is not known here, and those that are.
@@ -41,7 +41,7 @@ pub(super) enum What {
     Wrong(String),
 }
 
-/// What is wrong with a value, the way to it collected from the inside out.
+/// Fault of a value, with the path to it, collected from the inside out.
 #[derive(Clone, Debug, PartialEq)]
 pub(super) struct Fault {
     what: What,

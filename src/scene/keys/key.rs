@@ -2,7 +2,7 @@
 
 use super::range::Range;
 
-/// What a key is when the file does not have it.
+/// Value of a key that is not in the file.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub enum Fallback {
     /// The file must have it, or another key in its place: how, in words.
@@ -24,11 +24,11 @@ pub enum Fallback {
 pub struct Key {
     /// As it stands in the file.
     pub name: &'static str,
-    /// What may stand under it.
+    /// Allowed values.
     pub range: Range,
-    /// What it is without.
+    /// Value without the key.
     pub fallback: Fallback,
-    /// What it means, with its unit.
+    /// Meaning, with the unit.
     pub meaning: &'static str,
     /// The text that says what its field in the window is called; none: the name itself.
     pub label: Option<&'static str>,

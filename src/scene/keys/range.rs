@@ -1,4 +1,4 @@
-//! What may stand under a key: the one rule that files are checked by and that the window shows.
+//! Range of a key: the one rule of the check of files and of the window.
 
 use crate::language::{Message, Text, message};
 
@@ -7,7 +7,7 @@ const LARGEST: f64 = 1e15;
 /// Likewise below.
 const SMALLEST: f64 = 1e-15;
 
-/// What may stand under a key. Of a list of numbers it is the rule of each.
+/// Allowed values of a key; of a list of numbers, of each number.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub enum Range {
     /// Any number; none larger than 1e15 either way.
@@ -33,7 +33,7 @@ pub enum Range {
 }
 
 impl Range {
-    /// What is wrong with a number, as a remedy; `None` where it may stand.
+    /// Remedy for a number out of range; `None` of one in range.
     pub fn fault(self, value: f64) -> Option<Message> {
         if value.is_finite() {
             (!self.takes(value)).then(|| self.remedy(value))

@@ -1,4 +1,4 @@
-//! What stands under a key, to be changed by an editor.
+//! Value of a key, for an editor to change.
 
 use super::key::Key;
 
@@ -11,7 +11,7 @@ pub trait Editable {
     fn carry(&mut self, old: &Self, new: &Self);
 }
 
-/// What stands under a key.
+/// Mutable value of a key.
 #[derive(Debug)]
 pub enum Slot<'a> {
     /// A number, in the unit of the key.

@@ -4,7 +4,7 @@ use super::key::Fallback;
 use super::slot::{Editable, Slot};
 use crate::geometry::End;
 
-/// What stands under a key, for the check of its range.
+/// Value of a key, for the check of its range.
 #[derive(Clone, Debug, PartialEq)]
 pub(in crate::scene) enum Stated<'a> {
     /// No number, or none is given.
@@ -200,7 +200,7 @@ impl<T: Keyed + Editable + Clone + PartialEq> Stands for Vec<T> {
 
 /// A table of the scene file.
 pub(in crate::scene) trait Keyed {
-    /// What stands under each of its keys, in the order of the documentation.
+    /// Values of its keys, in the order of the documentation.
     fn stated(&self) -> impl Iterator<Item = (&'static str, Stated<'_>)>;
 
     /// Each key as it is where the file has none.
@@ -320,7 +320,7 @@ macro_rules! words {
             pub const ALL: &'static [Self] = &[$( Self::$Variant, )+];
             /// Their words.
             pub const WORDS: &'static [&'static str] = &[$( $word, )+];
-            /// What stands where the file has none.
+            /// Default.
             pub const DEFAULT: Self = Self::$Default;
             /// The same as the table of keys says it.
             pub const FALLBACK: $crate::scene::keys::Fallback =

@@ -30,7 +30,7 @@ impl Of {
 }
 
 impl Key {
-    /// What it means, in the language in use.
+    /// Meaning, in the language in use.
     pub fn meaning_told(&self) -> &'static str {
         told(Of::Meaning, self.meaning)
     }
@@ -45,7 +45,7 @@ impl Key {
 }
 
 impl Fallback {
-    /// What it is where it is said in words, in the language in use.
+    /// Default as a text, in the language in use; `None` of a number.
     pub fn told(self) -> Option<&'static str> {
         match self {
             Self::Needed(words) | Self::Words(words) => Some(told(Of::Default, words)),

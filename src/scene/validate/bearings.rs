@@ -1,5 +1,4 @@
-//! What a girder stands on: equal bearings by frequency or by kind, single ones, sliders with their loads, supports that can be
-//! lost.
+//! Validation of a girder's bearings: equal ones by frequency or by kind, single ones, sliders with their loads, supports that can be lost.
 
 use super::complaints::{At, numbers};
 use crate::language::{Text, message};

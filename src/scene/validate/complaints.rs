@@ -24,9 +24,9 @@ pub struct SceneError {
     pub file: String,
     /// `girder.deck.mass_kg`
     pub place: Message,
-    /// What stands there.
+    /// Value found.
     pub value: Message,
-    /// What is wrong and what would be right.
+    /// Fault and remedy.
     pub remedy: Message,
 }
 
@@ -106,7 +106,7 @@ impl Complaints {
     }
 }
 
-/// What a table is called; put together for a complaint only.
+/// Name of a table, formatted for a complaint only.
 #[derive(Debug)]
 enum Table<'a> {
     Called(String),

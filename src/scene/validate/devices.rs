@@ -52,7 +52,7 @@ fn each<T: Keyed + Part>(scene: &Scene, sound: bool, (kind, devices): (DeviceKin
     }
 }
 
-/// What is wrong with the bodies that a device names.
+/// Fault of the bodies that a device names.
 fn bodies(scene: &Scene, ends: &Ends<'_>) -> Option<(&'static str, Message, Message)> {
     let is_girder = |name: &str| scene.girders.iter().any(|g| g.name == name);
     if !is_girder(ends.girder) {

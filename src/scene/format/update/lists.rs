@@ -17,7 +17,7 @@ pub(super) fn origins(before: &[Value], after: &[Value]) -> Vec<Option<usize>> {
     found
 }
 
-/// What tells an item from the others: the name of a body, the ends of a pair.
+/// Key that identifies an item among the others: the name of a body, the ends of a pair.
 fn identity(item: &Value) -> Option<[Option<&Value>; 2]> {
     let keys = if item.get("name").is_some() { ["name", ""] } else { ["between", "ends"] };
     let identity = keys.map(|key| item.get(key));
@@ -63,7 +63,7 @@ fn unplace(item: &mut Item) {
     }
 }
 
-/// What stands between the items of a list of several lines. A comment behind an item, on its line, is the item's.
+/// Text between the items of a list of several lines. A comment after an item, on its line, belongs to the item.
 pub(super) struct Layout {
     /// Behind the opening bracket.
     open: String,
@@ -106,7 +106,7 @@ fn joined(behind: &str, above: &str) -> String {
     format!("{behind}{line_end}{above}")
 }
 
-/// What stands before the first line break, and the rest with it.
+/// Text before the first line break, and the rest with the break.
 fn split_at_line(gap: &str) -> [String; 2] {
     let (line, rest) = gap.split_at(gap.find('\n').unwrap_or(0));
     [line.to_owned(), rest.to_owned()]

@@ -1,4 +1,4 @@
-//! What is known of a place in the file: the way to it, where it is listed, what it holds unwritten.
+//! Properties of a place in the file: the path to it, its rank in the documentation, its unwritten value.
 
 use toml::Value;
 
@@ -21,7 +21,7 @@ pub(super) fn rank(path: &str, key: &str) -> usize {
     at.map_or(usize::MAX, |at| before + at)
 }
 
-/// What a key holds that is not written because it is the default; `None` where nothing holds then.
+/// Default of a table that is left out of the file; `None` of a key without one.
 pub(super) fn unwritten(path: &str) -> Option<Value> {
     match path {
         "gravity_m_s2" => Ok(Value::Float(STANDARD_GRAVITY)),
