@@ -9,7 +9,7 @@ use crate::sim::seats::seat_on::SeatOn;
 /// The code.
 pub(super) struct Caltrans;
 
-/// What is added to the movements \[in\].
+/// Allowance added to the movements \[in\].
 const ADDED_IN: f64 = 4.0;
 
 /// The least seat width \[in\].

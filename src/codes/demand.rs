@@ -1,4 +1,4 @@
-//! What a code requires of a seat, and what that depends on.
+//! Required length of a seat by a code, and its inputs.
 
 use crate::geometry::Prism;
 use crate::language::Text;
@@ -7,7 +7,7 @@ use crate::sim::seats::Seat;
 
 /// A design code with a requirement for seat lengths.
 pub(super) trait Code: Sync {
-    /// What it requires of a seat.
+    /// Required lengths of a seat.
     fn demands(&self, case: &Case<'_>) -> Vec<Demand>;
 }
 
@@ -18,7 +18,7 @@ pub struct Case<'a> {
     pub prism: &'a Prism,
     /// Inputs of design codes: the scene's table `[codes]`.
     pub codes: &'a Codes,
-    /// What the run left of the seat.
+    /// Readings of the seat in the run.
     pub seat: &'a Seat,
     /// Average height of the columns: of the pier under this end, of an end on an abutment of the pier under the other end \[m\], and where
     /// that is from; `None` of a girder on no pier.
@@ -90,20 +90,20 @@ pub struct Demand {
     pub formula: &'static str,
     /// Whether the formula was read in that edition; otherwise it is quoted from memory.
     pub confirmed: bool,
-    /// What the direction and the numbers rest on, where it is not plain.
+    /// Note on how direction and numbers follow from the scene, where it is not evident.
     pub note: Text,
-    /// What it depends on.
+    /// Inputs.
     pub inputs: Vec<Input>,
     /// The length required \[m\].
     pub required: f64,
     /// The length provided: the seat as placed \[m\].
     pub provided: f64,
-    /// What the run used: placed less least \[m\].
+    /// Length used in the run: placed less least \[m\].
     pub used: f64,
 }
 
 impl Demand {
-    /// What the run used, in parts of what the code requires.
+    /// Length used in the run over the length required \[–\].
     pub fn ratio(&self) -> f64 {
         self.used / self.required
     }

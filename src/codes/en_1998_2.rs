@@ -7,7 +7,7 @@ use crate::scene::{EuropeanGround, STANDARD_GRAVITY};
 /// The code.
 pub(super) struct En1998Part2;
 
-/// What stands for a ground type.
+/// Parameters of a ground type.
 pub(super) struct Ground {
     /// Soil factor, type 1 spectrum.
     pub(super) soil: f64,

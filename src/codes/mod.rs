@@ -33,7 +33,7 @@ pub fn least_seat(span: f64, skew_deg: f64) -> f64 {
 const ALL: [&dyn Code; 5] =
     [&jra::Jra, &aashto_lrfd::AashtoLrfd, &aashto_guide::AashtoGuide, &caltrans::Caltrans, &en_1998_2::En1998Part2];
 
-/// What is assumed of a number that `[codes]` does not give, by its key, for a girder of this length \[m\].
+/// Value assumed for a number that `[codes]` leaves out, by its key, for a girder of this length \[m\].
 pub fn assumed(key: &str, codes: &Codes, length: f64) -> f64 {
     let ground = en_1998_2::Ground::of(codes.european_ground.unwrap_or_default());
     match key {
@@ -49,17 +49,17 @@ pub fn assumed(key: &str, codes: &Codes, length: f64) -> f64 {
     }
 }
 
-/// What every code requires of a seat.
+/// Required lengths of a seat by every code.
 pub fn demands(case: &Case<'_>) -> Vec<Demand> {
     ALL.iter().flat_map(|code| code.demands(case)).collect()
 }
 
-/// What the codes require of a seat of a run.
+/// Required lengths of a seat of a run.
 #[derive(Clone, Debug, PartialEq)]
 pub struct SeatDemands {
     /// The girder's number.
     pub girder: usize,
-    /// What the run left of the seat.
+    /// Readings of the seat in the run.
     pub seat: Seat,
     /// Every code's requirement.
     pub demands: Vec<Demand>,

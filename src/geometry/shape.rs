@@ -91,7 +91,7 @@ pub fn plan_distance(polygon: &[DVec2; 4], point: DVec2) -> f64 {
     (0..4).map(beyond).fold(f64::NEG_INFINITY, f64::max)
 }
 
-/// What two convex polygons share, a convex polygon; empty or without area where they do not overlap.
+/// Intersection of two convex polygons, a convex polygon; empty or without area where they do not overlap.
 pub fn common_area(one: &[DVec2; 4], other: &[DVec2; 4]) -> Vec<DVec2> {
     let middle = other.iter().sum::<DVec2>() / 4.0;
     (0..4).fold(one.to_vec(), |shared, i| {

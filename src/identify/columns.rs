@@ -8,7 +8,7 @@ use csv::{ReaderBuilder, StringRecord, Trim};
 use crate::language::{Message, Text, message};
 use crate::motion::format::{RecordError, decimal};
 
-/// What stands in the first column.
+/// Quantity of the first column.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Quantity {
     /// Time, in s.
@@ -42,10 +42,10 @@ impl Quantity {
     }
 }
 
-/// What of a table is wanted.
+/// Columns to read from a table.
 #[derive(Clone, Copy, Debug)]
 pub struct Columns<'a> {
-    /// What the first column holds.
+    /// Quantity of the first column.
     pub first: Quantity,
     /// Name of the column of displacements; where there is but one it needs none.
     pub name: Option<&'a str>,
@@ -255,7 +255,7 @@ fn push(
     Ok(())
 }
 
-/// What stands between the columns of the first line that is no comment.
+/// Separator of the columns, from the first line that is no comment.
 fn separator(bytes: &[u8]) -> u8 {
     let line = bytes.split(|b| *b == b'\n').find(|line| !line.starts_with(b"#") && !line.trim_ascii().is_empty());
     let line = line.unwrap_or_default();

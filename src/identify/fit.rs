@@ -32,7 +32,7 @@ pub struct SteadyResponse<'a> {
     pub ground: Option<f64>,
 }
 
-/// What is known before.
+/// Parameters that are given, not fitted.
 #[derive(Clone, Copy, Debug, Default)]
 pub struct Given {
     /// The natural frequency, where damping alone is looked for \[Hz\].
@@ -42,7 +42,7 @@ pub struct Given {
 /// A value with half the width of its interval of 95 %.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Estimate {
-    /// What it is.
+    /// Name of the parameter.
     pub name: Text,
     /// Its unit; empty of a ratio.
     pub unit: &'static str,
@@ -52,14 +52,14 @@ pub struct Estimate {
     pub half_width: f64,
 }
 
-/// What least squares found.
+/// Parameters by least squares, and their quality.
 #[derive(Clone, Debug)]
 pub struct Identified {
     /// Natural frequency f \[Hz\].
     pub frequency: Estimate,
     /// Damping ratio h.
     pub damping: Estimate,
-    /// What was fitted beside them.
+    /// Further fitted parameters.
     pub others: Vec<Estimate>,
     /// Frequency of the resonance that the search began at \[Hz\].
     pub resonance: f64,
@@ -67,7 +67,7 @@ pub struct Identified {
     pub fitted: Vec<f64>,
     /// Measured less fitted \[m\].
     pub residuals: Vec<f64>,
-    /// What the residuals are like.
+    /// Statistics of the residuals.
     pub noise: Noise,
     /// Root mean square of the residuals as a share of that of the measured, less its mean.
     pub unexplained: f64,
@@ -136,7 +136,7 @@ trait Linear {
     /// The columns at a frequency \[Hz\] and a damping ratio.
     fn parts(&self, f: f64, h: f64) -> Parts;
 
-    /// What the unknown factors are.
+    /// Names of the linear factors.
     fn names(&self) -> Vec<Named>;
 }
 

@@ -3,7 +3,7 @@
 //! Each step solves `(JᵀJ + λ diag JᵀJ) Δp = Jᵀ r`, `r = measured − model`, with the parameters scaled by the diagonal. λ falls
 //! tenfold after a step that lowers `rᵀr` and rises tenfold after one that does not (Marquardt 1963).
 
-/// What is fitted.
+/// Model to fit.
 pub trait Model {
     /// Values at the measured places, none where the parameters have no sense.
     fn values(&self, parameters: &[f64]) -> Option<Vec<f64>>;

@@ -1,4 +1,4 @@
-//! What is said later: kept by its key and values, and spelled where it is shown.
+//! Messages: a key with values, formatted in the language in use where they are shown.
 
 use std::fmt;
 

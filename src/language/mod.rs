@@ -45,7 +45,7 @@ pub enum Language {
 }
 
 thread_local! {
-    /// What texts of this thread are in.
+    /// Language of the texts of this thread.
     static CURRENT: Cell<Language> = const { Cell::new(Language::English) };
 }
 

@@ -1,4 +1,4 @@
-//! What a picture that is exposed for a while is the mean of.
+//! Instants whose pictures an exposed picture is the mean of.
 
 /// Instants of an exposure: a tenth of a pixel apart at the speeds of the paper's film, exposed for half of the time between pictures.
 const SHARES: u32 = 33;

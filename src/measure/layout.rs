@@ -1,4 +1,4 @@
-//! What is marked, and where the marks are in the first picture: a TOML file beside the pictures.
+//! Marks and their places in the first picture: a TOML file beside the pictures.
 
 use std::collections::BTreeSet;
 
@@ -39,7 +39,7 @@ pub struct Layout {
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
 #[serde(deny_unknown_fields)]
 pub struct MarkPlace {
-    /// What it is on; `table` for what is measured against.
+    /// Body that it is on; `table` for the reference.
     pub body: String,
     /// Where it is in the first picture, to a few pixels: to the right and down from its top left.
     pub pixel: [f64; 2],
@@ -57,7 +57,8 @@ impl Layout {
     /// Reads the text of a layout.
     ///
     /// # Errors
-    /// What is wrong, with its line.
+    ///
+    /// The fault, with its line.
     pub fn parse(text: &str) -> Result<Self, String> {
         let layout: Self = toml::from_str(text).map_err(|error| {
             let line = error.span().map_or(1, |span| 1 + text[..span.start.min(text.len())].matches('\n').count());
@@ -68,7 +69,7 @@ impl Layout {
         Ok(layout)
     }
 
-    /// What cannot be measured by it.
+    /// Fault by which nothing can be measured.
     fn fault(&self) -> Option<String> {
         let positive = |value: f64| value.is_finite() && value > 0.0;
         let places = self.mark.iter().flat_map(|mark| mark.pixel.into_iter().chain(mark.at_mm.into_iter().flatten()));

@@ -13,7 +13,7 @@ const BRIGHTEST: f64 = 2e-4;
 /// Least difference between that level and the median for which a threshold is set automatically, of 255 (chosen).
 const CONTRAST: f32 = 24.0;
 
-/// What counts as a mark.
+/// Criteria of a mark.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Finder {
     /// Brightness above which a pixel is of a mark, 0 to 255.

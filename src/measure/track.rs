@@ -37,7 +37,7 @@ pub enum Lost {
     Missing {
         /// Its number.
         mark: usize,
-        /// What it is on.
+        /// Body that it is on.
         body: String,
         /// Where it was expected \[pixels\].
         near: [f64; 2],
@@ -57,7 +57,7 @@ pub enum Lost {
     Grown {
         /// Its number.
         mark: usize,
-        /// What it is on.
+        /// Body that it is on.
         body: String,
         /// Where \[pixels\].
         at: [f64; 2],
@@ -71,7 +71,7 @@ pub enum Lost {
     Shrunk {
         /// Its number.
         mark: usize,
-        /// What it is on.
+        /// Body that it is on.
         body: String,
         /// Where \[pixels\].
         at: [f64; 2],
@@ -85,7 +85,7 @@ pub enum Lost {
     AtEdge {
         /// Its number.
         mark: usize,
-        /// What it is on.
+        /// Body that it is on.
         body: String,
         /// Where \[pixels\].
         at: [f64; 2],

@@ -1,4 +1,4 @@
-//! What is done to the samples of a record: baselines, tapers, padding.
+//! Processing of the samples of a record: baselines, tapers, padding.
 
 use glam::{DMat3, DVec3};
 

@@ -84,7 +84,7 @@ pub struct SupportMotion {
     pub ground: usize,
     /// By how much later it begins; not negative \[s\].
     pub delay: f64,
-    /// What multiplies its acceleration \[–\].
+    /// Factor of its acceleration \[–\].
     pub factor: f64,
 }
 

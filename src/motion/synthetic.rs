@@ -11,7 +11,7 @@ use super::process::scale_to;
 /// Most samples of a record.
 const MOST: f64 = 1e7;
 
-/// What a synthetic earthquake is made by.
+/// Parameters of a synthetic earthquake.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Earthquake {
     /// Seed of the noise.

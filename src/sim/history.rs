@@ -28,8 +28,8 @@ const COMPARED_TOGETHER: usize = 16;
 
 /// A run of a scene, from t = 0 to [`History::end`].
 ///
-/// What is found when it is first asked for is searched on all processors. No part of such a search asks for what another search finds:
-/// a thread that waits for the parts of one takes up parts of others, and would wait for itself.
+/// Results that are computed on first use are searched on all processors. No part of such a search waits for another search: a thread that
+/// waits for the parts of one takes up parts of others, and would wait for itself.
 #[derive(Clone, Debug)]
 pub struct History {
     scene: Scene,
@@ -43,7 +43,7 @@ pub struct History {
     pub(super) found: Found,
 }
 
-/// What is found when it is first asked for.
+/// Results that are computed on first use.
 #[derive(Clone, Debug, Default)]
 pub(super) struct Found {
     pub(super) touches: OnceLock<Vec<Touch>>,
@@ -96,7 +96,7 @@ impl History {
         self.trajectories.end()
     }
 
-    /// What the impact model did; nothing where the contact model computed the run.
+    /// Record of the impact model; `None` where the contact model computed the run.
     pub fn impact(&self) -> Option<&Record> {
         self.record.as_ref()
     }
@@ -113,7 +113,7 @@ impl History {
         self
     }
 
-    /// What the run did, counted.
+    /// Counts of evaluations, steps and events.
     pub fn effort(&self) -> Effort {
         self.effort
     }
@@ -172,7 +172,7 @@ impl History {
         (0..pairs.len()).filter(|&number| !pairs[number].met || touched[number]).collect()
     }
 
-    /// What the answer takes, without the scene \[bytes\]: paths, contact states, events.
+    /// Memory without the scene \[bytes\]: paths, contact states, events.
     pub fn bytes(&self) -> usize {
         self.trajectories.bytes() + self.events.len() * size_of::<Event>()
     }

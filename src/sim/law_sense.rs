@@ -24,7 +24,7 @@ pub struct TooDeep {
     pub contact: usize,
     /// Its largest penetration \[m\], and when.
     pub depth: Extreme,
-    /// What it may be \[m\].
+    /// Allowed value \[m\].
     pub allowed: f64,
 }
 

@@ -11,7 +11,7 @@ use super::{ContactNow, ContactState, History, Unit, energy, readings};
 use crate::geometry::End;
 use crate::scene::Kind;
 
-/// What of a girder.
+/// A quantity of a girder.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum OfGirder {
     /// Displacement of G along x.
@@ -30,7 +30,7 @@ pub enum OfGirder {
     Omega,
 }
 
-/// What of a pier.
+/// A quantity of a pier.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum OfPier {
     /// Displacement of its cap against its foot, in plan.
@@ -43,7 +43,7 @@ pub enum OfPier {
     ShearAlong(usize),
 }
 
-/// What of a corner of a girder in plan.
+/// A quantity of a corner of a girder in plan.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum OfCorner {
     /// Displacement along x.
@@ -54,7 +54,7 @@ pub enum OfCorner {
     Drift,
 }
 
-/// What of a facing pair.
+/// A quantity of a facing pair.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum OfPair {
     /// Largest `|R_k|` of its contacts.
@@ -65,7 +65,7 @@ pub enum OfPair {
     Gap,
 }
 
-/// What of a contact; 0 while it is open.
+/// A quantity of a contact; 0 while it is open.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum OfContact {
     /// Elastic normal force `N(δ)`, without the dashpot; the reaction in the impact model.
@@ -84,7 +84,7 @@ pub enum OfContact {
     State,
 }
 
-/// What of a bearing, along the girder's axes as placed.
+/// A quantity of a bearing, along the girder's axes as placed.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum OfBearing {
     /// Deformation along x or y: 0 or 1.
@@ -95,7 +95,7 @@ pub enum OfBearing {
     Load,
 }
 
-/// What of a device between two points, or of soil behind a wall.
+/// A quantity of a device between two points, or of soil behind a wall.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum OfLink {
     /// Deformation along its axis.
@@ -111,7 +111,8 @@ pub enum Quantity {
     Girder(usize, OfGirder),
     /// Of a girder's corner in plan, by both numbers.
     Corner(usize, usize, OfCorner),
-    /// What remains of a seat under the end of a girder, square to its edge; of a seat without length, how far the end has moved off, negative.
+    /// Remaining seat length under the end of a girder, square to its edge; of a seat without length, the distance of the end off it,
+    /// negative.
     Seat(usize, End),
     /// Of a pier, by its number.
     Pier(usize, OfPier),

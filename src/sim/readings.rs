@@ -1,5 +1,5 @@
-//! What a designer reads off a run: rotation, drift of the corners, what remains of the seats, the least gap, the largest
-//! force, and which of the scene's limits were passed, and when.
+//! Readings of a run for design: rotation, drift of the corners, remaining seats, the least gap, the largest force, and the scene's limits
+//! that were exceeded, with the time.
 //!
 //! Extremes are looked for at a rate that neither bearings nor ground can outrun, then refined; instants by bisection.
 

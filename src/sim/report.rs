@@ -1,4 +1,4 @@
-//! What a run answers with: motion, contacts, events, energy. Plain data at one instant, SI, world frame.
+//! Readings of a run at one instant: motion, contacts, events, energy. Plain data, SI, world frame.
 
 use glam::{DMat3, DQuat, DVec3};
 

@@ -77,8 +77,8 @@ impl Session {
         &self.scene
     }
 
-    /// Computes on to `until` or the scene's duration; `go_on` is asked now and then and stops the work by answering `false`.
-    /// What is computed is kept. Portions do not change the answer.
+    /// Computes on to `until` or the scene's duration; `go_on` is called now and then and ends the work by returning `false`. Results so
+    /// far are kept. Portions do not change them.
     ///
     /// Once the scene's duration is reached, bodies that met where no contact joins them are joined and the run begins anew
     /// (`docs/physics.md#contact-wherever-bodies-meet`).
@@ -188,7 +188,7 @@ impl Session {
         states.into_iter().map(|(body, state)| Motion::of(&self.model, body, &state)).collect()
     }
 
-    /// What is computed so far.
+    /// The results so far.
     pub fn finish(self) -> History {
         let beside = self.beside.map(|beside| beside.finish());
         let (scene, model, groups) = (self.scene, self.model, self.groups);

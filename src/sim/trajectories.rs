@@ -18,7 +18,7 @@ use crate::dynamics::trajectory::step_polynomial::StepPolynomial;
 use crate::dynamics::trajectory::stored_path::{StoredMotion, StoredPath};
 use crate::geometry::End;
 
-/// What a run stored of its bodies, contacts and links, from t = 0 to [`Trajectories::end`].
+/// Stored motion of bodies, contacts and links of a run, from t = 0 to [`Trajectories::end`].
 #[derive(Clone, Debug)]
 pub(super) struct Trajectories {
     model: Arc<Model>,
@@ -169,7 +169,7 @@ impl Trajectories {
         Some((base, own.frame_since(section, &state)))
     }
 
-    /// What they take \[bytes\]: paths and contact states.
+    /// Memory \[bytes\]: paths and contact states.
     pub(super) fn bytes(&self) -> usize {
         let paths: usize = self.paths.iter().map(StoredPath::bytes).sum();
         let recomputed: usize = self.recomputed.iter().map(RecomputedSteps::bytes).sum();

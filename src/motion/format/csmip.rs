@@ -11,7 +11,7 @@ use crate::language::{Text, message};
 pub(super) const FORMAT: Format =
     Format { name: "CSMIP Volume 2", extensions: &["v2"], contents: Text::new("record-csmip"), sniff, read };
 
-/// What announces a series of accelerations.
+/// Words that announce a series of accelerations.
 const ANNOUNCED: &str = "points of accel data equally spaced";
 /// Lines within which the first one does; a header has 45.
 const HEADER: usize = 100;

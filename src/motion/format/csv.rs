@@ -19,7 +19,7 @@ const UNEVEN: f64 = 0.01;
 /// by at least Δt/2 off the straight line through the first and the last, rounding takes u of that away, and the rest must exceed the
 /// deviation u that is allowed: Δt/2 − u > u.
 const FINE: f64 = 0.25;
-/// What may stand between the columns. Between commas only a quoted number has a decimal comma.
+/// Separators of columns. Between commas only a quoted number has a decimal comma.
 const SEPARATORS: [u8; 3] = [b',', b';', b'\t'];
 
 /// This format.
@@ -31,7 +31,7 @@ fn sniff(bytes: &[u8]) -> bool {
     separator(bytes).is_some()
 }
 
-/// What stands between the columns, if there are two of numbers.
+/// Separator of the columns, if there are two of numbers.
 fn separator(bytes: &[u8]) -> Option<u8> {
     let starts = |separator: u8| {
         let records = reader(bytes, separator).into_records().filter(|record| !record.as_ref().is_ok_and(is_blank));

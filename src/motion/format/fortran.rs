@@ -65,7 +65,7 @@ impl Columns {
     }
 }
 
-/// What a line above numbers states: `12000 points of …`, `100 Real-header values follow …, Format= (5F15.6)`.
+/// Count and format stated in a line above numbers: `12000 points of …`, `100 Real-header values follow …, Format= (5F15.6)`.
 ///
 /// # Errors
 /// No count or no format in that line.

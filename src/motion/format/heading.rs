@@ -75,7 +75,7 @@ fn is_of_a_body(name: &str) -> bool {
     name.trim_end_matches('.').split_once('.').is_some_and(|(body, what)| body != "ground" && !accelerates(what))
 }
 
-/// What stands in round or square brackets.
+/// Text in round or square brackets.
 fn bracketed(field: &str) -> Option<&str> {
     let (_, rest) = field.split_once(['[', '('])?;
     rest.split_once([']', ')']).map(|(inside, _)| inside.trim())

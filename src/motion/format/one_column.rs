@@ -51,7 +51,7 @@ fn read(bytes: &[u8], beside: &Supplement) -> Result<Vec<Channel>, RecordError> 
     Ok(vec![Channel::converted("", Orientation::Unstated, unit.0, dt, numbers)])
 }
 
-/// What follows one of these words and `=` or `:` in a header line.
+/// Text after one of these words and `=` or `:` in a header line.
 fn stated<'l>(line: &'l str, words: &[&str]) -> Option<&'l str> {
     words.iter().find_map(|word| {
         let at = find_word(line, word)?;
@@ -71,7 +71,7 @@ fn unit_stated(line: &str, number: u64) -> Result<Option<(Unit, u64)>, RecordErr
         .ok_or_else(|| RecordError::new(number, message!("record-unit-of", "unit" => format!("`{word}`")), remedy))
 }
 
-/// What the file states, or what is stated beside it; not both, and one of them.
+/// Value from the file, or from the keys beside it; not both, and one of them.
 fn one_of<T>(key: &str, own: Option<(T, u64)>, beside: Option<T>, remedy: Text) -> Result<(T, u64), RecordError> {
     match (own, beside) {
         (Some((_, line)), Some(_)) => {

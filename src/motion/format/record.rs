@@ -8,11 +8,11 @@ use crate::language::{Message, Text, message};
 /// A format of record files.
 #[derive(Clone, Copy, Debug)]
 pub struct Format {
-    /// What it is called.
+    /// Name of the format.
     pub name: &'static str,
     /// Usual extensions of its files, lower case, without the dot.
     pub extensions: &'static [&'static str],
-    /// What such a file holds, with units.
+    /// Contents of such a file, with units.
     pub contents: Text,
     /// Whether the first lines of a file are in this format.
     pub(super) sniff: fn(&[u8]) -> bool,
@@ -20,7 +20,7 @@ pub struct Format {
     pub(super) read: fn(&[u8], &Supplement) -> Result<Vec<Channel>, RecordError>,
 }
 
-/// What is stated beside a file, for formats whose files may leave it out.
+/// Values from keys beside a file, for formats whose files may leave them out.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
 pub struct Supplement {
     /// Interval between samples \[s\].
@@ -53,7 +53,7 @@ pub enum Orientation {
 /// An evenly sampled acceleration, one component of ground motion.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Channel {
-    /// What the file calls it; empty where it has no name.
+    /// Name in the file; empty where it has none.
     pub name: String,
     /// Direction of positive samples.
     pub orientation: Orientation,
@@ -63,19 +63,19 @@ pub struct Channel {
     pub dt: f64,
     /// Samples from t = 0 on \[m/s²\].
     pub samples: Vec<f64>,
-    /// What was done to the file's numbers, in the order done, in words.
+    /// Processing of the file's numbers, in order, as texts.
     pub done: Vec<Message>,
 }
 
-/// What is wrong with a record.
+/// Fault of a record.
 #[derive(Clone, Debug, PartialEq, Eq, thiserror::Error)]
 #[error("{}", self.message())]
 pub struct RecordError {
     /// Line in the file, from 1.
     pub line: u64,
-    /// What stands there.
+    /// Value found.
     pub value: Message,
-    /// What would be right.
+    /// Remedy.
     pub remedy: Message,
 }
 

@@ -1,4 +1,4 @@
-//! What a run did to the soil behind backwalls.
+//! Readings of the soil behind backwalls.
 
 use glam::DVec3;
 

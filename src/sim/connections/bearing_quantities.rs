@@ -1,4 +1,5 @@
-//! What bearings make of a girder, as on ground that stands still, wherever they stand (`docs/physics.md#bearings`).
+//! Frequencies, damping ratios and eccentricities of a girder on its bearings, as on ground at rest, wherever they stand
+//! (`docs/physics.md#bearings`).
 
 use crate::dynamics::Body;
 use crate::dynamics::model::bearing::{Bearing, BearingQuantities};

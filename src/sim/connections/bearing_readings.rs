@@ -1,4 +1,4 @@
-//! What a run did to the bearings of a girder.
+//! Readings of the bearings of a girder.
 
 use rayon::prelude::*;
 

@@ -1,4 +1,4 @@
-//! What a run did to the devices of its scene.
+//! Readings of the devices of a scene.
 
 use crate::dynamics::connection::{Activity, Phase};
 use crate::dynamics::model::compiled_model::ModelDevice;

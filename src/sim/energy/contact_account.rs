@@ -1,4 +1,4 @@
-//! What a contact loses in its dashpots and in friction, and what the ground does through it, step by step.
+//! Losses of a contact in its dashpots and in friction, and the work of the ground through it, step by step.
 
 use crate::contact::{NormalLaw, locate};
 use crate::dynamics::penalty3d::contact_state::Contact;

@@ -48,7 +48,7 @@ pub struct Ledger {
     pub jump_device: f64,
     /// Brought in by a start or an entry with overlap (negative: energy that appeared).
     pub jump_entry: f64,
-    /// What the balance leaves over: stored + lost + released − worked − initial. 0 but for rounding and integration error.
+    /// Residual of the balance: stored + lost + released − worked − initial \[J\]. 0 but for rounding and integration error.
     pub residual: f64,
     /// Largest energy in play, to compare the residual with.
     pub scale: f64,
@@ -76,7 +76,7 @@ impl Ledger {
         self.jump_slip + self.jump_open + self.jump_edge + self.jump_entry + self.jump_device
     }
 
-    /// What there was at t = 0 \[J\].
+    /// Energy at t = 0 \[J\].
     pub fn initial(&self) -> f64 {
         self.stored() + self.lost() + self.released() - self.work_ground - self.work_push - self.residual
     }

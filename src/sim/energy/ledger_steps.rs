@@ -1,4 +1,5 @@
-//! What the accounts of contacts and devices have in common: the steps that they are integrated over, and the power of what moves as given.
+//! Common parts of the accounts of contacts and devices: the steps that they are integrated over, and the power of bodies with a given
+//! motion.
 
 use glam::DVec3;
 

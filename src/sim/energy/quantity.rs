@@ -2,7 +2,7 @@
 
 use crate::sim::History;
 
-/// What of the energy ledger (`docs/physics.md#energy-ledger`).
+/// A quantity of the energy ledger (`docs/physics.md#energy-ledger`).
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum OfEnergy {
     /// Kinetic.
@@ -29,7 +29,7 @@ pub enum OfEnergy {
     LostDevices,
     /// Lost in friction.
     Friction,
-    /// What the balance leaves over.
+    /// Residual of the balance.
     Residual,
 }
 

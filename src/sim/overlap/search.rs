@@ -51,7 +51,7 @@ struct Meeting<'a> {
     resolved: f64,
 }
 
-/// What is followed through an interval.
+/// Bodies or node that an interval is searched for.
 #[derive(Clone, Copy, Debug)]
 enum Followed {
     /// Two bodies.
@@ -120,7 +120,7 @@ pub(super) fn first(
 }
 
 impl Meeting<'_> {
-    /// What facing pair `number` leaves to be followed, and when.
+    /// Bodies or nodes of facing pair `number` to search, and their intervals.
     fn left_by(&self, number: usize, turned: &Turned) -> Vec<(Followed, Vec<Interval>)> {
         match unwatched::of_pair(self.history, number, turned) {
             Unwatched::Bodies(intervals) => vec![(Followed::Bodies, intervals)],

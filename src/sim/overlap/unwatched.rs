@@ -22,7 +22,7 @@ const MOST_TURNED: f64 = 0.3;
 /// An interval of time \[s\].
 pub(super) type Interval = [f64; 2];
 
-/// What the contacts of a facing pair leave to be sought.
+/// Bodies or nodes whose overlap the contacts of a facing pair do not limit.
 #[derive(Debug, PartialEq)]
 pub(super) enum Unwatched {
     /// The two bodies, in these intervals.
@@ -31,7 +31,7 @@ pub(super) enum Unwatched {
     Nodes(Vec<(usize, Vec<Interval>)>),
 }
 
-/// What the contacts of facing pair `number` leave to be sought.
+/// Bodies or nodes to search of facing pair `number`.
 pub(super) fn of_pair(history: &History, number: usize, turned: &Turned) -> Unwatched {
     let whole = || Unwatched::Bodies(vec![[0.0, history.end()]]);
     let model = history.model();
@@ -121,7 +121,7 @@ pub(super) fn united(mut intervals: Vec<Interval>) -> Vec<Interval> {
     all
 }
 
-/// What two lists of disjoint intervals in order of time have in common.
+/// Intersection of two lists of disjoint intervals in order of time.
 pub(super) fn common(one: &[Interval], other: &[Interval]) -> Vec<Interval> {
     let both = one.iter().flat_map(|a| other.iter().map(move |b| [a[0].max(b[0]), a[1].min(b[1])]));
     both.filter(|[from, until]| from < until).collect()

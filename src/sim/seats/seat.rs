@@ -1,5 +1,5 @@
-//! What remains of the seats of a girder: at each corner of an end the distance to the front edge of its seat, the least of it,
-//! when and where a corner comes off, and when the whole end does (`docs/seats.md`).
+//! Remaining seat lengths of a girder: at each corner of an end the distance to the front edge of its seat, the least of it, when and where
+//! a corner comes off, and when the whole end does (`docs/seats.md`).
 //!
 //! Values are read off the continuous history. Extremes and zeros are searched between looks that neither bearings nor ground
 //! can outrun, and every low point that may reach 0 between two looks is closed in on.

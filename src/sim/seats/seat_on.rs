@@ -1,4 +1,4 @@
-//! What a seat is fixed to, and how that moves.
+//! Body to which a seat is fixed, and its motion.
 
 use glam::DVec3;
 

@@ -45,7 +45,7 @@ pub(in crate::sim) fn rounding(values: &[f64; VALUES], half: f64) -> [f64; VALUE
     [force, force * half, force * half, force * half, ROUNDING * stress, force]
 }
 
-/// What is read from section forces: not negative, and of a sum of forces no larger than the sum of what is read from each.
+/// A reading of section forces: not negative, and of a sum of forces no larger than the sum of the readings of each.
 struct Reading<'a> {
     /// Stress of the extreme fibre; `None` where no values of all stations are asked for.
     fibre: Option<&'a dyn Fn(&SectionForces) -> f64>,
@@ -190,7 +190,7 @@ impl<'a> Sections<'a> {
     }
 }
 
-/// What has been seen of each value.
+/// Largest values found so far.
 struct Search {
     values: [Seen; VALUES],
     /// Below which each is rounding.

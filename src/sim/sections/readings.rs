@@ -1,4 +1,4 @@
-//! What a run says of its elastic girders: section forces, stress, ringing, and how far the model holds.
+//! Readings of elastic girders: section forces, stress, ringing, and the validity of the model.
 
 use glam::DVec3;
 
