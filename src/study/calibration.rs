@@ -47,7 +47,7 @@ pub struct Fitted {
     pub half_width: f64,
 }
 
-/// What least squares found.
+/// Parameters by least squares.
 #[derive(Clone, Debug)]
 pub struct Calibration {
     /// The keys.

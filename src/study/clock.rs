@@ -14,7 +14,7 @@ pub fn thread_seconds() -> f64 {
 /// A value and how long it takes to get.
 #[derive(Clone, Copy, Debug)]
 pub struct Timed<T> {
-    /// What the last run gave.
+    /// Result of the last run.
     pub value: T,
     /// The least CPU time of the runs counted \[s\].
     pub seconds: f64,

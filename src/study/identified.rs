@@ -1,4 +1,4 @@
-//! What was identified as charts and tables: measured against fitted, and what is left.
+//! Identification as charts and tables: measured against fitted, and residuals.
 
 use std::fmt::Write as _;
 

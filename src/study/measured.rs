@@ -1,4 +1,4 @@
-//! What was measured from pictures, and how it differs from a run: histories, errors in pixels and millimetres, charts.
+//! Motion measured from pictures, and its difference from a run: histories, errors in pixels and millimetres, charts.
 
 use std::fmt::Write as _;
 

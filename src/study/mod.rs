@@ -19,7 +19,7 @@ pub mod stability;
 pub mod sweep;
 pub mod waves;
 
-/// What a page says of the occasion: when, where, how.
+/// Circumstances of a page: date, machine, command.
 #[derive(Clone, Debug, Default)]
 pub struct Occasion {
     /// The day.

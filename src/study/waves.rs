@@ -13,7 +13,7 @@ const AFTER: f64 = 3.0;
 /// Transits before it.
 const BEFORE: f64 = 0.5;
 
-/// What is drawn: of which girder, what, from when to when \[s\].
+/// Section force to draw: girder, quantity, span of time \[s\].
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Wanted {
     /// Number of the girder.

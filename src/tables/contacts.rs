@@ -16,7 +16,8 @@ use crate::sim::{ContactNow, History};
 /// on the node's body.
 ///
 /// # Errors
-/// What the writer says.
+///
+/// Those of the writer.
 pub fn contacts(history: &History, sample_hz: f64, out: &mut dyn Write) -> std::io::Result<()> {
     let rows = instants(history, sample_hz).flat_map(|(t, why)| {
         let closed = history.contacts(t);

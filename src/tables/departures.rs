@@ -89,7 +89,7 @@ pub struct TooDeepReport {
     pub depth: f64,
     /// When \[s\].
     pub t: f64,
-    /// What it may be: a tenth of the shortest side of either girder \[m\].
+    /// Allowed value: a tenth of the shortest side of either girder \[m\].
     pub allowed: f64,
 }
 
@@ -117,15 +117,15 @@ pub struct OutsideReport {
     pub place: String,
     /// The facing pair that it belongs to, if to one.
     pub pair: Option<String>,
-    /// What it is called.
+    /// Name.
     pub quantity: Text,
     /// Its unit.
     pub unit: &'static str,
-    /// What it is.
+    /// Value.
     pub value: f64,
     /// The end of the domain that it lies beyond.
     pub bound: f64,
-    /// What is to be expected.
+    /// Expected consequence.
     pub consequence: Text,
 }
 

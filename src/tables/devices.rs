@@ -11,7 +11,7 @@ use crate::sim::{DeviceReading, History};
 
 const HEADER: [&str; 9] = ["t", "device", "state", "deformation", "across", "gap", "fx", "fy", "fz"];
 
-/// What a run did to a device.
+/// Readings of a device.
 #[derive(Clone, Debug, PartialEq, Serialize)]
 pub struct DeviceReport {
     /// Its name.
@@ -36,7 +36,7 @@ pub struct DeviceReport {
     pub broke_at: Option<f64>,
 }
 
-/// What a run did to every device of the scene.
+/// Readings of every device of the scene.
 pub(super) fn reports(history: &History) -> Vec<DeviceReport> {
     let report = |reading: DeviceReading| {
         let DeviceReading { device, force, part_of_strength, deformation, times, first, yielded_at, broke_at } =
@@ -64,7 +64,8 @@ pub(super) fn reports(history: &History) -> Vec<DeviceReport> {
 /// phase, of a slider that of the whole bearing; deformation and gap as in that phase \[N, m\].
 ///
 /// # Errors
-/// What the writer says.
+///
+/// Those of the writer.
 pub fn devices(history: &History, out: &mut dyn Write) -> std::io::Result<()> {
     let (model, connections) = (history.model(), history.connections());
     // A bearing on a pier that yields has two links of one name, a linear one beside its hysteresis: its changes are those of the other.

@@ -10,7 +10,8 @@ const HEADER: [&str; 7] = ["t", "pair", "kind", "node", "face", "released", "law
 /// The table: one row an event, in order of time; `released` is the energy that a jump of the anchor set free \[J\].
 ///
 /// # Errors
-/// What the writer says.
+///
+/// Those of the writer.
 pub fn events(history: &History, out: &mut dyn Write) -> std::io::Result<()> {
     to_csv(&HEADER.map(str::to_owned), history.events().iter().map(|event| row(history, event)), out)
 }

@@ -1,4 +1,4 @@
-//! What `summary.json` says of elastic girders.
+//! Readings of elastic girders in `summary.json`.
 
 use serde::Serialize;
 
@@ -25,12 +25,12 @@ pub struct FlexibleReport {
     pub frequencies: Vec<f64>,
     /// Time of an axial wave from end to end \[s\].
     pub transit_time: f64,
-    /// What the run did to it; nothing where it was taken as rigid.
+    /// Readings of the run; `None` where the girder was computed as rigid.
     #[serde(flatten)]
     pub run: Option<FlexibleRun>,
 }
 
-/// What a run did to a girder that bends.
+/// Readings of an elastic girder.
 #[derive(Clone, Debug, PartialEq, Serialize)]
 pub struct FlexibleRun {
     /// Its hardest hit.

@@ -34,7 +34,8 @@ const HITS: [&str; 22] = [
 /// its tangent \[N·s\], energy lost \[J\]. Empty under the contact model.
 ///
 /// # Errors
-/// What the writer says.
+///
+/// Those of the writer.
 pub fn hits(history: &History, out: &mut dyn Write) -> std::io::Result<()> {
     let all = history.impact().map_or(&[][..], |record| &record.hits);
     to_csv(&HITS.map(str::to_owned), all.iter().map(|hit| hit_row(history, hit)), out)
@@ -81,7 +82,8 @@ const TRANSITIONS: [&str; 10] = ["t", "girder", "pair", "from", "to", "state", "
 /// tables that fired. Empty under the contact model.
 ///
 /// # Errors
-/// What the writer says.
+///
+/// Those of the writer.
 pub fn transitions(history: &History, out: &mut dyn Write) -> std::io::Result<()> {
     let all = history.impact().map_or(&[][..], |record| &record.transitions);
     let rows = all.iter().filter(|change| change.from != change.to || change.t == 0.0);

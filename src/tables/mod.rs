@@ -41,7 +41,7 @@ use crate::sim::{DegreeCheck, ErrorEstimate, History};
 /// Samples per second unless told otherwise \[Hz\].
 pub const DEFAULT_SAMPLE_HZ: f64 = 100.0;
 
-/// What the tables cannot know from the answer alone.
+/// Options of the tables beyond the run's results.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct TableOptions {
     /// Rows per second in `trajectory.csv` and `contacts.csv` \[Hz\].
@@ -79,7 +79,8 @@ impl Table<'_> {
     /// Writes its bytes.
     ///
     /// # Errors
-    /// What the writer says.
+    ///
+    /// Those of the writer.
     pub fn write(&self, out: &mut dyn Write) -> std::io::Result<()> {
         (self.write)(out)
     }
@@ -172,7 +173,7 @@ fn to_csv(header: &[String], rows: impl IntoIterator<Item = Vec<String>>, out: &
     writer.flush()
 }
 
-/// What the writer answered; anything else would be a mistake of the table's own function.
+/// Error of the writer; any other would be a mistake of the table's own function.
 fn of_writer(error: csv::Error) -> std::io::Error {
     match error.into_kind() {
         csv::ErrorKind::Io(error) => error,

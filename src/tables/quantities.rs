@@ -8,7 +8,8 @@ use crate::sim::{History, Quantity};
 /// The table: `t`, then a column a quantity under its name, SI, at a constant rate \[Hz\].
 ///
 /// # Errors
-/// What the writer says.
+///
+/// Those of the writer.
 pub fn quantities(
     history: &History,
     columns: &[(String, Quantity)],

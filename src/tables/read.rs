@@ -30,15 +30,15 @@ pub struct EventRow {
     pub kind: String,
 }
 
-/// What is wrong with a table, and where.
+/// Fault of a table, and its place.
 #[derive(Clone, Debug, PartialEq, Eq, thiserror::Error)]
 #[error("{}", said!("table-error", "place" => cut(&place.to_string()), "value" => cut(&value.to_string()), "remedy" => *remedy))]
 pub struct TableError {
     /// `line 3, column deck.x`.
     pub place: Message,
-    /// What stands there.
+    /// Value found.
     pub value: Message,
-    /// What would be right.
+    /// Remedy.
     pub remedy: Text,
 }
 

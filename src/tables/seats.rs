@@ -34,7 +34,7 @@ pub struct SeatReport {
     pub least_remaining: f64,
     /// The same along the axis \[m\].
     pub least_along_axis: f64,
-    /// What was used of it, square to the edge: placed less least \[m\].
+    /// Length used, square to the edge: placed less least \[m\].
     pub used: f64,
     /// When the least remained \[s\].
     pub t: f64,
@@ -50,14 +50,14 @@ pub struct SeatReport {
     pub middle_zero_rotation_deg: Option<f64>,
     /// Left side of the rotation condition of the girder, (6) of the paper and (16.5.1) of JRA part V.
     pub rotation_condition: f64,
-    /// What design codes require.
+    /// Lengths required by design codes.
     pub codes: Vec<DemandReport>,
 }
 
 /// A length of seat that a code requires, square to the front edge, and what the run makes of it.
 #[derive(Clone, Debug, PartialEq, Serialize)]
 pub struct DemandReport {
-    /// What is required, there and used.
+    /// Length required, provided and used.
     #[serde(flatten)]
     pub demand: Demand,
     /// Used in parts of required.
@@ -66,7 +66,7 @@ pub struct DemandReport {
     pub met: bool,
 }
 
-/// What remained at a corner, square to the edge.
+/// Remaining length at a corner, square to the edge.
 #[derive(Clone, Debug, PartialEq, Serialize)]
 pub struct CornerReport {
     /// Its number in plan, from 1.

@@ -29,7 +29,7 @@ pub struct Report {
     pub kind: Kind,
     /// Which model computed it, `contact` or `impact`.
     pub model: &'static str,
-    /// What was asked for \[s\].
+    /// Duration of the scene \[s\].
     pub duration: f64,
     /// How far the answer reaches \[s\].
     pub end: f64,
@@ -45,7 +45,7 @@ pub struct Report {
     pub pairs: Vec<PairReport>,
     /// Whether each girder that has seats stays on them, in words.
     pub verdicts: Vec<VerdictReport>,
-    /// What remains of the seats that the scene gives.
+    /// Remaining lengths of the seats that the scene gives.
     pub seats: Vec<SeatReport>,
     /// Bearings that lost their support, the earliest first: every later sample is without them.
     #[serde(skip_serializing_if = "Vec::is_empty")]
@@ -56,14 +56,14 @@ pub struct Report {
     /// Supports whose ground moves otherwise than that of `[motion]`.
     #[serde(skip_serializing_if = "Vec::is_empty")]
     pub moved_supports: Vec<MovedSupport>,
-    /// What the run did to the bearings of every girder that has some.
+    /// Readings of the bearings of every girder that has some.
     #[serde(skip_serializing_if = "Vec::is_empty")]
     pub bearings: Vec<BearingsReport>,
-    /// What the run did to the soil behind backwalls that move.
+    /// Readings of the soil behind backwalls that move.
     pub backfill: Vec<BackfillReport>,
-    /// What the run did to piers.
+    /// Readings of the piers.
     pub piers: Vec<PierReport>,
-    /// What the run did to devices.
+    /// Readings of the devices.
     #[serde(skip_serializing_if = "Vec::is_empty")]
     pub devices: Vec<DeviceReport>,
     /// Girders that the scene calls elastic.
@@ -104,7 +104,7 @@ pub struct Report {
     /// Whether a corner errs by more than a thousandth of the largest motion of one, as far as that is known by both, or the fibre
     /// stress or a section force, as far as `estimated_stress_error` looks, by more than a hundredth of itself.
     pub error_is_large: bool,
-    /// What it errs by in parts of that.
+    /// Estimated error over the largest motion of a corner \[–\].
     #[serde(skip)]
     pub error_share: f64,
     /// The energy ledger at the end \[J\].
@@ -119,7 +119,7 @@ pub struct Report {
     pub run_time: Option<f64>,
     /// How many times faster than real time, when timed.
     pub times_real_time: Option<f64>,
-    /// What computed it.
+    /// Versions of program and scene format.
     pub versions: Versions,
     /// Files of the answer, this one among them; a later answer in the same folder removes those that it does not have.
     pub files: Vec<String>,

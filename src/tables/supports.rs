@@ -1,4 +1,4 @@
-//! What a run did to bearings, to piers and to the soil behind backwalls, in `summary.json`.
+//! Readings of bearings, of piers and of the soil behind backwalls, in `summary.json`.
 
 use serde::Serialize;
 
@@ -130,7 +130,7 @@ pub(super) fn bearings(history: &History) -> Vec<BearingsReport> {
     history.connections().bearing_readings().into_iter().map(report).collect()
 }
 
-/// What the run did to the soil behind every backwall that moves.
+/// Readings of the soil behind every backwall that moves.
 pub fn backfill(history: &History) -> Vec<BackfillReport> {
     let report = |BackfillReading { abutment, push, t, force, ultimate, height, remaining_gap }: BackfillReading| {
         let abutment = history.scene().abutments[abutment].name.clone();
@@ -139,7 +139,7 @@ pub fn backfill(history: &History) -> Vec<BackfillReport> {
     history.connections().backfill().into_iter().map(report).collect()
 }
 
-/// What the run did to every pier.
+/// Readings of every pier.
 pub fn piers(history: &History) -> Vec<PierReport> {
     let report =
         |PierReading { pier, periods, drift, shear, moment, turn, base, second_order }: PierReading| PierReport {

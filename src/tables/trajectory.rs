@@ -8,7 +8,7 @@ use crate::sim::{History, Motion};
 
 /// Columns of a planar girder: displacement of G \[m\], rotation since placed \[rad\], their rates.
 const PLANAR: [&str; 6] = ["x", "y", "theta", "vx", "vy", "omega"];
-/// What a spatial girder adds: height \[m\], attitude (unit quaternion, body to world), the other rates.
+/// Further columns of a spatial girder: height \[m\], attitude (unit quaternion, body to world), the other rates.
 const SPATIAL: [&str; 8] = ["z", "qx", "qy", "qz", "qw", "vz", "wx", "wy"];
 
 /// The table: `t`, then per girder `NAME.x, NAME.y, NAME.theta, NAME.vx, NAME.vy, NAME.omega`; a spatial girder adds
@@ -16,7 +16,8 @@ const SPATIAL: [&str; 8] = ["z", "qx", "qy", "qz", "qw", "vz", "wx", "wy"];
 /// until then.
 ///
 /// # Errors
-/// What the writer says.
+///
+/// Those of the writer.
 pub fn trajectory(history: &History, sample_hz: f64, out: &mut dyn Write) -> std::io::Result<()> {
     let spatial = history.scene().kind == Kind::Spatial;
     let bodies = &history.model().bodies;

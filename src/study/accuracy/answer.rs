@@ -1,4 +1,4 @@
-//! What a method answers at the instants of comparison, and how far two answers are apart.
+//! Results of a method at the instants of comparison, and the distance between two results.
 
 use crate::sim::History;
 
@@ -38,7 +38,7 @@ pub struct Answer {
     pub peak_force: f64,
     /// Steps taken; 0 where the method does not count them.
     pub steps: usize,
-    /// What is to be said about the run.
+    /// Note on the run.
     pub note: String,
 }
 

@@ -1,4 +1,4 @@
-//! What other programs need for the same problems: figures measured elsewhere, kept as they were given.
+//! Cost of other programs for the same problems: figures measured elsewhere, kept as they were given.
 //!
 //! CPU seconds on one core of a like machine at the best setting found for each; the error is the largest displacement
 //! error. "finite elements" is a general finite-element code with a gap element and Newmark steps, "robotics engine" a
@@ -15,7 +15,7 @@ pub(super) struct Other {
     pub(super) seconds: Option<f64>,
     /// Displacement error, where it has a number \[m\].
     pub(super) error: Option<f64>,
-    /// What is to be said.
+    /// Note.
     pub(super) note: &'static str,
 }
 

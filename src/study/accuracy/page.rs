@@ -96,7 +96,7 @@ impl Study {
         text
     }
 
-    /// What gave no answer, what was left out of equilibrium, and how near each method ever came.
+    /// Runs without a result, motions left out of equilibrium, and the smallest error of each method.
     fn failures(&self) -> String {
         let mut text = String::from("## What failed, and what was remarked\n\n");
         for part in &self.parts {

@@ -4,7 +4,7 @@ use super::others::OTHERS;
 use super::study::{Part, Study};
 use crate::plot::{COLORS, Guide, Mark, Marker, Plot, Series, Ticks};
 
-/// What is to be reached: problem, seconds, displacement error \[m\].
+/// Goals: problem, seconds, displacement error \[m\].
 pub(super) const GOALS: &[(&str, f64, f64)] = &[("P1", 1e-3, 1e-9), ("P2", 2e-3, 1e-8), ("record", 5e-3, 1e-8)];
 /// Errors smaller than this are drawn here \[m\].
 const LEAST: f64 = 1e-17;

@@ -33,7 +33,7 @@ pub enum Source {
 /// A problem of the set.
 #[derive(Clone, Copy, Debug)]
 pub struct Problem {
-    /// What the command line calls it.
+    /// Name in the command line.
     pub name: &'static str,
     /// One line on what it is.
     pub summary: &'static str,
@@ -48,7 +48,8 @@ impl Problem {
     /// Its scene.
     ///
     /// # Errors
-    /// What the format says of a preset that it is made from.
+    ///
+    /// Those of the format for a preset that it is made from.
     pub fn scene(&self) -> Result<Scene, SceneErrors> {
         (self.scene)()
     }

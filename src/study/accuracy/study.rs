@@ -15,7 +15,7 @@ const LONGEST_QUICK: f64 = 0.05;
 /// Most steps to an interval of comparison, as a power of two.
 const FINEST: u32 = 12;
 
-/// What a study is to do.
+/// Settings of a study.
 #[derive(Clone, Copy, Debug)]
 pub struct Options {
     /// Runs that are timed, after a warm-up.
@@ -43,7 +43,7 @@ pub struct Row {
     pub runs: usize,
     /// Errors against the reference; nothing when there is no answer.
     pub errors: Option<Errors>,
-    /// What is to be said: why there is no answer, steps refused, iterations that did not converge.
+    /// Note: the reason of a missing result, steps refused, iterations that did not converge.
     pub note: String,
 }
 
@@ -52,7 +52,7 @@ pub struct Row {
 pub struct Part {
     /// The problem.
     pub problem: &'static Problem,
-    /// What errors were measured against.
+    /// Reference of the errors.
     pub reference: Reference,
     /// How long the run is, and until when it is compared \[s\].
     pub until: (f64, f64),

@@ -1,4 +1,4 @@
-//! What a film of marks is worth: the error of measured motion against mark size, resolution, exposure, noise and quantisation.
+//! Error of a film of marks: that of measured motion against mark size, resolution, exposure, noise and quantisation.
 //!
 //! Pictures are made here from the places of the marks (`study/camera/picture.rs`), so that each influence can be had alone, and measured as those
 //! of a camera are. The film is the paper's: its 45° girder, driven along the axis at 0.40 g, hits and turns.
@@ -27,7 +27,7 @@ const COUNT: u32 = 91;
 const ON_DECK: [[f64; 2]; 3] = [[-76.0, 0.0], [0.0, 0.0], [76.0, 0.0]];
 const ON_TABLE: [[f64; 2]; 2] = [[-76.0, -66.5], [76.0, -66.5]];
 
-/// What is varied.
+/// Varied parameter.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Influence {
     /// Diameter of the marks.
@@ -95,7 +95,7 @@ impl Influence {
 /// A film of one camera, measured.
 #[derive(Clone, Debug)]
 pub struct Row {
-    /// What was varied.
+    /// Varied parameter.
     pub influence: Influence,
     /// Its value.
     pub value: f64,

@@ -129,7 +129,7 @@ impl Shaking {
 /// A case of Table 2.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Case {
-    /// What hits what.
+    /// Bodies that collide.
     pub specimen: Specimen,
     /// Excitation angle \[degrees\].
     pub angle_deg: f64,

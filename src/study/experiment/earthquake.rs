@@ -15,7 +15,7 @@ const LONGEST: f64 = 60.0;
 /// Acceleration of the shaking table, one component.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Earthquake {
-    /// What it is, in a line.
+    /// Description, in a line.
     pub name: String,
     /// Whether it is the built-in synthetic one.
     pub synthetic: bool,

@@ -1,4 +1,4 @@
-//! What an observer of the experiment would note of a run: hits and their corners, states, extremes, histories.
+//! Observations on a run as in the experiment: hits and their corners, states, extremes, histories.
 
 use glam::DVec2;
 use serde::{Deserialize, Serialize};
@@ -16,7 +16,7 @@ pub const FRAME: f64 = 1.0 / 30.0;
 /// Intervals of Simpson's rule over the force of a hit.
 const INTERVALS: u32 = 48;
 
-/// What was seen of a run.
+/// Observations on a run.
 #[derive(Clone, Debug, Default, PartialEq, Serialize, Deserialize)]
 pub struct Observed {
     /// How far it was computed \[s\].
@@ -38,11 +38,11 @@ pub struct HitSeen {
     pub until: f64,
     /// First touch of a corner on the right (−y) and on the left (+y) of the axis \[s\].
     pub corners: [Option<f64>; 2],
-    /// What the contact changed of the velocity of the first girder within a frame of the film, `|Δv_x|` and `|Δv_y|` \[m/s\].
+    /// Change of the first girder's velocity by the contact within a frame of the film, `|Δv_x|` and `|Δv_y|` \[m/s\].
     pub jump: [f64; 2],
 }
 
-/// What was seen of a girder.
+/// Observations on a girder.
 #[derive(Clone, Debug, Default, PartialEq, Serialize, Deserialize)]
 pub struct GirderSeen {
     /// Its name.

@@ -34,7 +34,7 @@ pub struct ScanResult {
     pub maps: Vec<Vec<Option<f64>>>,
 }
 
-/// What there is so far.
+/// Results so far.
 #[derive(Clone, Debug, Default)]
 pub struct Results {
     /// By name.
@@ -46,7 +46,7 @@ pub struct Results {
 }
 
 impl Results {
-    /// What was seen of a case under a model, by its place in [`MODELS`].
+    /// Observations on a case under a model, by its place in [`MODELS`].
     pub fn of(&self, case: &Case, model: usize) -> Option<&Observed> {
         self.cases.get(&case.name())?.models.get(model)
     }

@@ -64,7 +64,7 @@ impl Unit {
     /// Words that stand for several units.
     pub const KINDS: [&'static str; 5] = ["straight", "skew60", "skew45", "pair", "maps"];
 
-    /// What its result depends on: its scenes, its axes, the version of the program.
+    /// Fingerprint of the inputs of its result: its scenes, its axes, the version of the program.
     ///
     /// # Errors
     /// None: the presets are part of the program.

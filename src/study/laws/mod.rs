@@ -25,7 +25,7 @@ const INSTANTS: u32 = 1500;
 pub struct Variant {
     /// The law.
     pub law: NormalName,
-    /// What its name has beyond that of the law.
+    /// Ending of its name after the law's.
     pub beyond: &'static str,
     /// Keys of `[contact]` beside `normal_law`.
     settings: &'static [&'static str],
@@ -49,7 +49,7 @@ pub fn variants() -> Vec<Variant> {
     all
 }
 
-/// What a law did.
+/// Results of a law.
 #[derive(Clone, Debug)]
 pub struct Outcome {
     /// The law.

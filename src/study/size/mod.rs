@@ -19,7 +19,7 @@ pub const SIZES_QUICK: [usize; 4] = [1, 3, 10, 100];
 /// One measurement.
 #[derive(Clone, Debug)]
 pub struct Row {
-    /// What the row of girders is called.
+    /// Name of the row of girders.
     pub scene: &'static str,
     /// Girders.
     pub girders: usize,

@@ -5,7 +5,7 @@ use std::fmt::Write as _;
 use super::Row;
 use crate::study::Occasion;
 
-/// What other kinds of program need for 1000 girders and one simulated second, as it was given \[s\].
+/// Time that other kinds of program need for 1000 girders and one simulated second, as it was given \[s\].
 const OTHERS: [(&str, f64); 3] =
     [("the fastest of them, at an error of 1e-5 m", 3.3), ("the second", 13.9), ("the third", 650.0)];
 

@@ -5,7 +5,7 @@ use super::watch::{Clock, Limits, NoAnswer, Watch};
 use crate::scene::{Scene, domain};
 use crate::sim::{Cause, History, Stop};
 
-/// What came out for a scene.
+/// Outcome for a scene.
 #[derive(Clone, Debug, PartialEq)]
 pub enum Outcome {
     /// Every check that is put to the scene passed.
@@ -21,9 +21,9 @@ pub enum Outcome {
 /// A scene's outcome with its figures.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Examined {
-    /// What came out.
+    /// Outcome.
     pub outcome: Outcome,
-    /// What was measured.
+    /// Measured values.
     pub figures: Figures,
     /// How long the examined scene lasts: as it is, or until as many events have come up, or steps were taken, as were asked for \[s\].
     pub until: f64,
@@ -48,7 +48,7 @@ fn failed(scene: &Scene, check: Check, detail: String) -> Examined {
     Examined { outcome, figures: Figures::default(), until: scene.duration }
 }
 
-/// What a panic said.
+/// Message of a panic.
 fn message(panic: &(dyn std::any::Any + Send)) -> String {
     let text = panic.downcast_ref::<String>().map(String::as_str).or_else(|| panic.downcast_ref::<&str>().copied());
     text.unwrap_or("a panic without a message").to_owned()

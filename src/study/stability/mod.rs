@@ -24,7 +24,7 @@ pub use watch::{Clock, Limits};
 use crate::scene::domain::is_inside;
 use crate::scene::{Kind, Scene};
 
-/// What to examine.
+/// Seeds to examine, and limits.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Asked {
     /// First seed.
@@ -35,11 +35,11 @@ pub struct Asked {
     pub inside: bool,
     /// How many at once.
     pub threads: usize,
-    /// What the runs of one seed may take.
+    /// Limits of the runs of one seed.
     pub limits: Limits,
 }
 
-/// What came out for a seed.
+/// Outcome for a seed.
 #[derive(Clone, Debug)]
 pub struct Verdict {
     /// The seed.
@@ -60,7 +60,7 @@ pub struct Verdict {
     pub examined: Examined,
     /// Where it failed: a small scene that fails in the same check.
     pub small: Option<Scene>,
-    /// What its runs and checks took, shrinking apart \[s\].
+    /// Time of its runs and checks, without shrinking, \[s\].
     pub seconds: f64,
 }
 

@@ -1,4 +1,4 @@
-//! What a study says: a table of all seeds, and a page.
+//! Results of a study: a table of all seeds, and a page.
 
 use std::fmt::Write as _;
 

@@ -7,7 +7,7 @@ use crate::sim::{History, Session};
 /// Seconds since some start; who may look at a clock passes it in.
 pub type Clock<'a> = &'a (dyn Fn() -> f64 + Sync);
 
-/// What the runs of one seed may take.
+/// Limits of the runs of one seed.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Limits {
     /// Seconds of the clock.

@@ -42,7 +42,7 @@ fn same(a: &Row, b: &Row) -> bool {
 }
 
 impl Changed {
-    /// What differs, in words.
+    /// Difference, as a text.
     pub fn words(&self, plan: &Plan) -> String {
         let (kept, now) = (&self.kept, &self.now);
         if kept.status != now.status {

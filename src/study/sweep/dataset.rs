@@ -15,7 +15,7 @@ use crate::scene::keys;
 /// The rows of a sweep, each in its place.
 #[derive(Debug)]
 pub struct Dataset<'a> {
-    /// What was computed.
+    /// The sweep.
     pub plan: &'a Plan,
     /// Every row, by the number of its run.
     pub rows: &'a BTreeMap<usize, Row>,
@@ -86,7 +86,7 @@ pub fn columns(plan: &Plan) -> Vec<Column<'_>> {
     std::iter::once(Column::Run).chain(keys).chain(measures).chain(ends).collect()
 }
 
-/// What a sweep is, as JSON: what its identity is made of, and what the columns of its dataset mean.
+/// Description of a sweep as JSON: the parts of its identity, and the meaning of its dataset's columns.
 pub fn about(plan: &Plan) -> Value {
     let vary: Vec<Value> = plan.axes.iter().map(|axis| json!({"key": axis.key, "values": axis.values})).collect();
     let measures: Vec<&str> = plan.measures.iter().map(|measure| measure.name).collect();
@@ -110,7 +110,8 @@ impl Dataset<'_> {
     /// As CSV.
     ///
     /// # Errors
-    /// What the writer answers.
+    ///
+    /// Those of the writer.
     pub fn csv(&self) -> Result<Vec<u8>, csv::Error> {
         let columns = columns(self.plan);
         let mut writer = csv::Writer::from_writer(Vec::new());

@@ -11,10 +11,10 @@ use xxhash_rust::xxh3::Xxh3;
 use super::plan::Plan;
 use super::row::{Row, Status};
 
-/// What stands for no value.
+/// Mark of a missing value.
 const NONE: &str = "-";
 
-/// What identifies a sweep: the same scene, records, keys, values, measures and version of the program.
+/// Identity of a sweep: the same scene, records, keys, values, measures and version of the program.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub struct Identity(pub u64);
 
@@ -58,7 +58,7 @@ impl Identity {
     }
 }
 
-/// What a journal holds.
+/// Contents of a journal.
 #[derive(Clone, Debug, Default, PartialEq)]
 pub struct Contents {
     /// The rows by the numbers of their runs.

@@ -1,4 +1,4 @@
-//! What a sweep keeps of each run: numbers with names and units.
+//! Measures that a sweep keeps of each run: numbers with names and units.
 
 use crate::language::{Text, message};
 use crate::scene::shown::shown;
@@ -14,7 +14,7 @@ pub struct Measure {
     pub label: Text,
     /// Unit of its values.
     pub unit: &'static str,
-    /// What it is.
+    /// Meaning.
     pub meaning: &'static str,
     /// Unit on a picture, and how many of it are one of [`unit`](Self::unit).
     pub drawn: (&'static str, f64),

@@ -22,7 +22,8 @@ impl Dataset<'_> {
     /// `girderbench`, `columns` with their units, and so on.
     ///
     /// # Errors
-    /// What the writer answers.
+    ///
+    /// Those of the writer.
     pub fn parquet(&self, about: &Value) -> Result<Vec<u8>, ParquetError> {
         let columns = columns(self.plan);
         let fields = columns.iter().map(field).collect::<Result<_, _>>()?;

@@ -1,4 +1,4 @@
-//! What a sweep computes: a scene, the keys that vary, the measures that are kept; its runs by number.
+//! Plan of a sweep: a scene, the keys that vary, the measures that are kept; its runs by number.
 
 use std::collections::BTreeSet;
 
@@ -23,7 +23,7 @@ pub struct Plan {
     pub scene: Scene,
     /// The keys that vary, in the order given.
     pub axes: Vec<Axis>,
-    /// What is kept of each run.
+    /// Measures kept of each run.
     pub measures: Vec<&'static Measure>,
     laid: Laid,
     read: Box<ReadRecords>,
@@ -39,7 +39,8 @@ impl Plan {
     /// Of a scene, `KEY=VALUES` each, and names of measures.
     ///
     /// # Errors
-    /// What cannot be read; a key or measure given twice; a value with which every run is refused.
+    ///
+    /// A file that cannot be read; a key or measure given twice; a value with which every run is refused.
     pub fn new(
         scene: Scene,
         vary: &[String],
@@ -165,7 +166,7 @@ impl Plan {
     }
 }
 
-/// What stands at a key of a scene, stated or by default, where it is a number.
+/// Value of a key of a scene, stated or by default, where it is a number.
 pub fn own_value(laid: &Laid, key: &str) -> Option<f64> {
     let stated = laid.value(key).and_then(|value| number(&value.to_string()));
     stated.or_else(|| keys::of_place(key)?.1.number())

@@ -1,4 +1,4 @@
-//! What came out of a run of a sweep.
+//! Result of a run of a sweep.
 
 use super::plan::Plan;
 use crate::sim::{Cause, History, Stop};
@@ -32,7 +32,7 @@ impl Status {
     }
 }
 
-/// What came out of a run.
+/// Result of a run.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Row {
     /// Number of the run in its [`Plan`].

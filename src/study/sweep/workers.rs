@@ -11,7 +11,8 @@ use super::row::Row;
 /// A row depends on its run alone: not on the order, nor on the number of threads.
 ///
 /// # Errors
-/// What `told` fails with.
+///
+/// Those of `told`.
 pub fn compute<E>(
     plan: &Plan,
     runs: &[usize],

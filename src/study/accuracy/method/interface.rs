@@ -1,10 +1,10 @@
-//! What every method is: a name, a setting, and the work that is timed.
+//! Interface of every method: a name, a setting, and the work that is timed.
 
 use crate::scene::{ModelKind, Scene};
 use crate::sim::History;
 use crate::study::accuracy::{Answer, Instants};
 
-/// What the setting of a method is.
+/// Kind of a method's setting.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum SettingKind {
     /// Steps to one interval of comparison, so that every instant ends a step.
@@ -13,7 +13,7 @@ pub enum SettingKind {
     Tolerance,
 }
 
-/// What a method was given to do.
+/// Task of a method.
 #[derive(Clone, Copy, Debug)]
 pub struct Job<'a> {
     /// The scene.
@@ -24,7 +24,7 @@ pub struct Job<'a> {
     pub setting: f64,
 }
 
-/// What a method leaves behind.
+/// Result of a method's work.
 #[derive(Debug)]
 pub enum Work {
     /// A history that can be asked for any time.
@@ -45,10 +45,10 @@ impl Work {
 
 /// A way to answer a scene.
 pub trait Method: Sync {
-    /// What the command line and the tables call it.
+    /// Name in the command line and the tables.
     fn name(&self) -> &'static str;
 
-    /// What it is turned by.
+    /// Kind of the setting.
     fn setting_kind(&self) -> SettingKind;
 
     /// Whether it computes such a scene: here the contact model with rigid girders.

@@ -16,7 +16,7 @@ pub(super) trait Scheme {
     /// Takes a step.
     fn step(&mut self, world: &mut World, t: f64, h: f64);
 
-    /// What is to be said at the end.
+    /// Note at the end.
     fn note(&self) -> String {
         String::new()
     }

@@ -1,5 +1,5 @@
-//! What (61)–(63) of the paper are without their large rotations: two-node bar elements with consistent mass, Newmark's steps with
-//! average acceleration, and in each step an iteration until gaps and forces agree. For straight elastic girders in one line.
+//! (61)–(63) of the paper without their large rotations: two-node bar elements with consistent mass, Newmark's steps with average
+//! acceleration, and in each step an iteration until gaps and forces agree. For straight elastic girders in one line.
 //!
 //! Elements are as long as a wave runs in a step: shorter ones, or shorter steps alone, would only cost.
 

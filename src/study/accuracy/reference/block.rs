@@ -89,7 +89,7 @@ impl Piece {
     }
 }
 
-/// What comes after a phase that ends at `t`.
+/// Phase after one that ends at `t`.
 fn next(piece: &Piece, t: f64) -> Piece {
     let (y, v) = piece.at(t);
     let phase = match piece.phase {

@@ -24,7 +24,7 @@ const TRUSTED: f64 = 1e-8;
 pub struct Reference {
     /// The answer at the instants.
     pub answer: Answer,
-    /// What computed it.
+    /// Method that computed it.
     pub what: &'static str,
     /// Instant number up to which a comparison means anything.
     pub last: usize,
@@ -48,7 +48,7 @@ fn is_exact(source: Source) -> bool {
     !matches!(source, Source::Bar | Source::Second)
 }
 
-/// What the tables and the page say of a source.
+/// Name of a source in tables and page.
 pub fn describe(source: Source) -> &'static str {
     match source {
         Source::FreeDecay | Source::HarmonicResponse => "closed form",
@@ -63,7 +63,8 @@ pub fn describe(source: Source) -> &'static str {
 /// The reference of a problem, and how far it reaches.
 ///
 /// # Errors
-/// What the scene's validation says.
+///
+/// Those of the scene's validation.
 pub fn of(source: Source, scene: &Scene) -> Result<Reference, SceneErrors> {
     let instants = Instants { until: scene.duration };
     let answer = match source {

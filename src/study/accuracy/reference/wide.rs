@@ -7,7 +7,7 @@ use std::ops::{Add, Mul, Neg, Sub};
 pub struct Wide {
     /// The number to 16 digits.
     pub hi: f64,
-    /// What is left of it.
+    /// The number less `hi`.
     pub lo: f64,
 }
 

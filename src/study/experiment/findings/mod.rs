@@ -1,4 +1,4 @@
-//! What the paper saw (section 2(4), 3(3), 4(3)), each as checks of our runs of the same cases under both models.
+//! Observations of the paper (section 2(4), 3(3), 4(3)), each as checks of our runs of the same cases under both models.
 //!
 //! Nothing is fitted: the runs are those of the presets, and what the paper leaves open is scanned beside them
 //! (`scan`).
@@ -21,7 +21,7 @@ pub struct Finding {
     pub number: usize,
     /// In a few words.
     pub title: &'static str,
-    /// What the paper saw.
+    /// Observation of the paper.
     pub paper: &'static str,
     /// Under each model, in the order of [`MODELS`]; one where the model plays no part.
     pub verdicts: Vec<Verdict>,

@@ -28,9 +28,9 @@ impl Outcome {
 /// A statement about runs that can be decided.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Check {
-    /// What is claimed, with the limit that decides it.
+    /// Claim, with the limit that decides it.
     pub claim: String,
-    /// What was found, with unit.
+    /// Value found, with unit.
     pub found: String,
     /// Whether it holds.
     pub holds: bool,
@@ -51,7 +51,7 @@ pub struct Verdict {
 }
 
 impl Verdict {
-    /// What they amount to.
+    /// Outcome of all checks.
     pub fn outcome(&self) -> Outcome {
         let held = self.checks.iter().filter(|check| check.holds).count();
         match held {

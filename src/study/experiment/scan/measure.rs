@@ -1,4 +1,4 @@
-//! What a scan shows of its runs.
+//! Measures of a scan's runs.
 
 use crate::study::experiment::cases::girder::HALF_LENGTH;
 use crate::study::experiment::cases::{Case, Shaking, Specimen};

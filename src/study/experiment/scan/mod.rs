@@ -58,13 +58,13 @@ impl Axis {
 pub struct Scan {
     /// Its name, of its file too.
     pub name: &'static str,
-    /// What is seen, in a line.
+    /// Title, in a line.
     pub title: &'static str,
     /// Level axis.
     pub x: Axis,
     /// Upright axis.
     pub y: Axis,
-    /// What is measured.
+    /// Measured value.
     pub measure: Measure,
     /// The maps, from left to right.
     pub variants: &'static [Variant],

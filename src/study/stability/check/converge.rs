@@ -45,7 +45,7 @@ pub fn convergence(history: &History, watch: &Watch<'_>, figures: &mut Figures, 
     }
 }
 
-/// What is wrong, if anything; a run at another tolerance may fail as the first one might have.
+/// Fault, if there is one; a run at another tolerance may fail as the first one might have.
 fn compare(coarse: &History, watch: &Watch<'_>, figures: &mut Figures) -> Result<Option<String>, Complaint> {
     let scene = coarse.scene();
     let [tolerance, fine, finest] = [1.0, 1e-2, 1e-4].map(|part| (scene.solver.tolerance * part).max(FINEST_TOLERANCE));
@@ -199,7 +199,7 @@ impl PerturbedRuns {
         Ok(until)
     }
 
-    /// What differences of the finer tolerance have come to by an instant, tenfold \[m\].
+    /// Ten times the greatest difference at the finer tolerance until an instant \[m\].
     fn floor(&mut self, truth: &Run, last: usize, watch: &Watch<'_>) -> Result<f64, Complaint> {
         let mut floor: f64 = 0.0;
         for start in &mut self.starts {
@@ -260,7 +260,7 @@ fn failed(scene: &Scene, check: Check, what: &str) -> Complaint {
     Complaint { check, detail: format!("at tolerance {tolerance:e}, {what}"), tolerance: Some(tolerance) }
 }
 
-/// What moves and how far: the largest girder and the largest displacement \[m\].
+/// Largest of the girders' sizes and of the displacements \[m\].
 fn extent(history: &History) -> f64 {
     (0..history.model().bodies.len()).map(|body| farthest(history, body)).fold(size(history), f64::max)
 }

@@ -62,7 +62,7 @@ fn balance(readings: &[(f64, Ledger)], scale: f64, bound: f64, figures: &mut Fig
 
 type Losses = Vec<(&'static str, f64)>;
 
-/// What only grows.
+/// Losses that only grow.
 fn always(ledger: &Ledger) -> Losses {
     vec![
         ("the loss in bearings", ledger.loss_bearing),
@@ -74,9 +74,9 @@ fn always(ledger: &Ledger) -> Losses {
     ]
 }
 
-/// What only grows from one instant without contact to the next under the paper's law. Return mapping lets its anchor
-/// slide by the spring's force alone, so where the tangential dashpot out-pulls the spring, towards the end of a touch,
-/// the anchor gives back, and with little restitution it may give back more than friction took.
+/// Losses that only grow from one instant without contact to the next under the paper's law. Return mapping lets its anchor slide by the
+/// spring's force alone, so where the tangential dashpot out-pulls the spring, towards the end of a touch, the anchor gives back, and with
+/// little restitution it may give back more than friction took.
 fn between_touches(ledger: &Ledger) -> Losses {
     let contacts = [
         ledger.loss_normal,

@@ -71,7 +71,7 @@ impl Complaint {
     }
 }
 
-/// What was measured on the way; 0 where a check was not reached.
+/// Measured values; 0 where a check was not reached.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
 pub struct Figures {
     /// Touches of single contacts.

@@ -1,4 +1,4 @@
-//! What must hold for every answer, whatever the scene: each check with its own stated bound.
+//! Checks of every result, of any scene, each with its own stated bound.
 
 mod converge;
 mod energy;
@@ -15,7 +15,7 @@ pub use converge::convergence;
 pub use finding::{Check, Complaint, Figures};
 
 impl Check {
-    /// What is claimed, with the bound.
+    /// Claim, with the bound.
     pub fn claim(self) -> &'static str {
         match self {
             Self::Panic => "nothing panics",

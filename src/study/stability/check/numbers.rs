@@ -35,7 +35,7 @@ fn is_finite(motion: &Motion) -> bool {
         && motion.theta.is_finite()
 }
 
-/// What a body did that it may not do.
+/// Fault of a body's motion.
 fn moved(history: &History, body: usize, motion: &Motion) -> Option<String> {
     let off = (motion.attitude.length() - 1.0).abs();
     if off > LENGTH {

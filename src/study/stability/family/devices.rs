@@ -135,7 +135,7 @@ fn motion(random: &mut Random, sizes: &Sizes, amplitude: f64, kind: Kind) -> Mot
     })
 }
 
-/// What every girder stands on, as settings.
+/// Bearings of every girder, as settings.
 fn bearings(random: &mut Random, scene: &Scene, sizes: &Sizes) -> Vec<String> {
     let spatial = scene.kind == Kind::Spatial;
     let up = three_digits(sizes.hertz * random.log(4.0, 15.0));

@@ -10,7 +10,7 @@ mod thrown;
 use super::random::Random;
 use crate::scene::Scene;
 
-/// What makes a scene of a family.
+/// Generator of a family's scenes.
 type Maker = fn(&mut Random) -> Scene;
 
 /// Every family by name; a seed belongs to number `seed mod` their count.

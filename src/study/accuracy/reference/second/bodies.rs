@@ -18,7 +18,7 @@ pub(super) struct Pose {
 }
 
 impl Pose {
-    /// What stands still.
+    /// A body at rest.
     pub(super) fn fixed(home: DVec3) -> Self {
         Self { home, shift: DVec3::ZERO, attitude: DMat3::IDENTITY, velocity: DVec3::ZERO, spin: DVec3::ZERO }
     }

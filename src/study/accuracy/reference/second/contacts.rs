@@ -66,7 +66,7 @@ pub(super) enum State {
     },
 }
 
-/// What may happen to a contact.
+/// Event of a contact.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub(super) enum Kind {
     Enter,
@@ -194,7 +194,7 @@ pub(super) fn sides(site: &ContactSite, poses: &[Pose]) -> [Pose; 2] {
     [site.node_body, site.face_body].map(|body| body.map_or_else(|| Pose::fixed(site.fixed), |b| poses[b]))
 }
 
-/// What may happen next, each with a function that rises through 0 when it does.
+/// Possible next events, each with its switching function, which rises through 0 at the event.
 pub(super) fn watched(site: &ContactSite, state: &State, angle: f64, poses: &[Pose]) -> Vec<(Kind, f64)> {
     let [node, face] = sides(site, poses);
     let view = View::of(site, &node, &face);

@@ -1,10 +1,10 @@
 //! The second formulation: the same physics written anew from its equations, to compare with.
 //!
-//! What it shares with the event-driven solver: the scene as compiled (sizes, faces, who is declared against whom, the
-//! ground motion), with corners alone as contact points. What it does not: an attitude is a matrix, not a quaternion; bearings act one by one; contact forces
-//! are written with world vectors and an anchor that is a point of the face's body (53), (54), (57)–(59); free flight is
-//! integrated like everything else; the integrator extrapolates Gragg's midpoint rule (Bulirsch and Stoer); an event is
-//! found by taking the step again, shorter, until the switching function is 0.
+//! Common with the event-driven solver: the scene as compiled (sizes, faces, declared contacts, the ground motion), with corners alone as
+//! contact points. Different: an attitude is a matrix, not a quaternion; bearings act one by one; contact forces are written with world
+//! vectors and an anchor that is a point of the face's body (53), (54), (57)–(59); free flight is integrated like everything else; the
+//! integrator extrapolates Gragg's midpoint rule (Bulirsch and Stoer); an event is found by taking the step again, shorter, until the
+//! switching function is 0.
 
 mod bodies;
 mod contacts;
