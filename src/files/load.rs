@@ -45,7 +45,8 @@ fn complete(text: &str, sets: &[String], (folder, file): (&Path, &str)) -> Resul
 /// Reads a side file of unsaved work with the records that it names. The scene is not validated: work may be kept during an edit.
 ///
 /// # Errors
-/// What cannot be read, in words.
+///
+/// Texts on what cannot be read.
 pub fn load_unsaved(path: &Path) -> Result<Scene, SceneErrors> {
     let name = path.to_string_lossy();
     let mut scene = format::parse(&read_text(path)?, &name)?;

@@ -28,7 +28,7 @@ pub struct ReadError {
 
 #[derive(Debug)]
 enum Cause {
-    /// What the system answered.
+    /// Error of the system.
     System(std::io::Error),
     /// It is no regular file, but this.
     #[cfg(not(target_arch = "wasm32"))]
@@ -43,7 +43,7 @@ impl ReadError {
         matches!(&self.cause, Cause::System(error) if error.kind() == ErrorKind::NotFound)
     }
 
-    /// What was found in place of a file that can be read.
+    /// Message on the file that cannot be read.
     pub(super) fn found(&self) -> Message {
         match self.cause {
             Cause::System(ref error) => message!("found-unreadable", "error" => error.to_string()),
@@ -56,7 +56,7 @@ impl ReadError {
         }
     }
 
-    /// What would be right.
+    /// Remedy.
     pub(super) fn remedy(&self) -> Text {
         match self.cause {
             Cause::System(_) => Text::new("wrong-unreadable"),

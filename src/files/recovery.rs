@@ -13,7 +13,7 @@ use super::staging::hold;
 use super::write_error::WriteError;
 use crate::scene::Scene;
 
-/// What a side file's name ends in; the second one of a scene ends in `.unsaved2`.
+/// Ending of a side file's name; that of a scene's second one is `.unsaved2`.
 const ENDING: &str = ".unsaved";
 
 /// Most side files of one scene (chosen); [`SideFile::create`] fails beyond them.
@@ -39,7 +39,7 @@ pub struct Found {
 }
 
 impl Found {
-    /// What the work is saved into when it has been brought back: the scene's own file, or the side file's text.
+    /// Source of the recovered work, into which it is saved: the scene's own file, or the side file's text.
     pub fn source(&self) -> SceneSource {
         let text = || text_of(&self.path).map_or(SceneSource::New, |text| SceneSource::Text(text.into()));
         self.file.clone().map_or_else(text, SceneSource::File)

@@ -1,4 +1,4 @@
-//! What a scene was read from: the text that it is saved into.
+//! Source of a scene: the text that it is saved into.
 
 use std::borrow::Cow;
 use std::path::{Path, PathBuf};
@@ -7,7 +7,7 @@ use std::sync::Arc;
 use super::read::{LARGEST_INPUT, read_regular};
 use crate::scene::presets;
 
-/// What a scene was read from.
+/// Source of a scene.
 #[derive(Clone, Debug, Default, PartialEq, Eq)]
 pub enum SceneSource {
     /// Nothing: it was made in the program.
@@ -22,7 +22,7 @@ pub enum SceneSource {
 }
 
 impl SceneSource {
-    /// What [`load_scene`](super::load_scene) reads under this name: a preset where one has it, else a file.
+    /// Source that [`load_scene`](super::load_scene) reads under this name: a preset where one has it, else a file.
     pub fn of(name_or_path: impl AsRef<Path>) -> Self {
         let path = name_or_path.as_ref();
         let preset = path.to_str().and_then(presets::get);

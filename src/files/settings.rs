@@ -1,4 +1,4 @@
-//! What the user has chosen for every window, kept from one start to the next.
+//! The user's settings for every window, kept from one start to the next.
 //!
 //! Settings that are missing, unreadable or nonsense are none: they never keep the program from starting.
 
@@ -11,7 +11,7 @@ use super::save::{folder_of, write_atomic};
 use super::write_error::WriteError;
 use crate::language::Language;
 
-/// What was chosen, in this window or an earlier one.
+/// Settings chosen in this window or an earlier one.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
 pub struct Chosen {
     /// The language of its words.
@@ -28,7 +28,7 @@ pub struct Chosen {
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Serialize, Deserialize)]
 #[serde(default)]
 pub struct FoldedPanels {
-    /// What is placed, and numbers.
+    /// List of bodies and devices, and numbers.
     #[serde(skip_serializing_if = "Option::is_none")]
     pub placed: Option<bool>,
     /// Sliders.
@@ -87,7 +87,7 @@ impl Settings {
         Self { file, chosen }
     }
 
-    /// What was chosen.
+    /// The chosen settings.
     pub fn chosen(&self) -> &Chosen {
         &self.chosen
     }

@@ -15,9 +15,9 @@ use tempfile::{Builder, NamedTempFile, TempDir};
 
 use super::write_error::WriteError;
 
-/// What the names of unfinished files and of folders of them begin with.
+/// Beginning of the names of unfinished files and of folders of them.
 const MARK: &str = ".girderbench-";
-/// What the name of an unfinished file ends in.
+/// Ending of an unfinished file's name.
 const UNFINISHED: &str = ".tmp";
 /// Letters and digits of such a name that are drawn by chance.
 const DRAWN: usize = 6;
@@ -119,7 +119,7 @@ enum Unfinished {
     Folder,
 }
 
-/// What a name of ours stands for; `None` of any other.
+/// Kind of an unfinished file or folder by its name; `None` of any other name.
 fn kind(name: &str) -> Option<Unfinished> {
     let rest = name.strip_prefix(MARK)?;
     let (drawn, kind) = match rest.strip_suffix(UNFINISHED) {

@@ -1,4 +1,4 @@
-//! What a file looked like when it was last read or written, to notice that another program has changed it.
+//! Size and time of a file when it was last read or written, by which a change by another program is noticed.
 
 use std::path::Path;
 use std::time::SystemTime;

@@ -11,7 +11,7 @@ use crate::language::{Message, Text, said};
 pub struct WriteError {
     /// The file.
     pub path: PathBuf,
-    /// What the system answered.
+    /// Error of the system.
     cause: std::io::Error,
 }
 

@@ -17,7 +17,7 @@ const RIGHT: f64 = 690.0;
 /// A line of a panel.
 #[derive(Clone, Debug)]
 pub struct Curve {
-    /// What its label says.
+    /// Text of its label.
     pub name: String,
     /// `#rrggbb`.
     pub color: String,
@@ -39,7 +39,7 @@ pub struct Panel {
 /// Panels over one axis.
 #[derive(Clone, Debug)]
 pub struct Chart {
-    /// What is seen, in a line.
+    /// Title, in a line.
     pub title: String,
     /// Name of the level axis with its unit.
     pub x: String,

@@ -33,7 +33,7 @@ pub struct Steps {
 /// A field of cells.
 #[derive(Clone, Debug)]
 pub struct Map {
-    /// What it shows apart from the others.
+    /// Its distinction from the other maps.
     pub name: String,
     /// Its values, the rows of the level axis one upon the other; none where there is none.
     pub values: Vec<Option<f64>>,
@@ -42,7 +42,7 @@ pub struct Map {
 /// Fields over the same axes.
 #[derive(Clone, Debug)]
 pub struct HeatMap {
-    /// What is seen, in a line.
+    /// Title, in a line.
     pub title: String,
     /// Of what, in a line.
     pub subtitle: String,
@@ -52,7 +52,7 @@ pub struct HeatMap {
     pub y: Steps,
     /// Name of the colour bar with its unit.
     pub bar: String,
-    /// What numbers are as colours.
+    /// Scale of colours.
     pub colors: Colors,
     /// From left to right.
     pub maps: Vec<Map>,

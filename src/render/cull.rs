@@ -1,4 +1,4 @@
-//! What of a list a picture needs: instances that the view does not reach are neither uploaded nor drawn.
+//! Visible part of a draw list: instances that the view does not reach are neither uploaded nor drawn.
 //!
 //! An instance goes when all of it lies beyond one of the view's four sides, or behind the eye: a test of half spaces
 //! in homogeneous clip space, linear in the world, so that it holds for a hull when it holds for its corners. Whatever
@@ -56,7 +56,7 @@ impl<'l> Seen<'l> {
         }
     }
 
-    /// What reaches a picture of `size` pixels.
+    /// Instances that reach a picture of `size` pixels.
     pub(super) fn of(list: &'l DrawList, size: [u32; 2], quality: Quality) -> Self {
         let view = |margin| View::new(list.frame.clip_from_world, size, margin);
         let bodies = view(MARGIN);

@@ -59,7 +59,7 @@ impl Flat {
         mesh
     }
 
-    /// What changed in the font atlas since the last call.
+    /// Change of the font atlas since the last call.
     pub(super) fn atlas_change(&mut self) -> Option<ImageDelta> {
         self.fonts.font_image_delta()
     }

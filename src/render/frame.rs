@@ -1,4 +1,4 @@
-//! What every pass knows of a picture: `shaders/shared/frame.wgsl` on this side.
+//! Data of a picture common to all passes: the counterpart of `shaders/shared/frame.wgsl`.
 
 use glam::{Mat4, Vec4};
 

@@ -6,7 +6,7 @@ use super::health::{Fault, Health};
 use super::made::{Made, Tally, Thing};
 use crate::language::{Text, said};
 
-/// What draws.
+/// The adapter that draws.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub struct AdapterSummary {
     /// The adapter's own name.
@@ -59,7 +59,7 @@ pub enum GpuError {
     Fault(#[from] Fault),
 }
 
-/// What was looked for, what to set and what to install.
+/// Text on the adapters looked for, and on variables to set and packages to install.
 fn no_adapter(looked: &str) -> String {
     let set = |name: &str| {
         let value = std::env::var(name).ok()?;
@@ -102,7 +102,7 @@ pub struct Gpu {
     pub device: wgpu::Device,
     /// Its queue.
     pub queue: wgpu::Queue,
-    /// What it is.
+    /// Adapter of the device.
     pub adapter: AdapterSummary,
     tally: Tally,
     health: Health,
@@ -144,14 +144,14 @@ impl Gpu {
         Ok(Self { health, ..Self::from_parts(info, device, queue) })
     }
 
-    /// What has gone wrong with the device; nothing is known of one that was taken over.
+    /// Fault of the device; `None` of a device that was taken over.
     pub fn fault(&self) -> Option<Fault> {
         // A lost device says so when it is asked for news; what else is wrong with it is known by then.
         let _ = self.device.poll(wgpu::PollType::Poll);
         self.health.fault()
     }
 
-    /// What has been made and drawn on this device, through whichever copy of it.
+    /// Counts of resources made and pictures drawn on this device, through any copy of it.
     pub fn made(&self) -> Made {
         self.tally.so_far()
     }

@@ -1,4 +1,4 @@
-//! What went wrong with a device: kept until somebody asks, where wgpu by itself would panic.
+//! Faults of a device: stored until read, where wgpu by itself would panic.
 
 use std::sync::{Arc, Mutex, PoisonError};
 
@@ -42,7 +42,7 @@ impl Health {
         health
     }
 
-    /// What went wrong first, or that the device is lost, which explains everything else.
+    /// The first fault, or the loss of the device, which explains all others.
     pub fn fault(&self) -> Option<Fault> {
         self.0.lock().unwrap_or_else(PoisonError::into_inner).clone()
     }

@@ -1,4 +1,4 @@
-//! What has been made on a device and what pictures needed of it: the evidence that what is not seen costs nothing.
+//! Counts of resources made on a device and of passes drawn with them: the evidence that what is not seen costs nothing.
 
 use std::collections::BTreeMap;
 use std::sync::{Arc, Mutex, PoisonError};
@@ -40,7 +40,7 @@ impl Made {
         self.0.keys().filter(|(kind, _)| *kind == thing).map(|(_, label)| *label).collect()
     }
 
-    /// What has come since an earlier look at the same device.
+    /// Counts since an earlier reading of the same device.
     #[must_use]
     pub fn since(&self, earlier: &Self) -> Self {
         let more = self.0.iter().map(|(key, count)| (*key, count - earlier.0.get(key).copied().unwrap_or(0)));

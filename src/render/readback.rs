@@ -84,7 +84,7 @@ impl Readback {
     }
 }
 
-/// What a buffer's mapping has come to.
+/// Result of a buffer's mapping.
 type Mapped = Result<(), wgpu::BufferAsyncError>;
 
 /// Waits until the device has mapped a buffer.

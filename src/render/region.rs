@@ -49,14 +49,14 @@ impl Region {
         Self { min: [0, 1].map(|i| self.min[i].min(other.min[i])), max: [0, 1].map(|i| self.max[i].max(other.max[i])) }
     }
 
-    /// What both share.
+    /// Intersection of both.
     #[must_use]
     pub fn common(self, other: Self) -> Option<Self> {
         let (min, max) = ([0, 1].map(|i| self.min[i].max(other.min[i])), [0, 1].map(|i| self.max[i].min(other.max[i])));
         (min[0] < max[0] && min[1] < max[1]).then_some(Self { min, max })
     }
 
-    /// What of it lies outside another: above, below, left and right.
+    /// Parts of it outside another: above, below, left and right.
     fn outside(self, other: Self) -> Vec<Self> {
         let Some(common) = self.common(other) else { return vec![self] };
         let ([left, top], [right, bottom]) = (self.min, self.max);

@@ -43,16 +43,16 @@ struct Passes {
     far_shadow: Option<Far>,
 }
 
-/// What a picture is recorded with.
+/// State of the recording of a picture.
 struct Recording<'r> {
     encoder: &'r mut wgpu::CommandEncoder,
     frame: &'r Frame,
     target: &'r Target,
-    /// What is drawn anew over the picture before; the whole picture where nothing is said.
+    /// Regions drawn anew over the picture before; the whole picture where `None`.
     parts: Option<&'r Parts>,
 }
 
-/// What of a picture differs from the one before.
+/// Regions in which a picture differs from the one before.
 struct Parts {
     picture: Regions,
     /// Of the shadow map; all of it where nothing is said.
@@ -67,7 +67,7 @@ pub struct Renderer {
     frame: Frame,
     passes: Passes,
     target: Option<Target>,
-    /// What the target shows, as far as that is known.
+    /// List shown by the target, as far as that is known.
     shown: Option<Arc<DrawList>>,
     readback: Option<Readback>,
 }
@@ -322,7 +322,7 @@ impl Passes {
         }
     }
 
-    /// What is seen through bodies, arrows with a depth of their own, and what is flat.
+    /// Encodes marks that are seen through bodies, arrows with a depth of their own, and flat marks.
     fn encode_on_top(&self, pass: &mut wgpu::RenderPass<'_>, seen: &Seen<'_>) {
         if let Some(cones) = self.cones.as_ref().filter(|_| !seen.cones.is_empty()) {
             cones.draw(pass);
@@ -341,7 +341,7 @@ impl Passes {
 }
 
 impl Recording<'_> {
-    /// What is drawn, one after the other.
+    /// Regions to draw, one after the other.
     fn parts(&self) -> Vec<Region> {
         self.parts.map_or_else(|| vec![Region::whole(self.target.size)], |parts| parts.picture.iter().collect())
     }

@@ -1,4 +1,4 @@
-//! What a picture is drawn into: colour, its samples, depth.
+//! Target of a picture: colour, its samples, depth.
 
 use super::made::Thing;
 use super::pipeline::{COLOR, DEPTH};

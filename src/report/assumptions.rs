@@ -1,4 +1,4 @@
-//! What a report assumes: of the model, of contact, and the numbers that the scene does not give.
+//! Assumptions of a report: of the model, of contact, and the numbers that the scene leaves out.
 
 use std::fmt::Write as _;
 

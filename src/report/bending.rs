@@ -1,4 +1,4 @@
-//! What a run did to girders that bend: a table, and the lines that head the page where their model does not hold.
+//! Readings of elastic girders: a table, and the lines at the head of the page where the model is not valid.
 
 use std::fmt::Write as _;
 

@@ -22,7 +22,7 @@ const DEVICE: &str = "#882255";
 const ARROW: f64 = 90.0;
 /// Width of a digit of the size of a force, of a sans-serif face \[pixels\].
 const WIDTH_OF_DIGIT: f64 = 6.4;
-/// What the numbers of two corners take of the edge between them \[pixels\].
+/// Length of the edge between two corners that their numbers take \[pixels\].
 const NUMBERS: f64 = 40.0;
 /// Distance of two lines of dimensions \[pixels\].
 const LINE: f64 = 13.0;
@@ -40,7 +40,7 @@ pub(super) struct Plan<'a> {
     dimensions: bool,
 }
 
-/// What the plan as placed shows.
+/// Caption of the plan as placed.
 pub(super) fn caption(history: &History) -> String {
     let model = history.model();
     let facing = model.pairs.iter().any(|pair| !pair.met);
@@ -374,7 +374,7 @@ fn abutment_plan(scene: &Scene, abutment: &Abutment) -> Option<[DVec2; 4]> {
     Some([a, b, b + back, a + back])
 }
 
-/// What holds every girder as placed and every abutment, with some air.
+/// Box around every girder as placed and every abutment, with a margin \[m\].
 fn window(history: &History) -> [DVec2; 2] {
     let scene = history.scene();
     let girders: Vec<DVec2> = (0..history.model().girders().len()).flat_map(|number| placed(history, number)).collect();

@@ -22,7 +22,7 @@ pub struct Frame {
     pub png: Vec<u8>,
 }
 
-/// What a picture's file says about its making.
+/// Metadata of a picture's file.
 type Texts = [(&'static str, String); 4];
 
 /// A picture on its way to its file.
@@ -43,7 +43,8 @@ pub fn instants(from: f64, to: f64, count: u32) -> impl Iterator<Item = f64> {
 /// A shot that shows what the one before it showed is not drawn again. Returns how many were drawn.
 ///
 /// # Errors
-/// What the device or `each` says; frames after that are not made.
+///
+/// Those of the device or of `each`; frames after that are not made.
 pub fn film<E: From<GpuError>>(
     studio: &mut Studio,
     history: &History,

@@ -44,7 +44,8 @@ struct Patch {
 /// written. Returns how many different ones were drawn.
 ///
 /// # Errors
-/// What the device, the writer or `each` says; where that is `each`, what is written is a GIF of the frames so far, if there are any.
+///
+/// Those of the device, the writer or `each`; after one of `each` the file is a GIF of the frames so far, if there are any.
 pub fn gif<E: From<GpuError> + From<GifError>>(
     studio: &mut Studio,
     history: &History,
@@ -128,7 +129,7 @@ fn delay(number: usize, fps: f64) -> u16 {
     (until(number + 1) - until(number)) as u16
 }
 
-/// What is different from the picture before; what is the same inside is [`SAME`].
+/// Rectangle that differs from the picture before; equal pixels inside are [`SAME`].
 fn patch(before: &[u8], now: &[u8], [width, height]: [u16; 2]) -> Patch {
     let columns = usize::from(width);
     if before.len() != now.len() {

@@ -56,11 +56,11 @@ pub struct Shot {
     pub size: [u32; 2],
     /// Which layers; the scene's own when absent.
     pub overlays: Option<Overlays>,
-    /// What stands behind the bodies.
+    /// Background behind the bodies.
     pub background: Background,
     /// Scale of the arrows \[N/m\]; from the run's peak when absent.
     pub force_scale: Option<f64>,
-    /// What is selected.
+    /// Selected body, contact or device.
     pub selected: Option<Target>,
     /// Title; the scene's name when absent.
     pub title: Option<String>,
@@ -147,7 +147,7 @@ pub fn points(size: [u32; 2]) -> f32 {
 /// A device with its pipelines, kept for many pictures.
 #[derive(Debug)]
 pub struct Studio {
-    /// What draws.
+    /// Device that draws.
     pub gpu: Gpu,
     renderer: Renderer,
 }
@@ -214,7 +214,7 @@ impl Studio {
         self.renderer.built()
     }
 
-    /// What a picture's file says about its making: keywords and texts.
+    /// Metadata of a picture's file: keywords and texts.
     pub fn texts(&self, scene: &Scene, t: f64) -> [(&'static str, String); 4] {
         [
             ("Software", format!("girderbench {}", env!("CARGO_PKG_VERSION"))),

@@ -10,7 +10,7 @@ pub(super) struct Area {
 }
 
 impl Area {
-    /// What the two share \[pixels²\].
+    /// Area of the intersection \[pixels²\].
     pub(super) fn overlap(&self, other: &Self) -> f32 {
         let size = (self.max.min(other.max) - self.min.max(other.min)).max(Vec2::ZERO);
         size.x * size.y

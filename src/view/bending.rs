@@ -117,8 +117,8 @@ impl Shape {
         Self { girder, t, length, ends, fixed }
     }
 
-    /// What is not drawn larger at a station: the motion of the end that faces something as a rigid body; of both, the cubic between
-    /// them; of none, nothing.
+    /// Motion at a station that is not magnified: the rigid motion of the end that faces something; of two such ends, the cubic between
+    /// them; of none, zero \[m, rad\].
     fn carried(&self, s: f64) -> Fields {
         let with = |end: Fields, from: f64| Fields { moved: end.displacement(DVec3::X * (s - from)), ..end };
         let half = 0.5 * self.length;
@@ -130,12 +130,12 @@ impl Shape {
         }
     }
 
-    /// What is.
+    /// Motion at a station that is magnified: the deformation less [`carried`](Self::carried) \[m, rad\].
     fn beyond(&self, history: &History, s: f64) -> Fields {
         history.sections().deformation(self.girder, s, self.t) + self.carried(s) * -1.0
     }
 
-    /// What is drawn.
+    /// Motion drawn at a station, magnified by `factor` \[m, rad\].
     pub(super) fn drawn(&self, history: &History, s: f64, factor: f64) -> Fields {
         self.carried(s) + self.beyond(history, s) * factor
     }

@@ -32,7 +32,7 @@ pub enum Projection {
 /// A camera that looks at `target` from `distance`; z is up.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Camera {
-    /// What it looks at \[m\].
+    /// Point that it looks at \[m\].
     pub target: DVec3,
     /// Direction from the target to the eye in plan, anticlockwise from world x \[rad\].
     pub yaw: f64,

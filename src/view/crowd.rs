@@ -1,4 +1,4 @@
-//! What lies where on a picture: areas in cells, so that a label looks at its neighbours and not at everything.
+//! Occupied areas of a picture in cells, so that a label is compared with near ones only.
 
 use super::area::Area;
 

@@ -1,4 +1,4 @@
-//! What makes a deck of full size look like a bridge: its section, parapets, seats under its ends, backwall, wing walls and
+//! Parts by which a deck of full size looks like a bridge: its section, parapets, seats under its ends, backwall, wing walls and
 //! embankment. Drawn and not computed.
 //!
 //! Nothing of it reaches out of the blocks that are computed towards a gap: a deck's slab, beams and diaphragms lie in its block
@@ -118,7 +118,7 @@ pub(super) fn parapets(girder: &Girder, motion: &Motion) -> [Block; 2] {
         .map(|across| part(girder, motion, along.clone(), across, [top, top + height]))
 }
 
-/// What fills an abutment's block.
+/// Parts inside an abutment's block.
 pub(super) struct Abutment {
     /// The wall before the deck, as high and as wide as the block.
     pub(super) backwall: Block,

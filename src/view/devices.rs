@@ -52,7 +52,7 @@ pub(super) fn lines(input: &ViewInput<'_>, moment: &Moment, palette: &Palette) -
     all
 }
 
-/// What a link is, where it is of a device of the scene.
+/// Device of the scene that a link belongs to, and its kind.
 fn kind_of(history: &History, device: &LinkNow) -> Option<(Target, DeviceKind)> {
     let known = history.model().devices.iter().find(|known| known.links.contains(&device.link))?;
     Some((Target::Device(known.id), known.id.kind))

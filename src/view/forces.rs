@@ -15,7 +15,7 @@ use crate::sim::{ContactNow, ContactState};
 /// Radius of an arrow's shaft \[points\].
 const SHAFT: f64 = 1.9;
 
-/// What the contacts add to a picture.
+/// Marks of the contacts in a picture.
 #[derive(Debug, Default)]
 pub(super) struct Forces {
     pub(super) cones: Vec<Cone>,

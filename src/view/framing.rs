@@ -80,7 +80,7 @@ impl Lens {
     }
 }
 
-/// What is 0 or more inside of the picture, of a place in it.
+/// Functions of a place that are 0 or more inside of the picture, one for each side.
 const INSIDE: [fn(DVec3) -> f64; 4] = [|p| p.z - p.x, |p| p.z + p.x, |p| p.z - p.y, |p| p.z + p.y];
 
 /// The six faces of a block \[m\].
@@ -91,7 +91,7 @@ fn faces(block: &Block) -> [[DVec3; 4]; 6] {
     [block.face, block.face.map(|p| p + s), side(a, b), side(b, c), side(c, d), side(d, a)]
 }
 
-/// What of a face is inside of the picture, after Sutherland and Hodgman.
+/// Part of a face inside of the picture, after Sutherland and Hodgman.
 fn clipped(face: &[DVec3; 4]) -> Vec<DVec3> {
     let mut polygon = face.to_vec();
     for side in INSIDE {

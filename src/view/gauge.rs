@@ -18,7 +18,7 @@ use crate::sim::{ContactNow, ContactState};
 const SIZE: Vec2 = Vec2::new(13.0, 62.0);
 /// From the contact to the middle of the gauge, square to the arrow \[points\].
 const ASIDE: f32 = 40.0;
-/// What counts as upwards: a little to the left, so that a contact with an upright normal has its gauge on its left.
+/// Direction that counts as upwards: a little to the left, so that a contact with an upright normal has its gauge on its left.
 const UPWARDS: Vec2 = Vec2::new(-0.2, -0.98);
 /// Between the lines of the hatching \[points\].
 const HATCH: f32 = 7.0;

@@ -1,4 +1,4 @@
-//! What a picture is made from, and what can be picked in it.
+//! Input of a picture, and the targets that can be picked in it.
 
 use glam::{DVec3, Vec2};
 
@@ -23,10 +23,10 @@ pub enum Target {
     Contact(usize),
 }
 
-/// What a picture is made from.
+/// Input of a picture.
 #[derive(Clone, Copy, Debug)]
 pub struct ViewInput<'a> {
-    /// What is placed.
+    /// Scene.
     pub scene: &'a Scene,
     /// Its run; the bodies as placed when there is none.
     pub history: Option<&'a History>,
@@ -38,7 +38,7 @@ pub struct ViewInput<'a> {
     pub overlays: Overlays,
     /// Force scale of the arrows \[N per m\]; from the scene's settings or the run's peak when absent.
     pub force_scale: Option<f64>,
-    /// What is selected.
+    /// Selected bodies, contacts and devices.
     pub selected: &'a [Target],
     /// How many times larger than they are displacements and rotations are shown; 1 is as they are.
     pub exaggeration: f64,
@@ -52,7 +52,7 @@ pub struct ViewInput<'a> {
     pub size: [u32; 2],
     /// Size of texts and lines: pixels of the picture to a point, 1 on a plain screen.
     pub pixels_per_point: f32,
-    /// What stands behind the bodies.
+    /// Background behind the bodies.
     pub background: Background,
     /// Title; the scene's name when absent.
     pub title: Option<&'a str>,

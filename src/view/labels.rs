@@ -27,7 +27,7 @@ pub(super) fn text_size(text: &str, size: f32) -> Vec2 {
 /// A text that wants to stand at a point.
 #[derive(Clone, Debug)]
 pub(super) struct Label {
-    /// What it names \[pixels\].
+    /// Place that it names \[pixels\].
     pub(super) at: Vec2,
     /// How far from it the text may start \[pixels\].
     pub(super) clear: f32,
@@ -116,7 +116,7 @@ impl Placer {
         best.map(|(far, _, area)| self.settle(label, far, area)).unwrap_or_default()
     }
 
-    /// What a spot would cover: other labels, and the outside of the picture \[pixels²\]; `None` above `most`.
+    /// Area that a label at a spot would cover: of other labels, and outside of the picture \[pixels²\]; `None` above `most`.
     fn cost(&self, area: &Area, most: f32) -> Option<f32> {
         let size = area.size();
         let outside = (size.x * size.y - area.overlap(&self.picture)).max(0.0);

@@ -41,7 +41,7 @@ struct Row {
     need: Need,
 }
 
-/// What a row is needed for; the last are left out first where the picture is small.
+/// Use of a row, in the order of its worth: the last are left out first where the picture is small.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord)]
 enum Need {
     /// Reading off a value, or that something is wrong.

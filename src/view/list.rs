@@ -37,7 +37,7 @@ impl Rgba {
     }
 }
 
-/// What stands behind the bodies.
+/// Background behind the bodies.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
 pub enum Background {
     /// Light and calm.
@@ -94,7 +94,7 @@ pub struct Ground {
 /// A solid with a flat four-sided face, swept.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Solid {
-    /// What it is, for reading.
+    /// Name of the body, for tests.
     pub name: String,
     /// The face, anticlockwise seen from outside \[m\].
     pub face: [Vec3; 4],
@@ -107,7 +107,7 @@ pub struct Solid {
 /// A straight line in the world.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Line {
-    /// What it belongs to, for reading.
+    /// Name of its group, for tests.
     pub group: &'static str,
     /// From \[m\].
     pub from: Vec3,
@@ -138,7 +138,7 @@ pub struct Cone {
     pub color: Rgba,
 }
 
-/// What an arrow stands for.
+/// Quantity of an arrow.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord, Hash)]
 pub enum ArrowKind {
     /// `N(δ) n`.
@@ -158,7 +158,7 @@ pub enum ArrowKind {
 pub struct Arrow {
     /// Number of the contact.
     pub contact: usize,
-    /// What it stands for.
+    /// Its quantity.
     pub kind: ArrowKind,
     /// The node \[m\].
     pub from: Vec3,
@@ -183,11 +183,11 @@ pub enum Mark {
         align: Vec2,
         /// Height of the font.
         size: f32,
-        /// What it says.
+        /// Its text.
         text: String,
         /// Its colour.
         color: Rgba,
-        /// What stands behind it.
+        /// Colour of the plate behind it.
         plate: Option<Rgba>,
     },
     /// A filled disk with a rim.

@@ -40,7 +40,7 @@ pub struct Impulse {
     pub point: DVec3,
     /// All of it, on the first side's girder \[N·s\].
     pub impulse: DVec3,
-    /// What is left of it, from 1 at the hit down to 0.
+    /// Rest of its brightness, from 1 at the hit down to 0.
     pub left: f64,
     /// A contact that touched.
     pub contact: usize,
@@ -57,7 +57,7 @@ pub struct OverlapNow {
     pub place: DVec3,
 }
 
-/// What remains of the seat under an end.
+/// Remaining seat under an end.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct SeatNow {
     /// The girder.
@@ -66,7 +66,7 @@ pub struct SeatNow {
     pub end: End,
     /// The front edge of the seat, as long as the end, at the underside of the girder as placed \[m\].
     pub edge: [DVec3; 2],
-    /// What remains at the corners, square to the edge, in the order of [`Prism::end_corners`]; negative off it \[m\].
+    /// Remaining length at the corners, square to the edge, in the order of [`Prism::end_corners`]; negative off it \[m\].
     pub remaining: [f64; 2],
 }
 
@@ -139,7 +139,7 @@ impl Moment {
         self.ends.get(girder).map(|both| &both[number]).or_else(|| self.motions.get(girder))
     }
 
-    /// What `input` asks for: the history at `t`, or the scene as placed.
+    /// Moment of `input`: the history at `t`, or the scene as placed.
     pub fn of(input: &ViewInput<'_>) -> Self {
         let mut moment = match input.history {
             Some(history) => Self::at(history, input.t),
@@ -262,7 +262,7 @@ fn carried(history: &History, body: usize, place: DVec3, t: f64) -> DVec3 {
     home + motion.displacement + DMat3::from_rotation_z(motion.theta) * (place - home)
 }
 
-/// What the user asked for, then what the scene asks for, then what suits the run.
+/// Scale of the arrows: of the input, else of the scene, else from the run's peak \[N/m\].
 fn force_scale(input: &ViewInput<'_>) -> Option<f64> {
     let usable = |s: &f64| s.is_finite() && *s > 0.0;
     let asked = input.force_scale.filter(usable).or(input.scene.view.force_scale.filter(usable));

@@ -26,7 +26,7 @@ const HATCH: f32 = 1.1;
 /// Hatch lines across the shared area.
 const HATCH_LINES: u32 = 9;
 
-/// What the two bodies of an overlap share, as drawn.
+/// Intersection of two bodies, as drawn.
 struct Shared {
     /// Outline in plan \[m\].
     area: Vec<DVec2>,

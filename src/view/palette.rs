@@ -69,7 +69,7 @@ pub const KEPT: [Rgba; MOST_KEPT] = [
 ];
 /// An overlap that no contact carries.
 pub(super) const OVERLAP: Rgba = Rgba::rgb(0xc4, 0x1e, 0x3a);
-/// What is selected.
+/// Colour of a selection.
 pub(super) const SELECTED: Rgba = Rgba::rgb(0xf0, 0xa2, 0x02);
 
 const LIGHT: Palette = Palette {

@@ -1,4 +1,4 @@
-//! What is seen at a point of the picture.
+//! Target at a point of the picture.
 
 use glam::{DVec2, DVec3};
 
@@ -10,7 +10,7 @@ use crate::scene::placed;
 /// A contact is picked this near its glyph \[points\].
 const REACH: f64 = 9.0;
 
-/// What is seen at a point of the picture (`[-1, 1]`, y up): a contact's glyph, else the nearest body.
+/// Target at a point of the picture (`[-1, 1]`, y up): a contact's glyph, else the nearest body.
 pub fn pick(input: &ViewInput<'_>, ndc: [f64; 2]) -> Option<Target> {
     let moment = super::shown(input);
     let device = || pick_device(input, &moment, ndc);

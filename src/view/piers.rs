@@ -18,7 +18,7 @@ const FOOTING: [f64; 2] = [0.5, 1.7];
 /// A pier at one instant.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Pier {
-    /// What it is.
+    /// Sizes and stiffness.
     pub resolved: ResolvedPier,
     /// Displacement of its cap \[m\].
     pub displacement: DVec3,

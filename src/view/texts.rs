@@ -1,4 +1,4 @@
-//! What the picture says at bodies, gaps and contacts, and its title and time.
+//! Texts at bodies, gaps and contacts, and the picture's title and time.
 
 use glam::{DVec3, Vec2};
 
@@ -60,7 +60,7 @@ pub(super) fn heading(input: &ViewInput<'_>, moment: &Moment, palette: &Palette,
         .collect()
 }
 
-/// What is drawn larger than it is, and how much.
+/// Text of the magnification factors.
 fn factors(input: &ViewInput<'_>) -> String {
     let one_digit = |factor: f64| (factor * 10.0).round() / 10.0;
     let motion = (input.exaggeration != 1.0 && input.exaggeration.is_finite())

@@ -18,7 +18,7 @@ const FAILURE_RUN: f64 = 1.732;
 pub struct Wall {
     /// Its displacement \[m\].
     pub displacement: DVec3,
-    /// What is behind it; `None` of an abutment that moves as one with its ground.
+    /// Soil behind it; `None` of an abutment that moves as one with its ground.
     pub soil: Option<Soil>,
 }
 

@@ -1,4 +1,4 @@
-//! What states, laws and section forces are called in the picture.
+//! Names of states, laws and section forces in the picture.
 
 use crate::language::{Text, values};
 use crate::scene::FrictionLaw;
@@ -25,7 +25,7 @@ pub fn impact_state(state: GirderState) -> Text {
     }
 }
 
-/// What a section force is called, with its sign.
+/// Name of a section force, with its sign.
 pub fn section_force(force: OfSection) -> Text {
     match force {
         OfSection::Axial => Text::new("section-axial"),

@@ -60,7 +60,7 @@ pub struct Verdict {
     pub examined: Examined,
     /// Where it failed: a small scene that fails in the same check.
     pub small: Option<Scene>,
-    /// Time of its runs and checks, without shrinking, \[s\].
+    /// Time of its runs and checks, without shrinking \[s\].
     pub seconds: f64,
 }
 
