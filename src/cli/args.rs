@@ -63,7 +63,7 @@ impl SceneArgs {
         self.changes.load(&self.scene)
     }
 
-    /// What came of the scene, complaints under the name of its file: whoever compiles or runs a scene does not know it.
+    /// Result, with complaints under the name of the scene's file, which compilation and run do not know.
     ///
     /// # Errors
     /// Those of the result.

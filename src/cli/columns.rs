@@ -12,7 +12,7 @@ pub(super) fn right(text: &str, places: usize) -> String {
     format!("{}{text}", blank(text, places))
 }
 
-/// What a column has beside a text: a square letter takes two places.
+/// Spaces from a text to the column's width: a square letter takes two places.
 fn blank(text: &str, places: usize) -> String {
     let taken: usize = text.chars().map(|letter| if is_japanese(letter) { 2 } else { 1 }).sum();
     " ".repeat(places.saturating_sub(taken))

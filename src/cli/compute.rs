@@ -15,7 +15,7 @@ pub(super) struct Timed {
     pub(super) leads: bool,
 }
 
-/// What is said beside the time while bodies that met are computed again.
+/// Text beside the time while bodies that met are computed again.
 const AGAIN: Text = Text::new("progress-again");
 
 /// Runs a scene by every model that it asks for, each timed for itself, the one that leads first; never empty.

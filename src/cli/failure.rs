@@ -37,7 +37,7 @@ pub(super) enum Failure {
     Study(String),
 }
 
-/// What ended a run before its time.
+/// Text on the cause of a run's early end.
 fn gave_up(scene: &str, stop: &Stop) -> String {
     said!(
         "failed-gave-up",

@@ -1,4 +1,4 @@
-//! What commands and flags do, in the language in use: English as it stands with them, another by keys of its own in
+//! Help on commands and flags in the language in use: the English one from the definitions, another by its keys in
 //! `assets/texts/*.help.ftl`.
 //!
 //! A text that stands with several is told once, under the first of them: `help-open-sets`.
@@ -81,7 +81,7 @@ fn spelled(mut command: Command, keys: &BTreeMap<String, String>) -> Command {
         .mut_subcommands(|below| spelled(below, keys))
 }
 
-/// What a flag takes and what it is unless given.
+/// Values of a flag and its default.
 fn values(arg: &Arg) -> String {
     let choices: Vec<String> = arg.get_possible_values().iter().map(|value| value.get_name().to_owned()).collect();
     let defaults: Vec<_> = arg.get_default_values().iter().map(|value| value.to_string_lossy()).collect();

@@ -72,7 +72,7 @@ mod system {
     use signal_hook::consts::{SIGINT, SIGTERM};
     use signal_hook::{flag, low_level};
 
-    /// What the handlers of the signals and the program both see.
+    /// Flags shared by the handlers of the signals and the program.
     struct Seen {
         end_at_once: Arc<AtomicBool>,
         /// The signal that came; 0 before.

@@ -53,7 +53,7 @@ fn check(sample_hz: f64, (table, cells): (&str, f64), most: f64) -> Result<(), F
     )))
 }
 
-/// What is wrong with a time after the end of the run.
+/// Failure by a time after the end of the run.
 pub(super) fn after_end(flag: &str, t: f64, history: &History) -> Failure {
     let [t, end] = [t, history.end()].map(six);
     Failure::Input(said!("wrong-after-end", "flag" => flag, "t" => t, "end" => end))

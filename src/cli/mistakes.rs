@@ -1,5 +1,4 @@
-//! What is wrong with the arguments, in the language in use: English as the library words it, another by words of its own in
-//! `assets/texts/*.help.ftl`.
+//! Mistakes in the arguments, in the language in use: English in the library's words, another by its keys in `assets/texts/*.help.ftl`.
 
 use std::error::Error as _;
 
@@ -8,7 +7,7 @@ use clap::error::{ContextKind, ErrorKind};
 
 use crate::language::{self, said};
 
-/// What the library finds, by the key of its words.
+/// Kinds of mistakes found by the library, with the keys of their texts.
 const KINDS: [(ErrorKind, &str); 10] = [
     (ErrorKind::InvalidSubcommand, "mistake-command"),
     (ErrorKind::UnknownArgument, "mistake-argument"),

@@ -48,7 +48,8 @@ impl ProcessingArgs {
     /// A channel with all of it done and noted.
     ///
     /// # Errors
-    /// What cannot be done to so short a record, with flag and remedy.
+    ///
+    /// The fault of a record that is too short, with flag and remedy.
     pub(super) fn apply(&self, channel: &Channel, path: &Path) -> Result<Channel, Failure> {
         let processing = self.processing();
         if let Some((key, value, remedy)) = processing.fault(channel.dt, channel.samples.len()) {

@@ -9,7 +9,7 @@ use crate::tables::{CornerReport, DemandReport, SeatReport, corner_angle};
 /// Last digit of a distance in millimetres, as it is said \[m\].
 const LAST_DIGIT: f64 = 1e-6;
 
-/// What remained of a seat, square to its edge, and a line for each corner that came off.
+/// Remaining length of a seat, square to its edge, and a line for each corner that came off.
 pub(super) fn lines(seat: &SeatReport) -> Vec<(String, String)> {
     let name = said!("run-seat", "girder" => escaped(&seat.girder), "end" => seat.end);
     let off = seat.corners.iter().flat_map(|corner| departures(seat, corner));

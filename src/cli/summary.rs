@@ -111,7 +111,7 @@ fn uplift(uplift: &UpliftReport) -> Line {
     line(Text::new("run-uplift"), value)
 }
 
-/// What the run did to the bearings of a girder.
+/// Readings of the bearings of a girder.
 fn bearings(of: &BearingsReport) -> Line {
     let value = said!(
         "run-bearings-of",
@@ -125,7 +125,7 @@ fn bearings(of: &BearingsReport) -> Line {
     line(said!("run-bearings", "girder" => escaped(&of.girder)), value)
 }
 
-/// What the run did to a pier.
+/// Readings of a pier.
 fn pier(pier: &PierReport) -> Line {
     let [along, across] = pier.periods;
     let yields = |t: f64| {
@@ -161,7 +161,7 @@ pub(super) fn device_kind(word: &'static str) -> &'static str {
     words.as_str()
 }
 
-/// What the run did to a device.
+/// Readings of a device.
 fn device(device: &DeviceReport) -> Line {
     let label = said!("run-device", "kind" => device_kind(device.kind), "name" => escaped(&device.name));
     let Some(first) = device.first else { return line(label, Text::new("run-device-never").into()) };

@@ -54,7 +54,8 @@ pub(super) fn section_force() -> impl TypedValueParser<Value = OfSection> {
 /// Whether girders of a scene of this kind have a section force.
 ///
 /// # Errors
-/// What it is and what to do where they have not.
+///
+/// The force and a remedy where they have not.
 pub(super) fn known_in(force: OfSection, kind: Kind) -> Result<(), Failure> {
     let word = OfSection::ALL.iter().find(|(_, what)| *what == force).map_or("", |(word, _)| word);
     let known = OfSection::of(kind).any(|(_, what)| what == force);

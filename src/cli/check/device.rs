@@ -1,4 +1,4 @@
-//! What `check` says of a device: its points, its law, the deformations at which it yields and breaks.
+//! Text of `check` on a device: its points, its law, the deformations at which it yields and breaks.
 
 use super::super::digits::{list, six};
 use super::super::summary::{device_kind, name};

@@ -1,4 +1,4 @@
-//! What `check` says of an elastic girder.
+//! Text of `check` on an elastic girder.
 
 use std::f64::consts::TAU;
 

@@ -1,4 +1,4 @@
-//! What `check` says of a girder: its shape, where and how it starts, what it stands on.
+//! Text of `check` on a girder: its shape, its place and initial state, its bearings.
 
 use std::collections::BTreeSet;
 use std::f64::consts::TAU;
@@ -191,7 +191,7 @@ fn on_supports(scene: &Scene, girder: &Girder) -> String {
     lines.concat()
 }
 
-/// What the bearings make of a spatial girder that moves straight up and down.
+/// Vertical frequency and damping ratio of a spatial girder on its bearings.
 fn vertical(body: &Body, bearings: &[Bearing], kind: Kind) -> String {
     if kind == Kind::Planar || bearings.is_empty() {
         return String::new();

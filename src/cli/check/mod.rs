@@ -139,7 +139,7 @@ fn assumed(scene: &Scene) -> impl Iterator<Item = String> {
     })
 }
 
-/// What holds for the scene as a whole.
+/// Properties of the scene as a whole.
 fn head(scene: &Scene) -> String {
     let kind = match scene.kind {
         Kind::Planar => Text::new("check-planar").into(),

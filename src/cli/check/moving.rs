@@ -1,4 +1,4 @@
-//! What `check` says of ground that does not move as one: delays, factors, how far supports move apart.
+//! Text of `check` on ground that does not move as one: delays, factors, relative displacements of supports.
 
 use crate::cli::moved::words;
 use crate::language::said;

@@ -1,4 +1,4 @@
-//! What `check` says of bearings that yield, slide or can lose their support: the numbers in force, and which of them are assumed.
+//! Text of `check` on bearings that yield, slide or can lose their support: the numbers in force, and which of them are assumed.
 
 use crate::cli::digits::six;
 use crate::language::{Text, said};

@@ -217,7 +217,7 @@ fn with_interval(estimate: &Estimate) -> String {
     format!("{value:.digits$} ± {half:.digits$}{unit}")
 }
 
-/// What was found, a line each.
+/// Results, a line each.
 fn text(args: &IdentifyArgs, measured: &Measured, found: &Identified, ground: &Message) -> String {
     let [first, last] = [measured.at.first(), measured.at.last()].map(|at| six(at.copied().unwrap_or_default()));
     let unit = if args.response { "Hz" } else { "s" };

@@ -38,7 +38,7 @@ fn key(text: &str) -> Result<(String, f64), String> {
     sound.then(|| (key.trim().to_owned(), start)).ok_or_else(|| Text::new("fit-not-zero").into())
 }
 
-/// What is measured, by which scene.
+/// Request of a measurement by a scene.
 pub(super) struct Request<'a> {
     pub(super) file: &'a Path,
     pub(super) scene: &'a PathBuf,

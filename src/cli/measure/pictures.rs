@@ -9,7 +9,7 @@ use crate::language::{Text, said};
 use crate::measure::Grey;
 use crate::render::Image;
 
-/// What a PNG picture begins with.
+/// First bytes of a PNG picture.
 const PNG: &[u8] = b"\x89PNG\r\n\x1a\n";
 
 /// Most pixels of a picture: an eight-kilopixel square.

@@ -49,7 +49,7 @@ impl ReferenceArgs {
 }
 
 impl Reference {
-    /// What it is called.
+    /// Name of the reference.
     pub(super) fn name(&self) -> String {
         match self {
             Self::Computed(history) => history.scene().name.clone(),

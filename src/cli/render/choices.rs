@@ -1,4 +1,4 @@
-//! What `render`'s flags can say, and what that is to the rooms that draw.
+//! Values of `render`'s flags, and their counterparts in the rooms that draw.
 
 use clap::ValueEnum;
 use clap::builder::{PossibleValuesParser, TypedValueParser};

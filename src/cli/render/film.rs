@@ -77,7 +77,7 @@ fn take_files(
     }
 }
 
-/// What is there of a film that a signal ended.
+/// Failure by a signal, with the finished pictures of the film.
 fn interrupted(finished: usize, count: usize, args: &RenderArgs) -> Failure {
     let place = args.out.display().to_string();
     let values = values!["finished" => finished, "count" => count, "place" => place];

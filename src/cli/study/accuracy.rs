@@ -57,7 +57,7 @@ pub(super) fn run(args: &AccuracyArgs, console: &mut Console) -> Result<(), Fail
     Ok(())
 }
 
-/// What the page repeats the study with.
+/// Command that repeats the study.
 fn command(args: &AccuracyArgs) -> String {
     let mut words = vec!["girderbench study accuracy".to_owned()];
     words.extend(args.problems.iter().cloned());

@@ -138,7 +138,7 @@ fn compute(due: &[&Unit], earthquake: &Earthquake, folder: &Path) -> Result<(), 
     done
 }
 
-/// What there is of all units, of this call and of earlier ones.
+/// Results of all units, of this call and of earlier ones.
 fn results(earthquake: &Earthquake, folder: &Path) -> Result<Results, Failure> {
     let mut results = Results::default();
     for unit in Unit::all() {
@@ -155,7 +155,7 @@ fn say(results: &Results, console: &mut Console) {
     }
 }
 
-/// What the page repeats the study with.
+/// Command that repeats the study.
 fn command(args: &ExperimentArgs) -> String {
     let mut words = vec!["girderbench study experiment".to_owned()];
     if !args.only.is_empty() {

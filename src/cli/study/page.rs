@@ -1,4 +1,4 @@
-//! What the pages of all studies need: the occasion, as flags, and what their pictures end in.
+//! Common parts of the pages of all studies: the circumstances, as flags, and the extension of their pictures.
 
 use std::path::Path;
 
@@ -22,7 +22,7 @@ impl OccasionArgs {
     }
 }
 
-/// What pictures on a page end in.
+/// Extension of pictures on a page.
 pub(super) fn picture_extension() -> &'static str {
     if cfg!(feature = "study") { "png" } else { "svg" }
 }

@@ -12,7 +12,7 @@ use crate::language::{Text, said};
 use crate::study::sweep::journal::{Contents, Identity, read};
 use crate::study::sweep::{Plan, Row, changed};
 
-/// What the sweep of a folder is.
+/// File that describes the sweep of a folder.
 const ABOUT: &str = "sweep.json";
 /// The journal of a sweep that is not divided.
 pub(super) const JOURNAL: &str = "runs.journal";
@@ -23,7 +23,7 @@ pub(super) struct Folder {
     path: PathBuf,
     identity: Identity,
     journals: Vec<Journal>,
-    /// What has come out, by the number of the run.
+    /// Rows so far, by the number of the run.
     pub(super) rows: BTreeMap<usize, Row>,
 }
 
@@ -104,13 +104,13 @@ impl Folder {
     }
 }
 
-/// What is wrong with a journal.
+/// Failure by a fault of a journal.
 fn of_journal(path: &Path, fault: impl Into<String>) -> Failure {
     let (file, fault): (_, String) = (path.display().to_string(), fault.into());
     Failure::Input(said!("mistake-of", "what" => file, "subject" => fault))
 }
 
-/// What differs between the sweep of a folder and the one that is wanted.
+/// Failure by a difference between the sweep of a folder and the wanted one.
 fn differs(file: &Path, there: &[u8], about: &Value) -> Failure {
     let there: Value = serde_json::from_slice(there).unwrap_or_default();
     let parts = [

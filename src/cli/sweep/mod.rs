@@ -109,7 +109,7 @@ fn measures() -> String {
     MEASURES.iter().map(line).fold(format!("{}\n", Text::new("sweep-measures")), |all, line| all + &line)
 }
 
-/// What another language has the meaning of a measure under.
+/// Key of a measure's meaning in another language.
 fn measure_key(measure: &Measure) -> String {
     format!("measure-{}", measure.name)
 }
