@@ -1,6 +1,6 @@
-//! What the window takes from the machine: the time on the wall, threads and a way for them to wake it, paths that the user
-//! chooses. A page in a browser has the same by other means; it has no threads, and what would go on beside the window is
-//! done at once or in slices between frames.
+//! Services of the machine for the window: the time on the wall, threads and a way for them to wake it, paths that the user chooses. A page
+//! in a browser has the same by other means; it has no threads, and work that would go on beside the window is done at once or in slices
+//! between frames.
 
 #[cfg(target_arch = "wasm32")]
 #[path = "host/browser.rs"]
@@ -30,7 +30,7 @@ pub(in crate::app) fn now() -> Instant {
     Instant::now()
 }
 
-/// What a path is chosen for.
+/// Purpose of a chosen path.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub(in crate::app) enum Choice {
     /// A file that is there.

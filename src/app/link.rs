@@ -1,4 +1,4 @@
-//! What a link to the page opens, as it stands behind its `#`: `lesson=stick-and-slip&t=0.42&lang=ja`.
+//! Content of a link to the page, after its `#`: `lesson=stick-and-slip&t=0.42&lang=ja`.
 //!
 //! | key | value |
 //! |---|---|
@@ -25,7 +25,7 @@ const LONGEST_TEXT: u64 = 1 << 20;
 /// Longest link that is made: what mail and chat programs still take for one.
 const LONGEST_LINK: usize = 8000;
 
-/// What is opened.
+/// Target of a link.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub enum Target {
     /// The preset of this name.
@@ -39,7 +39,7 @@ pub enum Target {
 /// A link.
 #[derive(Clone, Debug, Default, PartialEq)]
 pub struct Link {
-    /// What is opened; nothing where the scene stays.
+    /// Target; `None` where the scene stays.
     pub target: Option<Target>,
     /// The time shown \[s\].
     pub t: Option<f64>,
@@ -48,7 +48,7 @@ pub struct Link {
 }
 
 impl Link {
-    /// What stands behind the `#` of an address, which may still be there.
+    /// Link from the text after the `#` of an address, which may still be there.
     ///
     /// # Errors
     /// In words: the first key or value that has no sense.

@@ -210,7 +210,7 @@ pub(in crate::app) fn dress_as_chosen(context: &egui::Context, chosen: &Chosen) 
     }
 }
 
-/// What a command changes in egui's context: theme and size; out of the lecture hall the one that was chosen.
+/// Applies a command's change to egui's context: theme and size; outside the lecture mode the chosen size.
 fn dress(ui: &Ui, command: &Command, lecture: bool, chosen: Option<f32>) {
     match command {
         Command::Appearance(AppearanceCommand::Theme(theme)) => ui.set_theme(*theme),

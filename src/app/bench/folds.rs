@@ -15,7 +15,7 @@ const LEAST_VIEW: f32 = 220.0;
 /// Height of a window below which the plots fold by themselves \[points\].
 const LOW: f32 = 480.0;
 
-/// What the user has said of each panel.
+/// Folded or opened by the user, per panel.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
 pub(in crate::app) struct Folds {
     said: [Option<bool>; 4],
@@ -40,7 +40,7 @@ impl Folds {
         Self { said: [placed, what_if, lesson, plots], opened: None }
     }
 
-    /// What a later window begins with.
+    /// Initial state of a later window.
     pub(super) fn panels(self) -> FoldedPanels {
         let [placed, what_if, lesson, plots] = self.said;
         FoldedPanels { placed, what_if, lesson, plots }

@@ -7,7 +7,7 @@ use crate::app::command::{BridgeDraft, FileCommand, LearnCommand, LeaveCommand, 
 use crate::app::host::Told;
 use crate::language::Language;
 
-/// What would leave the scene that is worked on.
+/// Command that would leave the scene in work.
 #[derive(Clone, Debug, PartialEq)]
 pub(in crate::app) enum Next {
     /// The window closes.
@@ -62,12 +62,12 @@ impl WindowState {
         self.asked_before().is_some()
     }
 
-    /// What the question about unsaved changes is asked before, while it is open.
+    /// Command that waits for the answer to the question about unsaved changes, while it is open.
     pub(in crate::app) fn asked_before(&self) -> Option<&Next> {
         if let Leaving::Asking(next) = &self.leaving { Some(next) } else { None }
     }
 
-    /// What has happened, until it has been read.
+    /// Message, until it has been read.
     pub fn notice(&self) -> Option<&str> {
         self.notice.as_ref().map(|told| told.words.as_str())
     }

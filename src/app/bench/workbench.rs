@@ -78,7 +78,7 @@ impl Workbench {
         self.angles.follow(document.scene());
     }
 
-    /// What goes with the scene that was worked on is left with it: lesson, charts, map, angles, the time shown, the camera.
+    /// Resets the state that belongs to the scene before: lesson, charts, map, angles, the time shown, the camera.
     pub(super) fn turn_to_another_scene(&mut self, scene: &Scene) {
         self.learning.close();
         self.plots = PlotViews::default();
@@ -103,7 +103,7 @@ impl Workbench {
         self.window.folds = Folds::as_in(self.files.session.chosen().folded);
     }
 
-    /// What stands on the window's frame.
+    /// Title of the window.
     pub fn title(&self) -> String {
         let mark = if self.files.document.is_dirty() { text::UNSAVED } else { "" };
         format!("{mark}{} – {}", self.files.name(), text::PROGRAM)
@@ -114,7 +114,7 @@ impl Workbench {
         self.view.parts(&self.files.document, &self.replay, self.comparison.pins())
     }
 
-    /// What the plots are drawn from.
+    /// Data of the plots.
     pub(in crate::app) fn plot_source(&self) -> Source<'_> {
         Source {
             scene: self.files.document.scene(),

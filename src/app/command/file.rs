@@ -19,7 +19,7 @@ pub enum Export {
     Report,
 }
 
-/// What a path is asked for.
+/// Purpose of a path that is asked for.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Wish {
     /// A scene to open.
@@ -39,7 +39,7 @@ pub enum Wish {
 }
 
 impl Wish {
-    /// What a new file's name ends in; none for a folder, or for a file that is there.
+    /// Extension of a new file; `None` of a folder, or of an existing file.
     pub(in crate::app) fn extension(self) -> Option<&'static str> {
         match self {
             Self::Open
@@ -55,7 +55,7 @@ impl Wish {
         }
     }
 
-    /// What a new file of a scene of this name is called at first; none as [`extension`](Self::extension).
+    /// Suggested name of a new file of a scene of this name; `None` as [`extension`](Self::extension).
     pub(in crate::app) fn file_name(self, scene: &str) -> Option<String> {
         let what = match self {
             Self::Plots(_) => "-plots",
@@ -136,7 +136,7 @@ pub enum FileCommand {
     CopyLink,
 }
 
-/// What is kept beside the scene: recent files, unsaved work, a file changed by another program.
+/// Commands on files beside the scene: recent files, unsaved work, a file changed by another program.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub enum KeepCommand {
     /// Bring back unsaved work that was found, by its number; the rest is asked about the next time.

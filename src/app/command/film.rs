@@ -14,7 +14,7 @@ const OFFERED_SPEEDS: [f64; 6] = [0.1, 0.2, 0.5, 1.0, 2.0, 5.0];
 /// That of longer films \[s of the run per s\]: the fastest at which a run plays.
 const FASTEST_OFFERED: f64 = 10.0;
 
-/// What a film becomes.
+/// Format of a film.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum FilmFormat {
     /// Numbered pictures in a folder.
@@ -23,7 +23,7 @@ pub enum FilmFormat {
     Gif,
 }
 
-/// What the dialog asks.
+/// Choices in the film dialog.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct FilmPlan {
     /// Pictures or one file.

@@ -27,7 +27,7 @@ impl Flank {
     }
 }
 
-/// What a handle changes.
+/// Quantity that a handle changes.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
 pub enum Grip {
     /// All that is selected, over the ground.

@@ -13,7 +13,7 @@ pub struct MapAxis {
     pub is_log: bool,
 }
 
-/// What a map is to show.
+/// Choices of a map.
 #[derive(Clone, Debug, PartialEq)]
 pub struct MapDraft {
     /// The key across, and the key upwards.

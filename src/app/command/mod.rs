@@ -59,7 +59,7 @@ groups! {
     Place(PlaceCommand),
     /// A handle that is held by keys.
     Hand(HandCommand),
-    /// What is selected.
+    /// Selection.
     Select(SelectCommand),
     /// Camera, layers, tool.
     View(ViewCommand),

@@ -2,7 +2,7 @@
 
 use crate::view::Target;
 
-/// What is selected.
+/// Commands on the selection.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum SelectCommand {
     /// Select this alone, or nothing.

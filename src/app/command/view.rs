@@ -4,7 +4,7 @@ use crate::geometry::End;
 use crate::scene::{Overlays, ViewPreset};
 use crate::view::{Bending, Camera};
 
-/// What the mouse does in the 3D view.
+/// Tool of the mouse in the 3D view.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
 pub enum Tool {
     /// Selects, and moves what is selected.
@@ -16,7 +16,7 @@ pub enum Tool {
     Abutment,
 }
 
-/// What the camera goes with.
+/// Point that the camera follows.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Follow {
     /// The middle of a girder.
@@ -32,7 +32,7 @@ pub struct Sight {
     pub exaggeration: f64,
     /// How girders that bend are drawn; as rigid ones by none.
     pub bent: Option<Bending>,
-    /// What the camera goes with.
+    /// Point that the camera follows.
     pub follow: Option<Follow>,
     /// Whether the plan is shown beside the view.
     pub plan: bool,
@@ -48,7 +48,7 @@ impl Default for Sight {
     }
 }
 
-/// What the camera turns to, as it is at the time shown.
+/// Object that the camera turns to, at the time shown.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Look {
     /// A girder from above, by its number.
@@ -80,6 +80,6 @@ pub enum ViewCommand {
     ForceScale(Option<f64>),
     /// How the view is looked at.
     Sight(Sight),
-    /// What a click in the view does.
+    /// Tool of a click in the view.
     Tool(Tool),
 }

@@ -6,7 +6,7 @@ use crate::language::Language;
 /// A panel that can be folded to a strip.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Pane {
-    /// What is placed, and numbers.
+    /// List of bodies and devices, and numbers.
     Placed,
     /// Sliders and what the run is held against.
     WhatIf,
@@ -30,7 +30,7 @@ pub enum RunCommand {
     Again,
 }
 
-/// What the window looks like; kept from one start to the next.
+/// Appearance of the window; kept from one start to the next.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub enum AppearanceCommand {
     /// The language of its words.

@@ -1,8 +1,8 @@
 //! Keeps unsaved work in side files, a few seconds behind the hand, on a thread.
 //!
-//! What is kept belongs to an origin: what a stretch of the past was opened from or saved to. A side file goes when its
-//! origin is saved, when undo has led back to what is saved, or when the user gives the work up; work that was left
-//! behind by opening something else stays, and is offered the next time.
+//! Unsaved work belongs to an origin: the source or target of a stretch of the history. A side file is removed when its origin is saved,
+//! when undo has led back to the saved state, or when the user discards the work; work that was left behind by opening something else
+//! stays, and is offered the next time.
 
 use std::collections::BTreeMap;
 use std::path::PathBuf;
@@ -21,7 +21,7 @@ pub(in crate::app) const DELAY: Duration = Duration::from_secs(3);
 /// How long a process that is ended from outside waits for the disk.
 const EXIT_WAIT: Duration = Duration::from_secs(10);
 
-/// What the thread is asked for.
+/// Tasks of the thread.
 enum Job {
     /// Hold an origin's scene, to be written into its side file.
     Hold(Held),
@@ -40,12 +40,12 @@ struct Held {
     origin: u64,
     /// The file that the side file is beside.
     beside: PathBuf,
-    /// What the scene was read from: its comments are kept.
+    /// Source of the scene, whose comments are kept.
     source: SceneSource,
     scene: Box<Scene>,
 }
 
-/// What is to be kept.
+/// Work to keep.
 pub(in crate::app) struct Work {
     /// The origin it belongs to.
     pub(in crate::app) origin: u64,
@@ -55,7 +55,7 @@ pub(in crate::app) struct Work {
     pub(in crate::app) dirty: bool,
     /// The file it is kept beside.
     pub(in crate::app) beside: PathBuf,
-    /// What it was read from: its comments are kept.
+    /// Source of the scene, whose comments are kept.
     pub(in crate::app) source: SceneSource,
 }
 

@@ -45,7 +45,7 @@ impl Dialogs {
         self.left.store(true, Ordering::Relaxed);
     }
 
-    /// What was chosen since the last time.
+    /// Choices since the last call.
     pub(in crate::app) fn take(&self) -> Vec<Command> {
         self.chosen.try_iter().collect()
     }
@@ -73,7 +73,7 @@ impl Dialogs {
     }
 }
 
-/// What files are offered; none for a folder.
+/// Filters of the offered files; empty for a folder.
 fn filters(wish: Wish) -> Vec<Filter> {
     match (wish, wish.extension()) {
         (Wish::Open | Wish::Save, _) => vec![(text::SCENES.to_string(), vec!["toml"])],
@@ -86,13 +86,13 @@ fn filters(wish: Wish) -> Vec<Filter> {
     }
 }
 
-/// What follows from what a dialog has answered, where one `has_come`.
+/// Command after a dialog's answer, where one `has_come`.
 fn after(wish: Wish, chosen: Option<PathBuf>, has_come: bool) -> Option<Command> {
     let here = || FileCommand::Path(PathCommand::Ask(wish)).into();
     chosen.map(|path| then(wish, path)).or_else(|| (!has_come).then(here))
 }
 
-/// What is done with a path that was asked for.
+/// Command for a path that was asked for.
 pub(super) fn then(wish: Wish, path: PathBuf) -> Command {
     let path = wish.complete(path);
     match wish {
@@ -106,7 +106,7 @@ pub(super) fn then(wish: Wish, path: PathBuf) -> Command {
     }
 }
 
-/// What files that can be chosen end in; empty for a folder.
+/// Extensions of files that can be chosen; empty for a folder.
 pub(super) fn extensions(wish: Wish) -> Vec<&'static str> {
     match wish {
         Wish::Open => vec!["toml"],

@@ -29,7 +29,7 @@ pub(in crate::app) async fn picture(
     Ok(told(text::PICTURE_WRITTEN.as_str(), &path))
 }
 
-/// What was written, and where.
+/// Message on a written file, with its place.
 pub(super) fn told(what: &str, path: &Path) -> Told {
     Told { words: format!("{what}: {}", path.display()), place: Some(path.to_owned()) }
 }
@@ -44,7 +44,7 @@ pub(in crate::app) fn report(answer: &Arc<Answer>, path: &Path) -> Result<Told, 
     Ok(told(text::REPORT_WRITTEN.as_str(), path))
 }
 
-/// What tables cannot know from the answer alone.
+/// Options of the tables beyond the answer.
 fn options(answer: &Answer) -> TableOptions {
     let run_time = Some(answer.took.as_secs_f64());
     let estimated_error = answer.error().filter(|estimate| estimate.error.is_finite());

@@ -13,7 +13,7 @@ use crate::files::{Draft, FileSet, WriteError, as_file_name};
 use crate::render::{GpuError, Packing};
 use crate::snapshot::{Frame, GifError, Instant, Shot, Studio, film, gif, instants};
 
-/// What a film can be taken of.
+/// Input of a film.
 pub(in crate::app) struct Source<'a> {
     /// The run.
     pub(in crate::app) answer: Option<&'a Arc<Answer>>,
@@ -21,7 +21,7 @@ pub(in crate::app) struct Source<'a> {
     pub(in crate::app) stretch: [f64; 2],
     /// How each picture is taken, but for its instant; as large as the view.
     pub(in crate::app) shot: Shot,
-    /// What the scene is called.
+    /// Name of the scene.
     pub(in crate::app) name: &'a str,
     /// Who is woken when the film has ended.
     pub(in crate::app) wake: Wake,
@@ -32,7 +32,7 @@ struct Order {
     answer: Arc<Answer>,
     plan: FilmPlan,
     shot: Shot,
-    /// What numbered pictures are called.
+    /// Name of numbered pictures.
     name: String,
 }
 
@@ -56,7 +56,7 @@ impl Drop for Job {
 /// The dialog's plan, and the film that is being written.
 #[derive(Default)]
 pub struct Films {
-    /// What the dialog shows, while it is open.
+    /// State of the dialog, while it is open.
     pub plan: Option<FilmPlan>,
     job: Option<Job>,
 }
@@ -97,7 +97,7 @@ impl Films {
         self.job.as_ref().map(|job| (job.done.load(Ordering::Relaxed), job.count))
     }
 
-    /// What became of a film that has ended.
+    /// Message on a film that has ended.
     pub(in crate::app) fn poll(&mut self) -> Option<Told> {
         let told = match self.job.as_ref()?.told.try_recv() {
             Err(TryRecvError::Empty) => return None,
@@ -123,7 +123,7 @@ enum Ended {
     Write(#[from] WriteError),
 }
 
-/// What the window and the thread both see.
+/// Flags shared by the window and the thread.
 struct Watch {
     cancel: Arc<AtomicBool>,
     done: Arc<AtomicUsize>,

@@ -10,7 +10,7 @@ use crate::app::time::clock::SPEEDS;
 /// Sizes to choose from \[pixels\].
 const SIZES: [[u32; 2]; 4] = [[640, 360], [854, 480], [1280, 720], [1920, 1080]];
 
-/// What a film can be taken of.
+/// Extent of a film.
 #[derive(Clone, Copy, Debug)]
 pub(in crate::app) struct Scope {
     /// End of the answer \[s\].

@@ -25,13 +25,13 @@ pub struct PathField {
 /// A path that is being typed.
 #[derive(Clone, Debug, PartialEq)]
 pub(in crate::app) struct Asked {
-    /// What for.
+    /// Purpose.
     pub(in crate::app) wish: Wish,
-    /// What is typed.
+    /// Typed text.
     pub(in crate::app) text: String,
     /// How it could go on.
     pub(in crate::app) offers: Vec<Offer>,
-    /// What is asked before it is taken.
+    /// Question before the path is taken.
     pub(in crate::app) question: Option<Question>,
     /// Why it cannot be taken.
     pub(in crate::app) problem: Option<String>,
@@ -48,7 +48,7 @@ pub(in crate::app) struct Offer {
     pub(in crate::app) text: String,
 }
 
-/// What is asked before a path is taken.
+/// Question before a path is taken.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub(in crate::app) enum Question {
     /// A file is there.
@@ -60,7 +60,7 @@ pub(in crate::app) enum Question {
 }
 
 impl PathField {
-    /// What is asked, while it is.
+    /// Open question.
     pub(in crate::app) fn asked(&self) -> Option<&Asked> {
         self.asked.as_ref()
     }
@@ -93,7 +93,7 @@ impl PathField {
         self.type_text(folder + &name);
     }
 
-    /// What a new file is called at first; nothing for what is there already, and for folders.
+    /// Suggested name of a new file; empty for existing files and for folders.
     pub(in crate::app) fn name_of_new(&self, wish: Wish) -> String {
         wish.file_name(&self.begin.1).unwrap_or_default()
     }
@@ -168,7 +168,7 @@ impl PathField {
 }
 
 impl Asked {
-    /// What is typed, with as many more letters as every way to go on has.
+    /// Typed text, with the letters that all completions have in common.
     pub(in crate::app) fn completed(&self) -> Option<String> {
         let mut texts = self.offers.iter().map(|offer| offer.text.as_str());
         let first = texts.next()?;

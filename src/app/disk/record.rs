@@ -6,7 +6,7 @@ use std::sync::Arc;
 use crate::files::{Record, Records, Supplement, read_record};
 use crate::scene::{Component, Motion, RecordMotion, RecordUnit};
 
-/// What shakes the ground, and what is to be said of a file that could not be read.
+/// Motion of the ground, and a message on a file that could not be read.
 pub(in crate::app) type Shaking = (Motion, Option<String>);
 
 /// Shaking by the record in a file, the path given from the scene's own `folder` on. The scales stay if there was a

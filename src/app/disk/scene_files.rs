@@ -13,7 +13,7 @@ use crate::files::{Found, SceneSource, save_scene};
 use crate::scene::Scene;
 use crate::scene::edit::{Edit, EditError};
 
-/// What became of a wish to save.
+/// Outcome of a command to save.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub(in crate::app) enum Saved {
     /// It is on the disk; in words.
@@ -24,7 +24,7 @@ pub(in crate::app) enum Saved {
     Failed(String),
 }
 
-/// What a command about kept files leaves to be done.
+/// Step left to do by a command on kept files.
 #[derive(Clone, Debug)]
 pub(in crate::app) enum Left {
     /// Nothing.

@@ -1,4 +1,4 @@
-//! What is kept for the user beside the scene itself: recent files, settings, unsaved work, the file's state on the disk.
+//! The user's files beside the scene itself: recent files, settings, unsaved work, the file's state on the disk.
 //!
 //! Nothing is kept unless [`SessionFiles::keep_in`] says where, so that a test or a picture of the window leaves the
 //! user's files alone. The disk is looked at while a frame is drawn anyway, at most once a second: an idle window sleeps.
@@ -17,7 +17,7 @@ use crate::scene::Scene;
 /// How often the opened file is looked at.
 const LOOK: Duration = Duration::from_secs(1);
 
-/// What is kept, once it is known where.
+/// The user's files, in a known folder.
 #[derive(Default)]
 pub struct SessionFiles {
     folder: Option<PathBuf>,
@@ -68,7 +68,7 @@ fn lost_beside(file: &Path, scene: impl FnOnce() -> Option<Scene>) -> Vec<Found>
 pub(in crate::app) struct Compared {
     /// Whether it holds what is known of it; a question is open otherwise.
     pub(in crate::app) same: bool,
-    /// What the user is told.
+    /// Message to the user.
     pub(in crate::app) notice: Option<String>,
 }
 
@@ -110,7 +110,7 @@ impl SessionFiles {
         !self.found.is_empty() || self.file_has_changed()
     }
 
-    /// What was chosen for every window, in this one or an earlier one.
+    /// Settings for every window, chosen in this one or an earlier one.
     pub fn chosen(&self) -> &Chosen {
         self.settings.chosen()
     }

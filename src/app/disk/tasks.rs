@@ -1,4 +1,4 @@
-//! What goes on beside the window on threads of its own: the system's dialogs, exports, films.
+//! Work beside the window on threads of its own: the system's dialogs, exports, films.
 
 use std::path::{Path, PathBuf};
 use std::sync::Arc;
@@ -74,12 +74,12 @@ impl Tasks {
         self.begin(move || show_folder::show(&folder));
     }
 
-    /// What was chosen in dialogs since the last time.
+    /// Choices in dialogs since the last call.
     pub(in crate::app) fn chosen(&self) -> Vec<Command> {
         self.dialogs.take()
     }
 
-    /// What the user is told of work that has ended.
+    /// Messages on work that has ended.
     pub(in crate::app) fn ended(&mut self) -> Vec<Told> {
         [self.background.take(), self.films.poll()].into_iter().flatten().collect()
     }

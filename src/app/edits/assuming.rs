@@ -1,4 +1,4 @@
-//! What an edit says of assumed values.
+//! Assumed values that an edit states.
 
 use crate::scene::edit::{Edit, EditError};
 use crate::scene::{Girder, Scene, is_assumed};

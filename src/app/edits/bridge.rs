@@ -23,7 +23,7 @@ const STIFFNESS: f64 = 1e9 * 30.0 / 15.0;
 /// Frequency of a girder on its bearings where the user gives none \[Hz\] (chosen).
 pub(super) const BEARING_FREQUENCY: f64 = 0.8;
 
-/// What is assumed of a bridge of these numbers.
+/// Assumed sizes of a bridge of these numbers.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub(in crate::app) struct Assumed {
     /// Depth of the deck, a twentieth of the span \[m\].
@@ -55,7 +55,7 @@ pub(in crate::app) fn sound(draft: BridgeDraft) -> BridgeDraft {
     }
 }
 
-/// What is assumed of a bridge of these numbers.
+/// Assumed sizes of a bridge of these numbers.
 pub(in crate::app) fn assumed(draft: BridgeDraft) -> Assumed {
     let BridgeDraft { span, width, skew_deg, .. } = sound(draft);
     let to = |value: f64, step: f64| (value / step).round().max(1.0) * step;

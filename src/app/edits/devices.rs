@@ -72,7 +72,7 @@ pub(super) fn copy(scene: &Scene, id: DeviceId) -> Option<Device> {
     Some(copy)
 }
 
-/// What a girder's end faces.
+/// Body before a girder's end.
 struct Before {
     end: End,
     /// Name of the body before it; the ground without.
@@ -160,9 +160,9 @@ fn count_between(scene: &Scene, kind: DeviceKind, (one, other): (&str, Option<&s
     between.count()
 }
 
-/// What is before the end of a girder that a new device goes to: what is wanted, else the end with the fewest pairs of devices of
-/// this kind; of equals the joint with another girder for a cable, which ties spans to each other, and an abutment for others; else its
-/// far end before nothing.
+/// Body before the end of a girder that a new device goes to: the wanted one, else at the end with the fewest pairs of devices of this
+/// kind; of equals the joint with another girder for a cable, which ties spans to each other, and an abutment for others; else no body, at
+/// its far end.
 fn before(scene: &Scene, girder: usize, kind: DeviceKind, wanted: &[&str]) -> Before {
     let own = scene.girders[girder].name.as_str();
     let pairs = facing::find(scene).unwrap_or_default();

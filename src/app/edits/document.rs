@@ -12,14 +12,14 @@ use crate::files::SceneSource;
 use crate::scene::Scene;
 use crate::scene::edit::{Edit, EditError, UndoStack};
 
-/// What a stretch of the past was read from or saved to.
+/// Source or target of a stretch of the history.
 struct Origin {
     /// Tells it from every other one.
     id: u64,
     /// Steps done when it began: opening a scene is a step that can be undone, and then the older file is meant again.
     depth: usize,
     source: SceneSource,
-    /// What is on the disk, unless something else is by now.
+    /// Scene on the disk, unless another program has changed it.
     saved: Option<Scene>,
     /// Tells the scene that was opened from every other one; saving it goes on with it.
     work: u64,
@@ -50,7 +50,7 @@ impl Document {
         &self.scene
     }
 
-    /// What is selected in it.
+    /// Selection.
     pub fn selection(&self) -> &Selection {
         &self.selection
     }
@@ -73,7 +73,7 @@ impl Document {
         self.origin()?.source.file()
     }
 
-    /// What it was read from or saved to.
+    /// Source of the scene, or its file after saving.
     pub(in crate::app) fn source(&self) -> SceneSource {
         self.origin().map_or(SceneSource::New, |o| o.source.clone())
     }
@@ -83,12 +83,12 @@ impl Document {
         self.origin().is_none_or(|o| o.saved.as_ref() != Some(&self.scene))
     }
 
-    /// What is on the disk, as far as it is known.
+    /// Scene on the disk, as far as it is known.
     pub(in crate::app) fn saved(&self) -> Option<&Scene> {
         self.origin()?.saved.as_ref()
     }
 
-    /// What is on the disk is not this scene any more, whatever the scene is.
+    /// Marks the scene as differing from the disk, whatever it is.
     pub(in crate::app) fn unsave(&mut self) {
         let depth = self.steps.depth();
         if let Some(origin) = self.origins.iter_mut().rev().find(|o| o.depth <= depth) {
@@ -111,12 +111,12 @@ impl Document {
         self.origin().map_or(0, |o| o.work)
     }
 
-    /// What undo would take back.
+    /// Name of the edit that undo reverts.
     pub fn undo_label(&self) -> Option<&str> {
         self.steps.undo_label()
     }
 
-    /// What redo would make again.
+    /// Name of the edit that redo repeats.
     pub fn redo_label(&self) -> Option<&str> {
         self.steps.redo_label()
     }

@@ -1,4 +1,4 @@
-//! What is there before anything has been placed.
+//! Scene before anything has been placed.
 
 use super::bridge::bridge;
 use crate::app::command::BridgeDraft;

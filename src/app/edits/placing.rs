@@ -13,12 +13,12 @@ use crate::view::Target;
 /// Most spans that an array makes: more than any bridge has, and few enough to be run.
 pub(in crate::app) const MOST_SPANS: usize = 1000;
 
-/// What a placing command comes to.
+/// Result of a placing command.
 #[derive(Clone, Debug)]
 pub(super) struct Placed {
-    /// What is changed.
+    /// Change.
     pub(super) edit: Edit,
-    /// What is selected after it; none leaves the selection as it is.
+    /// Selection after it; `None` leaves the selection as it is.
     pub(super) then: Option<Vec<Target>>,
 }
 
@@ -27,7 +27,7 @@ pub(in crate::app) fn offered_row(scene: &Scene) -> RowDraft {
     RowDraft { spans: 5, gap: gap_of(scene).unwrap_or(0.003) }
 }
 
-/// What a placing command comes to; `None` when the scene or the selection gives it nothing to do.
+/// Result of a placing command; `None` when the scene or the selection gives it nothing to do.
 pub(super) fn placed(command: PlaceCommand, scene: &Scene, selection: &Selection) -> Option<Placed> {
     let girder = selection.girders().last();
     let (edit, then) = match command {

@@ -1,10 +1,10 @@
-//! What is selected: any number of things, in the order in which they were taken; the last one leads.
+//! Selection: any number of objects, in the order in which they were taken; the last one leads.
 
 use crate::app::command::SelectCommand;
 use crate::scene::Scene;
 use crate::view::Target;
 
-/// What is selected.
+/// Selection.
 #[derive(Clone, Debug, Default, PartialEq, Eq)]
 pub struct Selection(Vec<Target>);
 

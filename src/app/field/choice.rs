@@ -8,7 +8,7 @@ use super::slider::line;
 use crate::app::text;
 use crate::scene::keys;
 
-/// What can be chosen, each with the word for it.
+/// Choices, each with its text.
 pub(in crate::app) type Choice<'a, T> = &'a [(T, &'a str)];
 
 /// A row of a two-column grid with a list to choose from.

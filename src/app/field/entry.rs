@@ -16,7 +16,7 @@ pub(super) struct Field<'a> {
     pub(super) scope: Id,
 }
 
-/// What was done to a number in a field.
+/// Entry into a number's field.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub(super) enum Done {
     /// It is this now, in the unit of the scene.

@@ -10,7 +10,7 @@ use crate::scene::{Scene, SceneErrors};
 pub(in crate::app) struct Form<'a> {
     /// The scene as it is edited.
     pub(in crate::app) scene: &'a Scene,
-    /// What keeps it from being run.
+    /// Complaints that keep it from being run.
     pub(in crate::app) problems: Option<&'a SceneErrors>,
 }
 

@@ -1,4 +1,4 @@
-//! What stands around a value: what it says of itself, the sign that takes it back, its complaint.
+//! Frame of a value: its hint, the sign that resets it, its complaint.
 
 use egui::{Button, Response, RichText, Ui, vec2};
 
@@ -24,7 +24,7 @@ pub(super) struct Own {
 }
 
 impl Field<'_> {
-    /// What the field says of itself.
+    /// Hint of the field.
     pub(super) fn hint(&self, own: &Own) -> String {
         hint(self.known, self.unit, own) + &assumed_hint(self.place, self.names.key)
     }

@@ -1,9 +1,8 @@
 //! One value in a panel: its label, its unit, what is allowed, what it is by itself, its complaint, the hand on it.
 //!
-//! What may stand in a field, its default and its name come from [`keys`](crate::scene::keys), as the checks of a scene do; [`rows`] and
-//! [`sliders`] show every key of a table. Every field says them to
-//! the mouse and to a screen reader; one that is not as it would be by itself has a small sign beside it that takes it
-//! back, and so do its context menu and an emptied field.
+//! Range, default and name of a field come from [`keys`](crate::scene::keys), as the checks of a scene do; [`rows`] and [`sliders`] show
+//! every key of a table. Every field tells them to the mouse and to a screen reader; one that differs from its default has a small sign
+//! beside it that resets it, and so do its context menu and an emptied field.
 
 mod choice;
 mod entry;

@@ -97,7 +97,7 @@ pub(in crate::app) fn switched(
     }
 }
 
-/// What was typed into a field: a number in its unit, nothing at all, or something else, with what is wrong.
+/// Text typed into a field: a number in its unit, nothing at all, or something else, with the fault.
 pub(super) type Typed = RefCell<Option<Result<Option<f64>, String>>>;
 
 /// Reads what is typed and keeps it, also where it is no number.
@@ -181,7 +181,7 @@ impl Field<'_> {
         (response, shown, typed)
     }
 
-    /// What the hand did: typed numbers are taken as they are, and complained about; a drag stops at the limit.
+    /// Entry by the hand: typed numbers are taken as they are, and complained about; a drag stops at the limit.
     pub(super) fn done(
         &self,
         ui: &Ui,

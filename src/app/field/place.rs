@@ -56,14 +56,14 @@ pub(in crate::app) struct Named<'a> {
     pub label: &'a str,
 }
 
-/// What the hand did to a field.
+/// Change of a field by the hand.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub(in crate::app) struct Change {
     /// The same for all changes of one drag; none for typing and keys.
     pub gesture: Option<u64>,
 }
 
-/// What a button, a box or a typed number did.
+/// Change by a button, a box or a typed number.
 pub(in crate::app) const CLICK: Option<Change> = Some(Change { gesture: None });
 
 /// The gesture that a response belongs to, if it has just changed its value.

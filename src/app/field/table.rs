@@ -14,7 +14,7 @@ use crate::scene::Kind;
 use crate::scene::keys::{self, Editable, Fallback, Key, Slot, Word};
 use crate::scene::overrides::replaced_by;
 
-/// What a number is where the table leaves it out, in the unit of its key.
+/// Value of a number that the table leaves out, in the unit of its key.
 #[derive(Clone, Copy)]
 pub(in crate::app) enum Without<'a> {
     /// Reckoned from other values.
@@ -25,14 +25,14 @@ pub(in crate::app) enum Without<'a> {
     Off(&'a dyn Fn(&Key) -> f64),
 }
 
-/// What the fields of a table need to know besides its keys.
+/// Context of the fields of a table beside its keys.
 #[derive(Clone, Copy)]
 pub(in crate::app) struct Look<'a> {
     /// Where the table stands.
     pub place: Place<'a>,
     /// Whether there is a third direction.
     pub kind: Kind,
-    /// What units follow.
+    /// Size that units follow.
     pub size: Size,
     /// Whose numbers they are, empty of the table alone: a field of a `pair` is called `K of pair`.
     pub whose: &'a str,

@@ -41,7 +41,7 @@ impl Thread {
     }
 }
 
-/// What a thread would need of its work.
+/// Bound on a thread's work, empty here.
 pub(in crate::app) trait MaySend {}
 impl<T> MaySend for T {}
 
@@ -90,7 +90,7 @@ impl<T: 'static> Later<T> {
         Self(here)
     }
 
-    /// What was made, once.
+    /// Result, once.
     pub(in crate::app) fn take(&mut self) -> Option<T> {
         self.0.borrow_mut().take()
     }

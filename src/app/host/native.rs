@@ -28,7 +28,7 @@ pub(in crate::app) fn spawn(work: impl FnOnce() + Send + 'static) -> Option<Thre
     }))
 }
 
-/// What a thread needs of its work.
+/// Bound on a thread's work.
 pub(in crate::app) trait MaySend: Send {}
 impl<T: Send> MaySend for T {}
 
@@ -62,7 +62,7 @@ impl<T: 'static> Later<T> {
         Self(Some(pollster::block_on(made)))
     }
 
-    /// What was made, once.
+    /// Result, once.
     pub(in crate::app) fn take(&mut self) -> Option<T> {
         self.0.take()
     }

@@ -30,7 +30,7 @@ pub struct Lesson {
     /// The scene's file.
     #[serde(skip)]
     toml: &'static str,
-    /// What the scene is called.
+    /// Name of the scene.
     #[serde(skip)]
     pub name: &'static str,
 }
@@ -39,9 +39,9 @@ pub struct Lesson {
 #[derive(Debug, Deserialize)]
 #[serde(deny_unknown_fields)]
 pub struct Try {
-    /// What is done: on the button.
+    /// Text of the button.
     pub words: String,
-    /// What is seen then.
+    /// Text on the result.
     pub text: String,
     /// When it is seen; where it is left out the time stays \[s\].
     #[serde(default, rename = "at_s")]
@@ -160,7 +160,7 @@ impl Lesson {
 }
 
 impl Try {
-    /// What it does to the scene.
+    /// Edit of the scene.
     pub fn edit(&self) -> Edit {
         Edit::Batch(self.set.iter().cloned().map(Edit::Set).collect())
     }
@@ -170,7 +170,7 @@ impl Try {
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
 pub struct Learning {
     open: Option<usize>,
-    /// What was tried last.
+    /// Step tried last.
     tried: Option<usize>,
 }
 
@@ -192,7 +192,7 @@ impl Learning {
         self.tried = Some(number);
     }
 
-    /// What was tried last, where this scene has all that it sets.
+    /// Step tried last, where this scene has all that it sets.
     pub(in crate::app) fn in_force(self, scene: &Scene) -> Option<usize> {
         let number = self.tried?;
         let mut with = scene.clone();

@@ -82,7 +82,7 @@ impl Angles {
         self.open
     }
 
-    /// What has come out so far.
+    /// Results so far.
     pub fn turned(&self) -> Option<&Swept<Turn>> {
         self.background.swept()
     }
@@ -97,7 +97,7 @@ impl Angles {
         self.background.progress()
     }
 
-    /// What of it can be seen.
+    /// State that determines the picture.
     pub(in crate::app) fn seen(&self) -> impl PartialEq + use<> {
         (self.open, self.background.seen())
     }

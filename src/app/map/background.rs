@@ -12,7 +12,7 @@ use crate::scene::overrides::Laid;
 use crate::scene::{Scene, SceneErrors, ViewSettings, format};
 use crate::study::sweep::{Measure, Nested, Plan, Row, own_value};
 
-/// What can be asked for.
+/// Request of a sweep.
 pub(super) trait Asked: Clone + PartialEq {
     /// The keys with their values, and what is kept of each run.
     fn order(&self) -> Order;
@@ -23,14 +23,14 @@ pub struct Swept<D> {
     pub(super) plan: Arc<Plan>,
     pub(super) draft: D,
     pub(super) grid: Nested,
-    /// What has come out, by the number of the run.
+    /// Results, by the number of the run.
     pub(super) rows: BTreeMap<usize, Row>,
     /// The scene with the first value of every key, as text: sweeps of the same text are the same.
     base: Option<String>,
 }
 
 impl<D> Swept<D> {
-    /// What is kept of each run, by its number.
+    /// Measure kept of each run, by its number.
     pub(super) fn measure(&self, number: usize) -> &'static Measure {
         self.plan.measures[number]
     }
@@ -55,14 +55,14 @@ impl<D> Swept<D> {
 
 /// A sweep in the background.
 pub(super) struct Background<D> {
-    /// What was computed last, or is.
+    /// Request computed last, or in work.
     asked: Option<D>,
     job: Option<Job>,
     swept: Option<Swept<D>>,
     problems: Option<SceneErrors>,
     /// Whether the sweep is of the scene as it is now.
     fits: bool,
-    /// What each key is in the scene as it is now, where it is a number.
+    /// Value of each key in the present scene, where it is a number.
     own: Vec<Option<f64>>,
     wake: Wake,
 }
@@ -80,12 +80,12 @@ impl<D: Asked> Background<D> {
         self.wake = wake;
     }
 
-    /// What was computed last, or is.
+    /// Request computed last, or in work.
     pub(super) fn asked(&self) -> Option<&D> {
         self.asked.as_ref()
     }
 
-    /// What has come out so far.
+    /// Results so far.
     pub(super) fn swept(&self) -> Option<&Swept<D>> {
         self.swept.as_ref()
     }
@@ -100,7 +100,7 @@ impl<D: Asked> Background<D> {
         self.fits
     }
 
-    /// What a key is in the scene as it is now, where it is a number.
+    /// Value of a key in the present scene, where it is a number.
     pub(super) fn own(&self, axis: usize) -> Option<f64> {
         self.own.get(axis).copied().flatten()
     }
@@ -111,7 +111,7 @@ impl<D: Asked> Background<D> {
         Some(self.swept.as_ref().map_or([0, 1], |swept| [swept.rows.len(), swept.plan.runs()]))
     }
 
-    /// What of it can be seen.
+    /// State that determines the picture.
     pub(super) fn seen(&self) -> impl PartialEq + use<D> {
         let rows = self.swept.as_ref().map(|swept| swept.rows.len());
         (self.job.is_some(), rows, self.problems.clone(), self.fits)

@@ -37,7 +37,7 @@ impl Map {
 /// The map's window.
 #[derive(Default)]
 pub struct Maps {
-    /// What it is to show, while it is open.
+    /// Choices in the dialog, while it is open.
     pub(super) draft: Option<MapDraft>,
     pub(super) background: Background<MapDraft>,
 }
@@ -48,7 +48,7 @@ impl Maps {
         self.background.set_wake(wake);
     }
 
-    /// What it is to show, while it is open.
+    /// Choices in the dialog, while it is open.
     pub fn draft(&self) -> Option<&MapDraft> {
         self.draft.as_ref()
     }
@@ -63,7 +63,7 @@ impl Maps {
         self.background.fits()
     }
 
-    /// What both keys of the map are in the scene as it is now.
+    /// Values of both keys of the map in the present scene.
     pub(super) fn own(&self) -> [Option<f64>; 2] {
         [0, 1].map(|axis| self.background.own(axis))
     }
@@ -78,7 +78,7 @@ impl Maps {
         self.background.progress()
     }
 
-    /// What of it can be seen.
+    /// State that determines the picture.
     pub(in crate::app) fn seen(&self) -> impl PartialEq + use<> {
         (self.draft.clone(), self.background.seen())
     }
@@ -105,7 +105,7 @@ impl Maps {
         None
     }
 
-    /// What the map that is kept shows.
+    /// Choices of the kept map.
     fn kept(&self) -> Option<MapDraft> {
         Some(self.map()?.draft.clone())
     }

@@ -90,7 +90,7 @@ pub(super) fn axis(laid: &Laid, path: &str) -> MapAxis {
     MapAxis { key: path.to_owned(), from: within(from), to: within(to), is_log: false }
 }
 
-/// What a map of a scene shows at first; none where the scene has not two keys.
+/// First choices of a map of a scene; `None` where the scene has not two keys.
 pub(super) fn first(scene: &Scene) -> Option<MapDraft> {
     let (laid, keys) = (Laid::out(scene).ok()?, keys(scene));
     // The end of one girder among several would turn into its neighbour.

@@ -18,7 +18,7 @@ const MARGIN: f32 = 22.0;
 const PLAN: f64 = 0.3;
 /// Every so many degrees a spoke.
 const SPOKE: usize = 30;
-/// What is drawn of a value that is worst where it is least.
+/// Measure that is worst where it is least.
 const LEAST_IS_WORST: &str = "least_seat";
 
 /// One measure over the angle.

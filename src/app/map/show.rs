@@ -122,7 +122,7 @@ fn choose(ui: &mut Ui, scene: &Scene, part: &str) -> Option<String> {
     chosen
 }
 
-/// What signs mean.
+/// Legend.
 fn below(ui: &mut Ui) {
     ui.horizontal(|ui| {
         let (rect, _) = ui.allocate_exact_size(vec2(16.0, 16.0), egui::Sense::hover());

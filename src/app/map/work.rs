@@ -12,7 +12,7 @@ use crate::files::Records;
 use crate::scene::{Scene, SceneErrors};
 use crate::study::sweep::{Nested, Plan, Row, compute};
 
-/// What a thread has brought.
+/// Message of a thread.
 pub(super) enum News {
     /// The runs are known, and begin.
     Begun(Arc<Plan>),
@@ -38,7 +38,7 @@ impl Drop for Job {
 }
 
 impl Job {
-    /// What has been brought next, if anything.
+    /// Next message, if there is one.
     pub(super) fn take(&self) -> Option<News> {
         self.news.try_recv().ok()
     }

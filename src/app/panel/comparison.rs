@@ -113,7 +113,7 @@ impl Row {
 /// Most devices that have a row.
 const MOST_DEVICES: usize = 4;
 
-/// What stands where a run has no such number.
+/// Text in place of a number that a run has not.
 const NONE: &str = "–";
 
 /// The numbers of these runs, of which the first is shown.

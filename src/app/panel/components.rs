@@ -16,7 +16,7 @@ use crate::scene::{Component, GroundId, Heading, RecordMotion};
 /// Most components: two in plan and one upwards.
 const MOST_COMPONENTS: usize = 3;
 
-/// What a component may point to.
+/// Directions of a component.
 fn ways() -> [(Option<bool>, &'static str); 3] {
     [(None, text::AS_FILE_STATES.as_str()), (Some(false), text::IN_PLAN.as_str()), (Some(true), text::UPWARDS.as_str())]
 }

@@ -101,7 +101,7 @@ fn synthetic_rows(ui: &mut Ui, look: &Look<'_>, quake: &mut SyntheticMotion) -> 
     change.or(Grid::new("longest period").num_columns(2).show(ui, rows).inner)
 }
 
-/// What opens the windows about the motion.
+/// Buttons that open the windows about the motion.
 fn windows(ui: &mut Ui, out: &mut Vec<Command>) {
     if ui.button(text::QUAKE_OPEN).on_hover_text(text::QUAKE_OPEN_HINT).clicked() {
         out.push(QuakeCommand::Show(true).into());

@@ -58,7 +58,7 @@ pub fn show(bench: &mut Workbench, ui: &mut Ui) {
     go_on(bench, ui);
 }
 
-/// What panels, dialogs and keys ask for in this frame.
+/// Commands of panels, dialogs and keys in this frame.
 fn commands(bench: &Workbench, ui: &mut Ui) -> Vec<Command> {
     let mut out = Vec::new();
     let (document, window) = (&bench.files.document, &bench.window);
@@ -286,7 +286,7 @@ fn keep_work(bench: &mut Workbench) -> Option<Duration> {
     again
 }
 
-/// What a file that is dropped onto the window is for: a record by its extension, anything else a scene.
+/// Command for a file that is dropped onto the window: a record by its extension, anything else a scene.
 fn dropped_on(path: &Path) -> FileCommand {
     let path = path.to_owned();
     if is_record(&path) { FileCommand::Record(GroundId::Reference, path) } else { FileCommand::Open(path) }

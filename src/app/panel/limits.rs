@@ -29,7 +29,7 @@ pub(in crate::app) fn show(ui: &mut Ui, form: Form<'_>, runner: &Runner, out: &m
     flags(ui, scene.limits, runner, out);
 }
 
-/// What a limit begins with: a little below what the run reaches, or a part of a girder's length.
+/// First value of a limit: a little below the run's value, or a part of a girder's length.
 fn first_limit(key: &str, scene: &Scene, summary: Option<&Summary>) -> f64 {
     let length = Size::of_scene(scene).length;
     match key {

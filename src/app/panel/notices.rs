@@ -1,4 +1,4 @@
-//! What stands over the view: complaints, progress, and questions.
+//! Notices over the view: complaints, progress, and questions.
 
 use std::path::PathBuf;
 use std::time::Duration;

@@ -1,4 +1,4 @@
-//! What is placed, as a list to select from.
+//! Bodies and devices, as a list to select from.
 
 use egui::{Button, RichText, Ui};
 

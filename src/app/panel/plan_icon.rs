@@ -8,7 +8,7 @@ use glam::DVec2;
 use crate::app::style::theme::Palette;
 use crate::scene::{Scene, placed, presets};
 
-/// What of a scene is drawn, in the world \[m\].
+/// Drawn parts of a scene, in the world \[m\].
 struct PlanIcon {
     decks: Vec<[DVec2; 4]>,
     /// Faces of abutments.

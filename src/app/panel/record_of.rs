@@ -1,4 +1,4 @@
-//! What was read of a record, which channel of it shakes, and what is done to its samples.
+//! Contents of a record, its channel in use, and the processing of its samples.
 
 use egui::{CollapsingHeader, Grid, Label, RichText, Ui};
 
@@ -19,7 +19,7 @@ pub(super) fn units() -> [(Option<RecordUnit>, &'static str); 4] {
     ]
 }
 
-/// What was read: format, channel, unit, what was done to the file's numbers.
+/// Contents: format, channel, unit, processing of the file's numbers.
 pub(super) fn read(ui: &mut Ui, record: &RecordMotion) {
     let Some(loaded) = &record.loaded else { return };
     let Ok(channel) = loaded.channel(record.channel) else { return };
@@ -37,7 +37,7 @@ pub(super) fn channel(ui: &mut Ui, place: Place<'_>, record: &mut RecordMotion) 
     choice_line(ui, place, Named { key: "channel", label: text::CHANNEL.as_str() }, &mut record.channel, &options)
 }
 
-/// What is stated beside a file that does not state it itself: its unit, its interval. Then it is read anew.
+/// Unit and interval stated beside a file that leaves them out. It is then read anew.
 pub(super) fn beside(
     ui: &mut Ui,
     place: Place<'_>,

@@ -1,4 +1,4 @@
-//! What follows from the numbers of a girder, and the forces of a contact at the time shown.
+//! Results on a girder, and the forces of a contact at the time shown.
 
 use egui::{Grid, RichText, Ui};
 
@@ -31,7 +31,7 @@ fn table(ui: &mut Ui, salt: &str, rows: impl IntoIterator<Item = (&'static str, 
     });
 }
 
-/// What (3), (4) and (6) say of a girder, from its scene's answer where there is one.
+/// Quantities of (3), (4) and (6) of a girder, from its scene's answer where there is one.
 pub(in crate::app) fn show_girder(
     ui: &mut Ui,
     answer: Option<&Answer>,
@@ -127,7 +127,7 @@ fn links(ui: &mut Ui, salt: &str, rows: Vec<(&'static str, String, Spot)>, out: 
     });
 }
 
-/// What a designer reads off the run for one girder, each with where it is seen.
+/// Readings of the run for one girder, each with the place where it is seen.
 fn readings(answer: &Answer, girder: usize, reading: &Reading) -> Vec<(&'static str, String, Spot)> {
     let (history, carried) = (&answer.history, answer.carried_from());
     let at = |words: &str, e: &Extreme| {

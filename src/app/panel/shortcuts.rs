@@ -38,7 +38,7 @@ impl Above {
     }
 }
 
-/// What keys act on.
+/// State that keys act on.
 #[derive(Clone, Copy)]
 pub(in crate::app) struct Keyboard<'a> {
     /// Whether a text had the focus when the frame began: it may have been left by one of its keys.
@@ -47,9 +47,9 @@ pub(in crate::app) struct Keyboard<'a> {
     pub(in crate::app) listed: bool,
     /// Whether the help is open: keys close it then, and do nothing else.
     pub(in crate::app) help: bool,
-    /// What is held in the view: a number that is typed is its own.
+    /// Object held in the view, whose typed number is its own.
     pub(in crate::app) hand: &'a Hand,
-    /// What a click in the view does.
+    /// Tool of a click in the view.
     pub(in crate::app) tool: Tool,
     /// The playing clock.
     pub(in crate::app) clock: &'a Clock,

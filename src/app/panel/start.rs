@@ -1,4 +1,4 @@
-//! What stands over an empty scene: a bridge by its numbers, presets, files used last, lessons.
+//! Panel over an empty scene: a bridge by its numbers, presets, files used last, lessons.
 
 use egui::{
     Align2, Area, Button, Frame, Grid, Id, Label, Order, Rect, RichText, Role, ScrollArea, Sense, StrokeKind, Ui,

@@ -16,7 +16,7 @@ use crate::view::{Bending, section_force};
 /// Most girders that the menu offers to go with; of more only the one that is selected. Chosen.
 const MOST_FOLLOWED: usize = 8;
 
-/// What the menu leaves of a window's height for the bar above it \[points\].
+/// Part of a window's height that the menu leaves for the bar above it \[points\].
 const ABOVE: f32 = 36.0;
 
 /// The menu of views beyond the standing ones; where it is higher than the window it scrolls.

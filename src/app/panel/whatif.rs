@@ -16,7 +16,7 @@ use crate::language::{Message, Text};
 use crate::scene::edit::Edit;
 use crate::view::Target;
 
-/// What the sliders and the results beside them are of.
+/// Subject of the sliders and of the results beside them.
 #[derive(Clone, Copy)]
 pub(in crate::app) struct Shown<'a> {
     /// The scene, and what is selected in it.
@@ -25,7 +25,7 @@ pub(in crate::app) struct Shown<'a> {
     pub(in crate::app) replay: &'a Replay,
     /// Layers and force scale of the view.
     pub(in crate::app) display: &'a Display,
-    /// What the plots are drawn from.
+    /// Data of the plots.
     pub(in crate::app) plots: Source<'a>,
 }
 

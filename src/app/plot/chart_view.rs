@@ -14,7 +14,7 @@ use crate::app::style::theme::Palette;
 use crate::app::text;
 use crate::app::time::time_axis::{TimeAxis, ticks};
 
-/// What a chart is drawn over: its number, its place with axis and legend, the axis of time, the time shown \[s\].
+/// Base of a chart: its number, its place with axis and legend, the axis of time, the time shown \[s\].
 pub(super) struct Over<'a> {
     pub(super) number: usize,
     pub(super) place: Rect,

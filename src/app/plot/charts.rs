@@ -1,4 +1,4 @@
-//! What each chart shows: curves with their styles, and names with values for its legend.
+//! Contents of each chart: curves with their styles, and names with values for its legend.
 
 use std::borrow::Cow;
 
@@ -33,12 +33,12 @@ pub(super) struct Entry {
 
 /// A set of curves in one frame.
 pub(super) struct Chart<'a> {
-    /// What it is called.
+    /// Name.
     pub(super) name: String,
     /// Unit of its values.
     pub(super) unit: &'static str,
     pub(super) curves: Vec<Drawn<'a>>,
-    /// What a crowd of curves fills, behind them.
+    /// Bands of crowds of curves, behind them.
     pub(super) bands: Vec<(&'a Band, Color32)>,
     pub(super) entries: Vec<Entry>,
     /// Filled down to 0, the highest first.
@@ -57,7 +57,7 @@ impl Chart<'_> {
     }
 }
 
-/// What every scene shows over time: place, rotation, contact force; `at` is the time that the legends are about \[s\].
+/// Charts of every scene over time: place, rotation, contact force; `at` is the time that the legends are about \[s\].
 pub(super) fn standing<'a>(source: &Source<'_>, traces: &'a Traces, at: f64, palette: &Palette) -> Vec<Chart<'a>> {
     let dashed = LineStyle::Dashed { length: 7.0 };
     let now = values(source, at);

@@ -146,7 +146,7 @@ fn charts(path: &Path, title: &str, plots: &[Sampled]) -> Vec<(PathBuf, String)>
     std::iter::once(first).chain(others).enumerate().map(|(i, c)| (numbered(path, i), c.to_svg())).collect()
 }
 
-/// What stands before the name of an axis of logarithms.
+/// Prefix of the name of a logarithmic axis.
 fn log_of(log: bool) -> &'static str {
     if log { "log10 of " } else { "" }
 }

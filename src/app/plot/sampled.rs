@@ -20,11 +20,11 @@ const MOST_POINTS: usize = 20_000;
 pub(in crate::app) struct Sampled {
     /// Name, unit shown, values `[x or t, y]` in shown units.
     pub(in crate::app) curves: Vec<(String, Vec<[f64; 2]>)>,
-    /// What is drawn upright, with its unit.
+    /// Upright quantity, with its unit.
     pub(in crate::app) y: String,
     /// That unit.
     pub(in crate::app) unit: &'static str,
-    /// What is drawn level, with its unit; time when absent.
+    /// Level quantity, with its unit; time when absent.
     pub(in crate::app) x: Option<String>,
     /// Whether the level and the upright axis are logarithmic.
     pub(in crate::app) log: [bool; 2],
@@ -75,7 +75,7 @@ impl Sampled {
     }
 }
 
-/// What panels were sampled for.
+/// Inputs that panels were sampled for.
 #[derive(Clone, Debug, PartialEq)]
 struct Key {
     answer: u64,

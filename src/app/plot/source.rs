@@ -1,4 +1,4 @@
-//! What the plots are drawn from, and the samples that are kept between frames.
+//! Data of the plots, and the samples that are kept between frames.
 
 use std::cell::RefCell;
 use std::sync::Arc;
@@ -13,7 +13,7 @@ use crate::app::time::playback::Playback;
 use crate::scene::{PlotSettings, PlotShows, Scene};
 use crate::sim::OfSection;
 
-/// What the plots are drawn from.
+/// Data of the plots.
 #[derive(Clone, Copy)]
 pub(in crate::app) struct Source<'a> {
     /// The scene as it is now.

@@ -98,11 +98,11 @@ pub(in crate::app) struct Traces {
     pub(in crate::app) force: Vec<Curve>,
     /// Whether the motion is faster than columns of the picture can show: a curve is the band that it fills.
     pub(in crate::app) dense: bool,
-    /// What x, y and θ of a crowd fill.
+    /// Bands of x, y and θ of a crowd.
     pub(in crate::app) bands: Option<[Band; 3]>,
 }
 
-/// What a [`Traces`] was sampled for.
+/// Inputs that a [`Traces`] was sampled for.
 #[derive(Clone, Debug, PartialEq)]
 struct Key {
     answer: u64,

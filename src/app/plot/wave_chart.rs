@@ -105,7 +105,7 @@ fn rows_between(height: f32) -> usize {
     (height / LINE - 2.0).max(0.0) as usize
 }
 
-/// What the colours mean, at the right; its accessible label is the value pointed to.
+/// Scale of the colours, at the right; its accessible label is the value pointed to.
 fn bar(
     ui: &mut Ui,
     over: &Over<'_>,

@@ -14,7 +14,7 @@ use crate::sim::{OfSection, SectionField};
 pub(super) const COLUMN: f32 = 3.0;
 /// Stations of the grid.
 const STATIONS: usize = 41;
-/// What a grid was computed for, and where it was drawn.
+/// Inputs that a grid was computed for, and its place.
 #[derive(Clone, Debug, PartialEq)]
 pub(super) struct Key {
     pub(super) answer: u64,

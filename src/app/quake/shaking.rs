@@ -55,7 +55,7 @@ impl Shaking {
         self.open
     }
 
-    /// What is shown, once it has been computed.
+    /// Results, once they have been computed.
     pub fn shaken(&self) -> Option<&Shaken> {
         self.shaken.as_ref()
     }
@@ -65,7 +65,7 @@ impl Shaking {
         self.job.is_some()
     }
 
-    /// What of it can be seen.
+    /// State that determines the picture.
     pub(in crate::app) fn seen(&self) -> impl PartialEq + use<> {
         (self.open, self.component, self.job.is_some(), self.shaken.is_some())
     }

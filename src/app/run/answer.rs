@@ -44,7 +44,7 @@ pub struct ModelsApart {
 /// A seat of a run.
 #[derive(Clone, Debug, PartialEq)]
 pub struct SeatAnswer {
-    /// What it is, what the run left of it, what codes require.
+    /// The seat, its readings in the run, lengths required by codes.
     pub demands: SeatDemands,
     /// The way of its corners.
     pub orbit: Vec<OrbitPoint>,
@@ -76,7 +76,7 @@ pub struct Answer {
     pub hits: Vec<(usize, f64)>,
     /// How far the models are apart, where there are two.
     pub apart: Option<ModelsApart>,
-    /// What its energy ledger leaves over, beside its bound.
+    /// Residual of its energy ledger, beside its bound.
     pub balance: Balance,
     /// Quantities of its scene outside the domain in which the program is checked.
     pub outside: Vec<Departure>,
@@ -88,12 +88,12 @@ pub struct Answer {
     pub moved: Vec<MovedSupport>,
     /// In words, that contacts went on without friction.
     pub frictionless: Option<Message>,
-    /// What the scene gives and the run does not use.
+    /// Keys of the scene that the run does not use.
     pub unused: Vec<Message>,
     found: Found,
 }
 
-/// What is found when it is first asked for.
+/// Results that are computed on first use.
 #[derive(Default)]
 struct Found {
     error: OnceLock<ErrorEstimate>,
@@ -209,7 +209,7 @@ impl Answer {
         })
     }
 
-    /// What is read off a girder; found when first asked for.
+    /// Readings of a girder; computed on first use.
     pub fn reading(&self, girder: usize) -> Option<&Reading> {
         let all = self
             .found
@@ -223,7 +223,7 @@ impl Answer {
         self.history.model().devices.iter().map(|device| device.name.as_str())
     }
 
-    /// What the run did to the device of this name; found when first asked for.
+    /// Readings of the device of this name; computed on first use.
     pub fn device(&self, name: &str) -> Option<&DeviceReading> {
         let number = self.device_names().position(|known| known == name)?;
         let all =
@@ -240,12 +240,12 @@ impl Answer {
         self.found.seats.get_or_init(|| codes::of(&self.history).into_iter().map(of).collect())
     }
 
-    /// What the run did to the pier of this number; found when first asked for.
+    /// Readings of the pier of this number; computed on first use.
     pub fn pier(&self, number: usize) -> Option<&PierReport> {
         self.found.piers.get_or_init(|| tables::piers(&self.history)).get(number)
     }
 
-    /// What the run did to the soil behind abutments; found when first asked for.
+    /// Readings of the soil behind abutments; computed on first use.
     pub fn soils(&self) -> &[BackfillReport] {
         self.found.soils.get_or_init(|| tables::backfill(&self.history))
     }

@@ -14,7 +14,7 @@ const MOST_PINS: usize = PINS.len();
 /// A run that is kept.
 #[derive(Clone)]
 pub struct Pin {
-    /// What it is called: what was different, as far as undo knows it.
+    /// Name: the difference, as far as undo knows it.
     pub(in crate::app) name: String,
     /// The run.
     pub(in crate::app) answer: Arc<Answer>,

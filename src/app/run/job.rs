@@ -35,7 +35,7 @@ pub(super) struct Job {
     work: Slices,
 }
 
-/// What the run and the window tell each other.
+/// Messages between the run and the window.
 #[derive(Default)]
 struct Reached {
     cancelled: AtomicBool,
@@ -67,7 +67,7 @@ impl Job {
         self.coarse
     }
 
-    /// What it has brought.
+    /// Next message.
     ///
     /// # Errors
     /// Nothing yet, or nothing more.

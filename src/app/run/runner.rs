@@ -50,7 +50,7 @@ struct Estimate {
     done: Receiver<ErrorEstimate>,
 }
 
-/// What the scene's answer is, or what became of it.
+/// Answer of the scene, and the state of its computation.
 pub struct Runner {
     shown: Option<Shown>,
     /// Revision of the scene that was started last.
@@ -67,7 +67,7 @@ pub struct Runner {
     slow: bool,
     given_up: bool,
     count: u64,
-    /// What the scene that was started last asks for \[s\].
+    /// Duration of the scene that was started last \[s\].
     wanted: f64,
     wake: Wake,
 }
@@ -155,7 +155,7 @@ impl Runner {
         self.fresh_answer().filter(|_| limits != Limits::default()).map(|answer| answer.passed())
     }
 
-    /// What is to be shown of a scene: an old answer is shown with its own scene, so that the two belong together.
+    /// Scene and history to show: an old answer is shown with its own scene, so that the two belong together.
     pub(in crate::app) fn shown<'a>(&'a self, scene: &'a Scene) -> (&'a Scene, Option<&'a History>) {
         let history = self.answer().map(|a| &a.history);
         match history {
@@ -196,7 +196,7 @@ impl Runner {
         }
     }
 
-    /// What is shown, computed and waits of the scene that was started last is of this revision too.
+    /// Sets this revision for the shown, computed and waiting answers of the scene that was started last.
     fn go_on_as(&mut self, revision: u64) {
         let before = std::mem::replace(&mut self.revision, revision);
         let shown = self.shown.as_mut().map(|shown| &mut shown.revision);

@@ -15,9 +15,9 @@ use crate::view::Target;
 pub(in crate::app) struct Spot {
     /// When \[s\].
     pub(in crate::app) t: f64,
-    /// What is selected; what was stays selected when none.
+    /// Target to select; `None` keeps the selection.
     pub(in crate::app) select: Option<Target>,
-    /// What the camera turns to.
+    /// Object that the camera turns to.
     pub(in crate::app) look: Look,
 }
 
@@ -95,7 +95,7 @@ impl Spot {
         history.touches().first().map(|touch| Self::contact(touch.contact, touch.start))
     }
 
-    /// What decides a verdict on a girder.
+    /// Spot that decides a verdict on a girder.
     pub(in crate::app) fn verdict(girder: usize, verdict: &Verdict) -> Self {
         let t = verdict.t();
         verdict.corner().map_or(Self::girder(girder, t), |corner| Self::corner(girder, corner, t))
@@ -138,7 +138,7 @@ impl Spot {
         Some(Self::contact(touch.contact, passed.t))
     }
 
-    /// What leads there.
+    /// Commands that lead there.
     pub(in crate::app) fn go(self, out: &mut Vec<Command>) {
         out.push(TimeCommand::StandAt(self.t).into());
         out.extend(self.select.map(|target| SelectCommand::Only(Some(target)).into()));

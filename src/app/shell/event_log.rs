@@ -1,5 +1,5 @@
-//! What the window does when, as lines of a file: each frame with what it took, and how long each edit took from the hand to the
-//! answer on the screen (`docs/cost.md`). Written where `GIRDERBENCH_EVENT_LOG` names a file, and nothing is measured otherwise.
+//! Log of the window, as lines of a file: each frame with its times, and how long each edit took from the hand to the answer on the screen
+//! (`docs/cost.md`). Written where `GIRDERBENCH_EVENT_LOG` names a file, and nothing is measured otherwise.
 
 use std::collections::BTreeMap;
 use std::fs::File;

@@ -82,17 +82,17 @@ impl Painter {
         &self.state.adapter
     }
 
-    /// What draws.
+    /// Adapter that draws.
     pub(in crate::app) fn summary(&self) -> AdapterSummary {
         AdapterSummary::of(&self.state.adapter.get_info())
     }
 
-    /// What egui draws into.
+    /// Format of egui's target.
     pub(in crate::app) fn format(&self) -> TextureFormat {
         self.state.target_format
     }
 
-    /// What has gone wrong with the device, if anything; a lost one is noticed here.
+    /// Fault of the device, if there is one; a lost one is noticed here.
     pub(in crate::app) fn fault(&self) -> Option<Fault> {
         if let Err(problem) = self.state.device.poll(PollType::Poll) {
             self.health.note(Fault::Lost(problem.to_string()));

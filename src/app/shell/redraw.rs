@@ -1,5 +1,5 @@
-//! What of a frame has to be drawn: the shapes of the frame before and of this one are compared, and only regions of the window in
-//! which they differ are drawn anew, over what is there.
+//! Regions of a frame to draw: the shapes of the frame before and of this one are compared, and only regions of the window in which they
+//! differ are drawn anew, over the pixels that are there.
 
 use egui::epaint::ClippedShape;
 use egui::{
@@ -27,7 +27,7 @@ pub(in crate::app) struct Frame<'a> {
     pub(in crate::app) changes: &'a [(Rect, Regions)],
 }
 
-/// What of a frame is drawn.
+/// Regions of a frame to draw.
 pub(in crate::app) enum Redraw {
     /// Nothing: it is there already.
     Nothing,
@@ -65,7 +65,7 @@ pub(in crate::app) struct Shown {
 }
 
 impl Shown {
-    /// What is shown is not known: the next frame is drawn whole.
+    /// Marks the shown frame as unknown: the next one is drawn whole.
     pub(in crate::app) fn forget(&mut self) {
         self.of = None;
     }
@@ -75,8 +75,8 @@ impl Shown {
         self.of.is_some_and(|of| of.0 == size)
     }
 
-    /// What has to be drawn so that this frame is shown on a target of this size \[pixels\]; it counts as shown from here on.
-    /// `in_parts`: whether the target keeps what was drawn on it before.
+    /// Regions to draw so that this frame is shown on a target of this size \[pixels\]; it counts as shown from here on. `in_parts`:
+    /// whether the target keeps the pixels of the frame before.
     pub(in crate::app) fn show(&mut self, frame: Frame<'_>, size: [u32; 2], in_parts: bool) -> Redraw {
         if is_seen_changing(frame.textures) {
             self.forget();
@@ -92,7 +92,7 @@ impl Shown {
         self.redraw(frame.context, changed, of, in_parts)
     }
 
-    /// What has to be drawn so that other pictures are shown in the frame that a target of this size shows; none where that frame is not
+    /// Regions to draw so that other pictures are shown in the frame that a target of this size shows; `None` where that frame is not
     /// known. `changes` and `in_parts` as in a frame.
     pub(in crate::app) fn show_pictures(
         &mut self,

@@ -31,7 +31,7 @@ const SOON: Duration = Duration::from_millis(10);
 /// When a frame is tried again that nobody would see.
 const LATER: Duration = Duration::from_millis(100);
 
-/// What has become of a frame.
+/// Outcome of a frame.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub(in crate::app) enum Painted {
     /// It is shown, or the window has no size to show it at.
@@ -42,7 +42,7 @@ pub(in crate::app) enum Painted {
     Anew,
 }
 
-/// What there is to paint.
+/// Input of a painter.
 pub(in crate::app) struct Painting {
     pub(in crate::app) redraw: Redraw,
     pub(in crate::app) pixels_per_point: f32,
@@ -50,7 +50,7 @@ pub(in crate::app) struct Painting {
     pub(in crate::app) is_asked: bool,
 }
 
-/// What egui draws on.
+/// Target of egui.
 pub(in crate::app) struct Surface {
     window: Arc<Window>,
     display: OwnedDisplayHandle,
@@ -106,7 +106,7 @@ impl Surface {
         }
     }
 
-    /// What egui draws into.
+    /// Format of egui's target.
     pub(in crate::app) fn format(&self) -> TextureFormat {
         self.format
     }
@@ -116,7 +116,7 @@ impl Surface {
         self.largest as usize
     }
 
-    /// What draws; nothing before the first painter.
+    /// Adapter that draws; `None` before the first painter.
     pub(in crate::app) fn adapter(&self) -> Option<&AdapterSummary> {
         self.adapter.as_ref()
     }

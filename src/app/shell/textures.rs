@@ -30,7 +30,7 @@ impl Textures {
         }
     }
 
-    /// What makes them all on a device that has none.
+    /// Changes that make them all on a device that has none.
     pub(in crate::app) fn all(&self) -> impl Iterator<Item = (TextureId, ImageDelta)> {
         self.0.iter().map(|(id, (image, options))| (*id, ImageDelta::full(image.clone(), *options)))
     }

@@ -54,7 +54,7 @@ pub fn run(scene: Scene, source: SceneSource, language: Option<Language>) -> Res
     shell.ended(ran.err().map(|problem| problem.to_string()))
 }
 
-/// What comes from elsewhere than the window.
+/// Messages from outside the window.
 #[derive(Debug)]
 pub(super) enum News {
     /// A thread has something.

@@ -46,7 +46,7 @@ pub(in crate::app) fn greyed(ui: &mut Ui, older: bool, body: impl FnOnce(&mut Ui
     });
 }
 
-/// What the two themes disagree about beyond egui's own visuals.
+/// Colours of the two themes beyond egui's own visuals.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub(in crate::app) struct Palette {
     /// Behind the 3D view.

@@ -1,4 +1,4 @@
-//! What undo calls an edit.
+//! Names of edits for undo.
 
 use crate::language::{Text, values};
 use crate::scene::Scene;
@@ -9,7 +9,7 @@ fn named(key: &'static str, name: &str) -> String {
     Text::new(key).with(&values!["name" => name])
 }
 
-/// What undo calls an edit.
+/// Name of an edit for undo.
 pub(in crate::app) fn name_of_edit(edit: &Edit, scene: &Scene) -> String {
     let girder = |i: &usize| scene.girders.get(*i).map_or("girder", |g| g.name.as_str());
     let abutment = |i: &usize| scene.abutments.get(*i).map_or("abutment", |a| a.name.as_str());

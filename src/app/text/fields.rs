@@ -102,12 +102,12 @@ pub(in crate::app) fn given(path: &str) -> String {
     Text::new("given").with(&values!["path" => path])
 }
 
-/// What the field of a key of the scene file is called.
+/// Name of the field of a key of the scene file.
 pub(in crate::app) fn field(key: &Key) -> &'static str {
     key.label.map_or(key.name, |label| Text::new(label).as_str())
 }
 
-/// What the key at a place of the scene is called, without its unit: `girder.deck.skew_deg` is the skew of the deck.
+/// Name of the key at a place of the scene, without its unit: `girder.deck.skew_deg` is the skew of the deck.
 pub(in crate::app) fn title_of(place: &str) -> String {
     let label = keys::of_place(place).map_or(place, |(_, key)| field(key));
     match place.split('.').collect::<Vec<_>>()[..] {
@@ -117,12 +117,12 @@ pub(in crate::app) fn title_of(place: &str) -> String {
     }
 }
 
-/// What a quantity of a part of the scene is called.
+/// Name of a quantity of a part of the scene.
 pub(in crate::app) fn of_whom(quantity: &str, part: &str) -> String {
     Text::new("of-whom").with(&values!["quantity" => quantity, "part" => part])
 }
 
-/// What a kind of device is called.
+/// Name of a kind of device.
 pub(in crate::app) fn device_kind(kind: crate::scene::DeviceKind) -> &'static str {
     use crate::scene::DeviceKind;
     let words = match kind {
@@ -134,7 +134,7 @@ pub(in crate::app) fn device_kind(kind: crate::scene::DeviceKind) -> &'static st
     words.as_str()
 }
 
-/// What adds a device.
+/// Label of the button that adds a device.
 pub(in crate::app) fn add_device(kind: crate::scene::DeviceKind) -> String {
     Text::new("add-device-kind").with(&values!["kind" => device_kind(kind).to_lowercase()])
 }

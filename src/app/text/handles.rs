@@ -17,7 +17,7 @@ pub(in crate::app) const COLUMN: Text = Text::new("column-size");
 pub(in crate::app) const SHIFT_X: &str = "Δx";
 pub(in crate::app) const SHIFT_Y: &str = "Δy";
 
-/// What a handle moves, and to where.
+/// Text on a handle: its object and direction.
 pub(in crate::app) fn move_by_handle(name: &str, way: &str) -> String {
     Text::new("move-by-handle").with(&values!["name" => name, "way" => way])
 }
@@ -49,7 +49,7 @@ pub(in crate::app) fn gap_handle(pair: &str) -> String {
     Text::new("gap-handle").with(&values!["pair" => pair])
 }
 
-/// What is dragged and the value it has come to.
+/// Text on the dragged quantity and its value.
 pub(in crate::app) fn dragged(what: &str, value: &str) -> String {
     Text::new("dragged").with(&values!["what" => what, "value" => value])
 }

@@ -24,7 +24,7 @@ pub(in crate::app) const MAP_HINT: Text = Text::new("map-hint");
 pub(in crate::app) const MAP_NOT_YET: Text = Text::new("map-not-yet");
 pub(in crate::app) const MAP_NO_VALUE: Text = Text::new("map-no-value");
 
-/// What computes a sweep again, and what stops it.
+/// Labels that repeat and stop a sweep.
 pub(in crate::app) struct Sweeping {
     pub(in crate::app) again: Text,
     pub(in crate::app) stop: Text,
@@ -40,7 +40,7 @@ pub(in crate::app) const ANGLES_OPEN_HINT: Text = Text::new("angles-open-hint");
 pub(in crate::app) const ANGLES_STILL: Text = Text::new("angles-still");
 pub(in crate::app) const ANGLES_HINT: Text = Text::new("angles-hint");
 
-/// What the polar plot of a measure is called.
+/// Name of the polar plot of a measure.
 pub(in crate::app) fn angles_of(measure: &str) -> String {
     Text::new("angles-of").with(&values!["measure" => measure])
 }
@@ -51,7 +51,7 @@ pub(in crate::app) fn worst(whole: bool, angle: &str, value: &str) -> String {
     text.with(&values!["angle" => angle, "value" => value])
 }
 
-/// What the picture of a map is called.
+/// Name of the picture of a map.
 pub(in crate::app) fn map_of(measure: &str) -> String {
     Text::new("map-of").with(&values!["measure" => measure])
 }

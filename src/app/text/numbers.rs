@@ -20,12 +20,12 @@ pub(in crate::app) fn short(value: f64) -> String {
     if text.contains('.') { text.trim_end_matches('0').trim_end_matches('.').to_owned() } else { text }
 }
 
-/// What a button would do, and its keys.
+/// Hint of a button, with its keys.
 pub(in crate::app) fn keyed(what: Option<&str>, keys: &str) -> String {
     what.map_or_else(|| keys.to_owned(), |what| format!("{what} ({keys})"))
 }
 
-/// What American texts call this skew.
+/// The skew with its value in American texts.
 pub(in crate::app) fn us_skew(skew_deg: f64) -> String {
     Text::new("skew-both").with(&values!["skew" => short(skew_deg), "us" => short(90.0 - skew_deg)])
 }
@@ -63,7 +63,7 @@ pub(in crate::app) fn record(samples: usize, dt: f64, peak: f64) -> String {
     Text::new("record-figures").with(&values)
 }
 
-/// What was read of a record: format, name of the channel, unit, what was done to the numbers.
+/// Text on the contents of a record: format, name of the channel, unit, processing of the numbers.
 pub(in crate::app) fn record_read(format: &str, name: &str, unit: &str, done: &[Message]) -> String {
     let name = if name.is_empty() { String::new() } else { format!(", {name}") };
     let done: Vec<String> = done.iter().map(|step| format!("; {step}")).collect();
@@ -202,7 +202,7 @@ pub(in crate::app) fn ranges(ranges: [[f64; 2]; 3], spans: usize) -> String {
         .with(&values!["span" => span, "width" => width, "skew" => skew, "spans" => spans.to_string()])
 }
 
-/// What is assumed of a new bridge: depth, gap and seat \[m\], mass of a span \[kg\], contact \[N/m\], bearings \[Hz\].
+/// Text on the assumed sizes of a new bridge: depth, gap and seat \[m\], mass of a span \[kg\], contact \[N/m\], bearings \[Hz\].
 pub(in crate::app) fn assumed([depth, gap, seat]: [f64; 3], mass: f64, k: f64, frequency: f64) -> String {
     let values = values![
         "depth" => length(depth),
@@ -223,12 +223,12 @@ pub(in crate::app) fn touch(start: f64, end: f64, peak: f64, impulse: f64) -> St
     format!("{start:.4} s  {} ms  {}", short((end - start) * 1e3), force(peak))
 }
 
-/// What the view goes with.
+/// Name of the point that the view follows.
 pub(in crate::app) fn follow(name: &str, corner: Option<usize>) -> String {
     corner.map_or_else(|| name.to_owned(), |c| Text::new("corner-of").with(&values!["name" => name, "corner" => c + 1]))
 }
 
-/// What the section of a gap shows, and how much larger the gap is drawn than the face is long.
+/// Caption of the section of a gap, with the magnification of the gap against the face.
 pub(in crate::app) fn section(pair: &str, least: f64, factor: f64) -> String {
     Text::new("section").with(&values!["pair" => pair, "least" => length(least), "factor" => short(factor)])
 }

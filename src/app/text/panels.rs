@@ -3,7 +3,7 @@
 use crate::app::command::Pane;
 use crate::language::{Text, values};
 
-/// What a panel is called.
+/// Name of a panel.
 pub(in crate::app) fn pane(pane: Pane) -> &'static str {
     let words = match pane {
         Pane::Placed => Text::new("placed"),

@@ -27,7 +27,7 @@ pub(in crate::app) const SHOW_FOLDER_HINT: Text = Text::new("show-folder-hint");
 pub(in crate::app) const COPY_PATH: Text = Text::new("copy-path");
 pub(in crate::app) const NO_FOLDER_WINDOW: Text = Text::new("no-folder-window");
 
-/// What a path is asked for.
+/// Text on the purpose of a path.
 pub(in crate::app) fn wish(wish: Wish) -> &'static str {
     let words = match wish {
         Wish::Open => Text::new("wish-open"),
@@ -44,7 +44,7 @@ pub(in crate::app) fn wish(wish: Wish) -> &'static str {
     words.as_str()
 }
 
-/// What the button says that takes the path.
+/// Label of the button that takes the path.
 pub(in crate::app) fn wish_done(wish: Wish) -> &'static str {
     let words = match wish {
         Wish::Open => Text::new("done-open"),

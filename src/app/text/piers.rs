@@ -1,4 +1,4 @@
-//! What is said of piers.
+//! Texts on piers.
 
 use crate::language::Text;
 

@@ -60,7 +60,7 @@ pub(in crate::app) fn wave_chart(force: &str, girder: &str) -> String {
     Text::new("wave-chart").with(&values!["force" => force, "girder" => girder])
 }
 
-/// What leads to the waves of the hardest hit; a wave runs from end to end in `transit` \[s\].
+/// Label that leads to the waves of the hardest hit; a wave runs from end to end in `transit` \[s\].
 pub(in crate::app) fn show_waves(transit: f64) -> String {
     Text::new("show-waves").with(&values!["transit" => format!("{} ms", super::short(transit * 1e3))])
 }

@@ -19,7 +19,7 @@ pub(in crate::app) const STIFFNESS_ECCENTRICITY: Text = Text::new("stiffness-ecc
 pub(in crate::app) const DAMPING_ECCENTRICITY: Text = Text::new("damping-eccentricity");
 pub(in crate::app) const GYRATION: Text = Text::new("gyration");
 
-/// What condition (6) says of a girder with this rotation number.
+/// Text on condition (6) of a girder with this rotation number.
 pub(in crate::app) fn turns_or_not(number: f64) -> &'static str {
     if number >= 1.0 { Text::new("can-turn") } else { Text::new("cannot-turn") }.as_str()
 }
@@ -43,7 +43,7 @@ pub(in crate::app) fn seat_at(end: End) -> &'static str {
     if end == End::Plus { Text::new("seat-plus") } else { Text::new("seat-minus") }.as_str()
 }
 
-/// What a code requires, what there is, and what the run used, square to the edge.
+/// Text on lengths required by a code, provided and used, square to the edge.
 pub(in crate::app) fn demand(demand: &Demand) -> String {
     // In one unit: they are compared.
     let of = [demand.required, demand.provided, demand.used];
@@ -66,7 +66,7 @@ pub(in crate::app) fn orbit_corner(corner: usize) -> String {
     Text::new("orbit-corner").with(&values!["corner" => corner + 1])
 }
 
-/// What the picture of a corner over its seat shows.
+/// Caption of the picture of a corner over its seat.
 pub(in crate::app) fn orbit_of(corner: usize) -> String {
     Text::new("orbit-of").with(&values!["corner" => corner + 1])
 }
@@ -97,7 +97,7 @@ pub(in crate::app) fn at_time(t: f64) -> String {
     Text::new("at-time").with(&values!["t" => format!("{t:.4}")])
 }
 
-/// What is left of a seat, `least` with its time, and at the corners by their numbers in plan, square to the edge \[m\].
+/// Text on the remaining length of a seat, `least` with its time, and at the corners by their numbers in plan, square to the edge \[m\].
 pub(in crate::app) fn seat_left(least: &str, seat: f64, corners: [(usize, f64); 2]) -> String {
     let corners = corners.map(|(number, left)| {
         Text::new("seat-left-corner").with(&values!["corner" => number + 1, "left" => length(left)])
@@ -138,7 +138,7 @@ pub(in crate::app) fn periods(count: f64) -> String {
     Text::new("periods").with(&values!["count" => format!("{count:.3}")])
 }
 
-/// What the run shows after an end has come off its seat.
+/// Text on the run after an end has come off its seat.
 pub(in crate::app) const GOES_ON: Text = Text::new("report-goes-on");
 pub(in crate::app) const REACHED_AFTER_MEANS: Text = Text::new("reached-after-means");
 
@@ -165,7 +165,7 @@ pub(in crate::app) fn overlap(history: &History, overlap: &Overlap) -> String {
     Text::new("overlaps").with(&values)
 }
 
-/// What an overlap means.
+/// Explanation of an overlap.
 pub(in crate::app) const OVERLAP_MEANS: Text = Text::new("overlap-means");
 
 /// Which contacts left the sense of their law, a line each.
@@ -191,7 +191,7 @@ pub(in crate::app) fn law_sense(history: &History, too_deep: &[TooDeep], dropped
     deep.chain(left).collect()
 }
 
-/// What was passed, by whom, when and how far.
+/// Text on an exceeded limit: body, time and value.
 pub(in crate::app) fn passed(flag: &Passed) -> String {
     let reached = match flag.limit {
         Limit::Rotation => Text::new("passed-turns").with(&values!["value" => short(flag.reached)]),

@@ -15,7 +15,7 @@ const HIT_LEAD: f64 = 0.004;
 /// Longest step that one frame may play, so that a stall of the window is no jump \[s on the wall\].
 const LONGEST_FRAME: f64 = 0.25;
 
-/// What is shown, and how it goes on.
+/// Time shown, and its rate.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Clock {
     /// Time shown \[s\].

@@ -1,4 +1,4 @@
-//! What time of the answer is shown, and which stretch of it timeline and plots show.
+//! Time of the answer that is shown, and the stretch of it on timeline and plots.
 
 use crate::app::command::TimeCommand;
 use crate::app::run::answer::Answer;

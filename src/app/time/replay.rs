@@ -14,7 +14,7 @@ pub struct Replay {
     pub playback: Playback,
     /// Revision of the scene that was run last, and which scene it is of those that were opened; none was.
     run: Option<(u64, u64)>,
-    /// What has been played since the clock last ran with the window's time \[s on the wall\].
+    /// Time played since the clock last ran with the window's time \[s on the wall\].
     ahead: f64,
 }
 

@@ -80,7 +80,7 @@ impl TimeAxis {
         (self.edges[0]..=self.edges[1]).contains(&at.x).then_some(at.x)
     }
 
-    /// What the mouse asks of a strip that shows this axis.
+    /// Commands of the mouse on a strip that shows this axis.
     pub(in crate::app) fn interact(&self, ui: &Ui, response: &Response, out: &mut Vec<Command>) {
         if response.double_clicked() {
             out.push(TimeCommand::Window(None).into());

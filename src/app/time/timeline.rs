@@ -36,7 +36,7 @@ const OVER: f32 = 0.2;
 /// Most pairs of a lane that are named \[–\].
 const MOST_NAMES: usize = 4;
 
-/// What the timeline shows.
+/// Contents of the timeline.
 #[derive(Clone, Copy)]
 pub(in crate::app) struct Shown<'a> {
     /// The time shown, and the window of time.

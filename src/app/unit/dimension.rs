@@ -1,6 +1,6 @@
 //! Kinds of quantities, and the units in which a number of each may be typed.
 
-/// What kind of quantity a field holds.
+/// Dimension of the quantity in a field.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub(in crate::app) enum Dimension {
     /// No unit.

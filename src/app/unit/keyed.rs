@@ -41,7 +41,7 @@ pub(in crate::app) fn unit_of(place: &str, now: f64, size: Size) -> Unit {
     })
 }
 
-/// What a name ends in tells its unit; of two endings that fit the longer counts.
+/// Unit by the ending of a name; of two endings that fit the longer counts.
 fn by_ending(name: &str, key: &Key, now: f64, size: Size) -> Option<Unit> {
     let fits = |(ending, _): &&(&str, UnitOf)| name.ends_with(ending);
     let (_, shown) = ENDINGS.iter().filter(fits).max_by_key(|(ending, _)| ending.len())?;

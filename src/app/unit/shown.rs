@@ -11,7 +11,7 @@ pub(in crate::app) struct Unit {
     pub suffix: &'static str,
     /// Change per point of dragging, shown units.
     pub speed: f64,
-    /// What may be typed into it.
+    /// Dimension of its entries.
     pub dimension: Dimension,
     /// Most decimals that are kept of a number that is dragged.
     pub decimals: usize,

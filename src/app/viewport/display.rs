@@ -15,7 +15,7 @@ pub struct Display {
     pub(in crate::app) overlays: Overlays,
     /// How the view is looked at.
     pub sight: Sight,
-    /// What a click in the view does.
+    /// Tool of a click in the view.
     pub tool: Tool,
     force_scale: Option<f64>,
     /// Number of the answer, and its force scale \[N per m\].

@@ -6,7 +6,7 @@ use crate::view::{Bounds, Camera, InView, in_view};
 /// How long it takes \[s\].
 const TIME: f64 = 0.25;
 
-/// What was in view before the last edit, and a camera on its way.
+/// View before the last edit, and a camera on its way.
 #[derive(Clone, Debug, Default)]
 pub(super) struct Glide {
     /// Scene by its revision, camera, width over height, and how much was seen then.

@@ -1,4 +1,4 @@
-//! What the mouse or the keys hold in the 3D view: a handle or the bodies that are selected.
+//! Object held by the mouse or the keys in the 3D view: a handle or the selected bodies.
 
 use egui::{Event, Key, Ui};
 use glam::DVec3;
@@ -10,24 +10,24 @@ use crate::scene::Scene;
 use crate::scene::edit::Edit;
 use crate::view::Target;
 
-/// What a key for the number of what is held comes to.
+/// Result of a key for the held object's number.
 #[derive(Clone, Debug)]
 pub(in crate::app) enum Keyed {
     /// The scene is changed, as a part of this gesture.
     Change(Edit, u64),
-    /// What this gesture has changed is put back.
+    /// The changes of this gesture are reverted.
     Abandon(u64),
 }
 
-/// What the mouse holds.
+/// Object held by the mouse.
 #[derive(Clone, Debug, Default)]
 pub struct Hand {
     pub(in crate::app) held: Option<Held>,
-    /// What the pull has come to, to be read beside the mouse.
+    /// Result of the pull so far, to be read beside the mouse.
     pub(in crate::app) pulled: Option<Pulled>,
-    /// What is typed instead.
+    /// Text typed instead.
     typing: Typing,
-    /// What stands on the plate while something is typed.
+    /// Text on the plate while something is typed.
     pub words: Option<Vec<String>>,
     /// The handle that has the focus, and its place \[m\].
     pub(in crate::app) focused: Option<(Grip, DVec3)>,
@@ -55,7 +55,7 @@ impl Hand {
         self.spent &= down;
     }
 
-    /// What of it can be seen.
+    /// State that determines the picture.
     pub(in crate::app) fn seen(&self) -> (bool, Option<Vec<String>>) {
         (self.held.is_some(), self.words.clone())
     }
@@ -144,7 +144,7 @@ impl Hand {
         self.read_typed()
     }
 
-    /// What the typed number comes to; it stands on the plate from now on.
+    /// Result of the typed number; it stands on the plate from now on.
     fn read_typed(&mut self) -> Option<Keyed> {
         let held = self.held.as_ref()?;
         if self.typing.is_empty() {
@@ -156,7 +156,7 @@ impl Hand {
         said.pulled.map(|pulled| Keyed::Change(pulled.edit, gesture))
     }
 
-    /// What the mouse that moves comes to; Ctrl keeps it from snapping, Alt makes it fine.
+    /// Command of the moving mouse; Ctrl keeps it from snapping, Alt makes it fine.
     pub(in crate::app) fn drag(&mut self, ui: &Ui, eye: &Eye) -> Option<Command> {
         let (at, keys) = ui.input(|i| (i.pointer.interact_pos(), i.modifiers));
         let manner = Manner { free: keys.command, fine: keys.alt };

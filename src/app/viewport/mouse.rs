@@ -9,7 +9,7 @@ use crate::app::viewport::seen::Seen;
 use crate::scene::Scene;
 use crate::view::{Camera, Target};
 
-/// What the mouse asks for.
+/// Commands of the mouse.
 pub(in crate::app) fn interact(
     ui: &Ui,
     response: &Response,

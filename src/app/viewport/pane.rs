@@ -16,7 +16,7 @@ pub(super) struct Panes([Option<Pane>; 2]);
 struct Pane {
     screen: Screen,
     callback: PaintCallback,
-    /// What is another picture than when the changes were last asked for.
+    /// Regions of the picture that have changed since they were last asked for.
     changed: Option<Regions>,
 }
 

@@ -48,7 +48,7 @@ pub struct Viewport {
     /// When the picture was last another one, on the window's clock \[s\].
     pub(super) changed: f64,
     pub(super) size: [u32; 2],
-    /// What the mouse or the keys hold.
+    /// Object held by the mouse or the keys.
     pub hand: Hand,
     /// Where what is followed was at the last look \[m\].
     pub(in crate::app) followed: Option<DVec3>,
@@ -106,7 +106,7 @@ impl Viewport {
         self.panes.take_changes()
     }
 
-    /// What stands behind the bodies.
+    /// Background behind the bodies.
     pub(in crate::app) fn background(&self) -> Background {
         self.picture.as_ref().map_or(Background::Studio, |(key, _)| key.background)
     }
@@ -175,7 +175,7 @@ impl Viewport {
         });
     }
 
-    /// What is seen at a place of the view.
+    /// Target at a place of the view.
     pub(in crate::app) fn pick(&self, seen: &Seen<'_>, rect: Rect, at: Pos2, pixels_per_point: f32) -> Option<Target> {
         let camera = self.camera?;
         let key = Key { camera, pixels_per_point, ..self.picture.as_ref()?.0.clone() };

@@ -28,7 +28,7 @@ pub struct SceneView {
     pub display: Display,
     /// Format that egui draws into.
     format: TextureFormat,
-    /// What draws.
+    /// Adapter that draws.
     adapter: Option<AdapterSummary>,
     /// Where to look from once the panels have taken their room.
     aim_next: Option<ViewPreset>,
@@ -54,7 +54,7 @@ impl SceneView {
         (self.format, self.adapter) = (format, adapter);
     }
 
-    /// What draws, in words.
+    /// Adapter that draws, as a text.
     pub(in crate::app) fn adapter(&self) -> String {
         self.adapter.as_ref().map(AdapterSummary::to_string).unwrap_or_default()
     }

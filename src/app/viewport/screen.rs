@@ -12,7 +12,7 @@ use crate::view::DrawList;
 /// One picture to be shown.
 #[derive(Clone)]
 pub(in crate::app) struct Screen {
-    /// What is in it.
+    /// Its draw list.
     pub(in crate::app) list: Arc<DrawList>,
     /// Counts the pictures of this window: the same number is the same picture.
     pub(in crate::app) number: u64,
@@ -26,7 +26,7 @@ pub(in crate::app) struct Screen {
     pub(in crate::app) moves: bool,
 }
 
-/// What a window keeps between frames.
+/// State that a window keeps between frames.
 struct Kept {
     gpu: Gpu,
     blit: Blit,
@@ -34,7 +34,7 @@ struct Kept {
     places: Vec<Place>,
 }
 
-/// What a view of the window keeps.
+/// State that a view of the window keeps.
 struct Place {
     /// One at rest, one for what moves; the same where a graphics card draws both as finely.
     renderers: [Option<Renderer>; 2],

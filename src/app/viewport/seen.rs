@@ -13,7 +13,7 @@ use crate::scene::Scene;
 use crate::sim::History;
 use crate::view::Target;
 
-/// What the 3D view is a picture of.
+/// Subject of the 3D view.
 #[derive(Clone, Copy)]
 pub(in crate::app) struct Seen<'a> {
     /// The scene as it is edited.
@@ -24,7 +24,7 @@ pub(in crate::app) struct Seen<'a> {
     pub(in crate::app) runner: &'a Runner,
     /// The time shown.
     pub(in crate::app) playback: &'a Playback,
-    /// What is selected, the one that leads last.
+    /// Selection, the leading one last.
     pub(in crate::app) selection: &'a [Target],
     /// Layers, tool, and how the view is looked at.
     pub(in crate::app) display: &'a Display,

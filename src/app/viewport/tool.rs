@@ -1,4 +1,4 @@
-//! What a click in the 3D view does: select, or put a girder or an abutment there.
+//! Effect of a click in the 3D view: a selection, or a new girder or abutment there.
 
 use egui::{CursorIcon, Response, Shape, Stroke, Ui};
 use glam::DVec3;

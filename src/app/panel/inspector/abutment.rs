@@ -57,7 +57,7 @@ pub(super) fn show(
     }
 }
 
-/// What the run did to the soil.
+/// Readings of the soil.
 fn pushed(ui: &mut Ui, soil: &BackfillReport) {
     let (push, gap) = (text::length(soil.push), text::length(soil.remaining_gap));
     let share = format!("{:.0}", 100.0 * soil.force / soil.ultimate);
@@ -68,7 +68,7 @@ fn pushed(ui: &mut Ui, soil: &BackfillReport) {
     }
 }
 
-/// What the numbers of a face are where they are left out \[m\].
+/// Defaults of the numbers of a face \[m\].
 fn face_number(girder: Option<&Girder>, key: &str) -> f64 {
     let Some(girder) = girder else { return 1.0 };
     match key {

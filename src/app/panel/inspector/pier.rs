@@ -14,7 +14,7 @@ use crate::scene::keys::Key;
 use crate::scene::{ColumnTop, PerDirection, Pier, ResolvedPier, Scene};
 use crate::view::Target;
 
-/// What the stiffness of a pier follows from.
+/// Input of a pier's stiffness.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
 enum Way {
     #[default]
@@ -86,7 +86,7 @@ pub(super) fn show(
     grid(ui, "pier facts", |ui| facts(ui, scene, i, answer));
 }
 
-/// What a number is where it is left out.
+/// Number in force where it is left out.
 fn number_in_force(key: &str, pier: &ResolvedPier) -> f64 {
     match key {
         "heading_deg" => pier.axes.x_axis.y.atan2(pier.axes.x_axis.x).to_degrees(),

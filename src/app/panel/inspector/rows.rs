@@ -1,4 +1,4 @@
-//! What the sections of the inspector are laid out with.
+//! Layout of the inspector's sections.
 
 use egui::{CollapsingHeader, Grid, RichText, Ui};
 

@@ -1,4 +1,4 @@
-//! What is around the window on a desktop: a frame of a size, and a screen reader that may ask.
+//! Surroundings of the window on a desktop: a frame of a size, and a screen reader that may ask.
 
 use egui::PlatformOutput;
 use egui_winit::State;
@@ -10,10 +10,10 @@ use winit::window::{Window, WindowAttributes};
 use crate::app::bench::Workbench;
 use crate::app::shell::window::News;
 
-/// What a screen reader asks.
+/// Request of a screen reader.
 pub(super) type Asked = Event;
 
-/// What is around the window.
+/// Surroundings of the window.
 pub(super) struct Outside;
 
 /// The window as it is first seen.

@@ -1,4 +1,4 @@
-//! What is around the window on a page: a canvas as large as the page, links, and scripts that may ask what is shown.
+//! Surroundings of the window on a page: a canvas as large as the page, links, and scripts that may ask for readings.
 //!
 //! `globalThis.girderbench.readings()` gives what the window shows, and `.widgets()` what a screen reader would be told of: role,
 //! name, value and place of each \[CSS pixels\], empty at the first call.
@@ -29,7 +29,7 @@ use crate::scene::{SceneErrors, presets};
 const CANVAS: &str = "girderbench";
 const MESSAGE: &str = "message";
 
-/// What is asked for from outside.
+/// Requests from outside.
 #[derive(Clone, Copy, Debug)]
 pub(super) enum Asked {
     /// The page's address leads elsewhere.
@@ -38,12 +38,12 @@ pub(super) enum Asked {
     Widgets,
 }
 
-/// What is around the window.
+/// Surroundings of the window.
 pub(super) struct Outside {
     seen: Rc<RefCell<Seen>>,
 }
 
-/// What a script can ask about.
+/// Readings for scripts.
 #[derive(Default)]
 struct Seen {
     values: Value,
@@ -83,7 +83,7 @@ fn canvas() -> Option<HtmlCanvasElement> {
     document()?.get_element_by_id(CANVAS)?.dyn_into().ok()
 }
 
-/// What stands behind the `#` of the page's address.
+/// Text after the `#` of the page's address.
 fn fragment() -> String {
     web_sys::window().and_then(|window| window.location().hash().ok()).unwrap_or_default()
 }
@@ -217,7 +217,7 @@ impl Seen {
     }
 }
 
-/// What a screen reader is told of a widget that has a place.
+/// Description of a widget that has a place, as for a screen reader.
 fn widget(node: &Node, name: &Value, zoom: f64) -> Option<Value> {
     let place = node.bounds()?;
     Some(json!({

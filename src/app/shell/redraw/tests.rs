@@ -23,7 +23,7 @@ use crate::study::stability::random::Random;
 const FRAMES: u64 = 50;
 /// Time from one to the next \[s\].
 const STEP: f64 = 0.04;
-/// What is said of a frame that cannot be shown without a layout.
+/// Message on a frame that cannot be shown without a layout.
 const LAID_OUT: &str = "to be laid out";
 
 /// A window without a display, drawn in parts and whole.
@@ -33,7 +33,7 @@ struct Both {
     textures: Textures,
     shown: Shown,
     canvas: wgpu::Texture,
-    /// What a window shows to which parts of the canvas are sent.
+    /// Pixels of a window to which parts of the canvas are sent.
     sent: Vec<u8>,
     reading: Reading,
     size: [u32; 2],
@@ -143,7 +143,7 @@ fn open(preset: &str) -> Option<(Both, Painter)> {
     Some((both, painter))
 }
 
-/// What happens before a frame.
+/// Events before a frame.
 fn act(both: &mut Both, painter: &mut Painter, random: &mut Random) -> Vec<Event> {
     let place = |random: &mut Random| pos2(random.below(900) as f32, random.below(560) as f32);
     let modifiers = Modifiers::NONE;

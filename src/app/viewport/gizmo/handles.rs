@@ -1,4 +1,4 @@
-//! What can be taken hold of in the 3D view, and where it is.
+//! Handles in the 3D view, and their places.
 //!
 //! A handle belongs to the scene as it is edited and stands where its girder is at the time shown.
 
@@ -18,13 +18,13 @@ const MOST_GAPS: usize = 24;
 /// Something to take hold of.
 #[derive(Clone, Debug, PartialEq)]
 pub(in crate::app) struct Handle {
-    /// What it is.
+    /// Quantity that it changes.
     pub(super) grip: Grip,
     /// Where it is \[m\].
     pub(super) at: DVec3,
     /// Which way it goes, as far as it goes one way \[unit\].
     pub(super) along: DVec3,
-    /// What it is called.
+    /// Name.
     pub(super) name: String,
 }
 

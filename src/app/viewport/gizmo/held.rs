@@ -1,4 +1,4 @@
-//! What is held, and what a pull on it comes to.
+//! Held handle, and the result of a pull on it.
 
 use egui::{Id, Pos2};
 use glam::DVec3;
@@ -13,7 +13,7 @@ use crate::view::Target;
 /// Snaps to lines nearer than this \[points\].
 const SNAP: f64 = 8.0;
 
-/// What a closed hand holds.
+/// Held handle.
 #[derive(Clone, Debug)]
 pub(in crate::app) struct Held {
     /// Of what.
@@ -22,7 +22,7 @@ pub(in crate::app) struct Held {
     pub(in crate::app) from: DVec3,
     /// The scene then: the way is counted from there, so that nothing drifts.
     pub(in crate::app) scene: Box<Scene>,
-    /// What was selected then.
+    /// Selection at the start of the pull.
     pub(in crate::app) selected: Vec<Target>,
     /// The same for all edits of this pull.
     pub(in crate::app) gesture: u64,
@@ -42,7 +42,7 @@ pub(in crate::app) struct Manner {
 /// The mouse's way over that of a fine pull \[–\]. Chosen: 10 m of a whole bridge are then a gap with its movement.
 const FINE: f64 = 50.0;
 
-/// What a pull comes to, with the mouse at `at`.
+/// Result of a pull, with the mouse at `at`.
 pub(in crate::app) fn pull(held: &Held, eye: &Eye, at: Pos2, manner: Manner) -> Option<Pulled> {
     let to = on_way(held.grip, eye, at, held.from)?;
     let (to, point) = if manner.fine {
@@ -74,7 +74,7 @@ pub(in crate::app) fn snapped(scene: &Scene, new: &Girder, point: f64, free: boo
     (found.way.extend(0.0), found.words)
 }
 
-/// What a handle is called among widgets.
+/// Widget id of a handle.
 pub(in crate::app) fn handle_id(grip: Grip) -> Id {
     Id::unique(("handle", grip))
 }

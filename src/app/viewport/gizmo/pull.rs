@@ -19,7 +19,7 @@ const LEAST: f64 = 0.02;
 pub(in crate::app) struct Pull<'a> {
     /// The scene then.
     pub(super) scene: &'a Scene,
-    /// What was selected.
+    /// Selection.
     pub(super) selected: &'a [Target],
     /// Where the hand was on its plane \[m\].
     pub(super) from: DVec3,
@@ -29,16 +29,16 @@ pub(in crate::app) struct Pull<'a> {
     pub(super) step: f64,
     /// How near a line must be to be snapped to \[m\]; none at all when 0.
     pub(super) reach: f64,
-    /// What was typed instead, in the unit of the scene: the numbers that are read beside the hand.
+    /// Numbers typed instead, in the unit of the scene: those that are read beside the hand.
     pub(super) typed: Option<[f64; 2]>,
 }
 
-/// What a pull comes to.
+/// Result of a pull.
 #[derive(Clone, Debug)]
 pub(in crate::app) struct Pulled {
-    /// What is changed.
+    /// Change.
     pub(in crate::app) edit: Edit,
-    /// What is read beside the hand.
+    /// Text beside the hand.
     pub(in crate::app) words: Vec<String>,
     /// Lines that it snapped to.
     pub(in crate::app) guides: Vec<Guide>,
@@ -67,7 +67,7 @@ impl Pull<'_> {
     }
 }
 
-/// What a pull on a handle comes to; `None` when the scene has no such thing.
+/// Result of a pull on a handle; `None` when the scene has no such object.
 pub(super) fn pulled(grip: Grip, pull: &Pull<'_>) -> Option<Pulled> {
     match grip {
         Grip::Bodies => {

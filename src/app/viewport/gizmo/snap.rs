@@ -22,7 +22,7 @@ pub(in crate::app) type Guide = [DVec3; 2];
 pub(super) struct Snapped {
     /// \[m\].
     pub(super) way: DVec2,
-    /// What it snapped to.
+    /// Lines that it snapped to.
     pub(super) guides: Vec<Guide>,
     /// The same in words.
     pub(super) words: Vec<String>,

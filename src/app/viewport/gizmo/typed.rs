@@ -12,7 +12,7 @@ use crate::app::unit::{DEGREES, Unit, length_unit};
 use crate::scene::keys::{self, Range};
 use crate::scene::{Girder, Scene};
 
-/// What has been typed so far; two numbers where the hand moves two ways.
+/// Typed text so far; two numbers where the hand moves two ways.
 #[derive(Clone, Debug, Default, PartialEq, Eq)]
 pub(in crate::app) struct Typing {
     texts: [String; 2],
@@ -53,11 +53,11 @@ pub(in crate::app) fn begins_number(letter: char) -> bool {
     letter.is_ascii_digit() || "+-−.,".contains(letter)
 }
 
-/// What the typed numbers come to: an edit where they are sound, and the words on the plate.
+/// Result of the typed numbers: an edit where they are sound, and the text on the plate.
 pub(in crate::app) struct Said {
-    /// What is changed; none while the text is no number that may stand there.
+    /// Change; `None` while the text is no number in range.
     pub(in crate::app) pulled: Option<Pulled>,
-    /// What stands on the plate; without an edit its last line says why.
+    /// Text on the plate; without an edit its last line gives the reason.
     pub(in crate::app) words: Vec<String>,
 }
 
@@ -130,7 +130,7 @@ fn unit(scene: &Scene, grip: Grip) -> Unit {
     }
 }
 
-/// What may stand under the key that a handle changes.
+/// Range of the key that a handle changes.
 fn range(grip: Grip) -> Range {
     let (table, key) = match grip {
         Grip::Length(..) => (keys::GIRDER, "length_m"),
