@@ -36,7 +36,7 @@ pub enum Marker {
 /// Points that belong together.
 #[derive(Clone, Debug)]
 pub struct Series {
-    /// What its label says.
+    /// Text of its label.
     pub name: String,
     /// `#rrggbb`.
     pub color: &'static str,
@@ -64,7 +64,7 @@ pub struct Mark {
 pub struct Guide {
     /// Its exponent: `y ∝ x^slope`.
     pub slope: f64,
-    /// What it says.
+    /// Its text.
     pub name: String,
 }
 
@@ -82,7 +82,7 @@ pub enum Ticks {
 /// A log–log plot.
 #[derive(Clone, Debug)]
 pub struct Plot {
-    /// What is seen, in a line.
+    /// Title, in a line.
     pub title: String,
     /// How to read it, in a line.
     pub subtitle: String,

@@ -183,7 +183,6 @@ pub enum Mark {
         align: Vec2,
         /// Height of the font.
         size: f32,
-        /// Its text.
         text: String,
         /// Its colour.
         color: Rgba,

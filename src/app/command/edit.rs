@@ -9,7 +9,6 @@ use crate::view::Target;
 pub enum EditCommand {
     /// Change the scene. Edits with the same gesture, one after the other, are undone together.
     Change {
-        /// Change.
         edit: Edit,
         /// Number of the gesture, such as a drag of a slider; none for a click.
         gesture: Option<u64>,

@@ -25,7 +25,6 @@ pub struct PathField {
 /// A path that is being typed.
 #[derive(Clone, Debug, PartialEq)]
 pub(in crate::app) struct Asked {
-    /// Purpose.
     pub(in crate::app) wish: Wish,
     /// Typed text.
     pub(in crate::app) text: String,

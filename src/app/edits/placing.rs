@@ -16,7 +16,6 @@ pub(in crate::app) const MOST_SPANS: usize = 1000;
 /// Result of a placing command.
 #[derive(Clone, Debug)]
 pub(super) struct Placed {
-    /// Change.
     pub(super) edit: Edit,
     /// Selection after it; `None` leaves the selection as it is.
     pub(super) then: Option<Vec<Target>>,

@@ -24,7 +24,6 @@ pub(super) struct Own {
 }
 
 impl Field<'_> {
-    /// Hint of the field.
     pub(super) fn hint(&self, own: &Own) -> String {
         hint(self.known, self.unit, own) + &assumed_hint(self.place, self.names.key)
     }

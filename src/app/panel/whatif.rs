@@ -25,7 +25,6 @@ pub(in crate::app) struct Shown<'a> {
     pub(in crate::app) replay: &'a Replay,
     /// Layers and force scale of the view.
     pub(in crate::app) display: &'a Display,
-    /// Data of the plots.
     pub(in crate::app) plots: Source<'a>,
 }
 

@@ -33,7 +33,6 @@ pub(super) struct Entry {
 
 /// A set of curves in one frame.
 pub(super) struct Chart<'a> {
-    /// Name.
     pub(super) name: String,
     /// Unit of its values.
     pub(super) unit: &'static str,

@@ -12,7 +12,6 @@ use crate::view::DrawList;
 /// One picture to be shown.
 #[derive(Clone)]
 pub(in crate::app) struct Screen {
-    /// Its draw list.
     pub(in crate::app) list: Arc<DrawList>,
     /// Counts the pictures of this window: the same number is the same picture.
     pub(in crate::app) number: u64,

@@ -49,7 +49,6 @@ impl ReferenceArgs {
 }
 
 impl Reference {
-    /// Name of the reference.
     pub(super) fn name(&self) -> String {
         match self {
             Self::Computed(history) => history.scene().name.clone(),

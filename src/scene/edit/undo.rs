@@ -8,7 +8,6 @@ use crate::scene::Scene;
 struct Step {
     /// For menus: "Undo move deck".
     label: String,
-    /// Edit to apply.
     edit: Edit,
     /// Value that the step drags, while it may still grow.
     dragging: Option<String>,

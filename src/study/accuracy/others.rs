@@ -15,7 +15,6 @@ pub(super) struct Other {
     pub(super) seconds: Option<f64>,
     /// Displacement error, where it has a number \[m\].
     pub(super) error: Option<f64>,
-    /// Note.
     pub(super) note: &'static str,
 }
 

@@ -24,7 +24,6 @@ pub(in crate::app) struct Handle {
     pub(super) at: DVec3,
     /// Which way it goes, as far as it goes one way \[unit\].
     pub(super) along: DVec3,
-    /// Name.
     pub(super) name: String,
 }
 

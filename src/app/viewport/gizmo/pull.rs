@@ -19,7 +19,6 @@ const LEAST: f64 = 0.02;
 pub(in crate::app) struct Pull<'a> {
     /// The scene then.
     pub(super) scene: &'a Scene,
-    /// Selection.
     pub(super) selected: &'a [Target],
     /// Where the hand was on its plane \[m\].
     pub(super) from: DVec3,
@@ -36,7 +35,6 @@ pub(in crate::app) struct Pull<'a> {
 /// Result of a pull.
 #[derive(Clone, Debug)]
 pub(in crate::app) struct Pulled {
-    /// Change.
     pub(in crate::app) edit: Edit,
     /// Text beside the hand.
     pub(in crate::app) words: Vec<String>,
