@@ -48,7 +48,7 @@ pub(super) fn warn_of_runs(plan: &Plan, console: &mut Console) {
     let key = |departure: &Departure| (departure.place.clone(), departure.limit.quantity.as_str());
     let known: BTreeSet<_> = outside(&plan.scene).iter().map(key).collect();
     let looked_at: Vec<usize> = (0..plan.runs()).step_by(plan.runs().div_ceil(MOST_RUNS).max(1)).collect();
-    // A combination that makes no scene is told of when its run comes.
+    // A combination that makes no scene is reported when its run comes.
     let of_run = |run: &usize| plan.scene_of(*run).map_or(Vec::new(), |scene| outside(&scene));
     let all: Vec<Vec<Departure>> = looked_at.par_iter().map(of_run).collect();
     let mut found: BTreeMap<_, (usize, Departure)> = BTreeMap::new();

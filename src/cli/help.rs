@@ -1,7 +1,7 @@
 //! Help on commands and flags in the language in use: the English one from the definitions, another by its keys in
 //! `assets/texts/*.help.ftl`.
 //!
-//! A text that stands with several is told once, under the first of them: `help-open-sets`.
+//! A text that stands with several has one key, under the first of them: `help-open-sets`.
 
 use std::collections::BTreeMap;
 

@@ -211,7 +211,7 @@ mod tests {
     /// Names of values that are numbers.
     const NUMBERS: [&str; 12] = ["S", "N", "HZ", "X", "MM", "G", "T", "SEED", "R", "N_PER_M", "MS", "DEG"];
 
-    /// A number below the range of an option is told that range, and not taken for another option.
+    /// A number below the range of an option gives that range, and is not taken for another option.
     #[test]
     fn every_option_that_is_a_number_takes_a_negative_one() {
         fn look(command: &clap::Command, found: &mut usize) {

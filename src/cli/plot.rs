@@ -122,7 +122,7 @@ fn chart(history: &History, x: Option<&(String, Quantity)>, y: &[(String, Quanti
         let more = if curves.len() > MOST_NAMED { ", …" } else { "" };
         let alone = curves.len() == 1;
         let curve = |(number, values): Column| Curve {
-            // The only curve of a panel goes by the panel's name.
+            // The only curve of a panel has the panel's name.
             name: if alone { String::new() } else { y[number].0.clone() },
             color: COLORS[number % COLORS.len()].to_owned(),
             dashes: "none",

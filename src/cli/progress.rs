@@ -44,7 +44,7 @@ impl Progress {
         Self { started: Timer::start(), whole, unit, bar: None }
     }
 
-    /// Shows that the work has come to `reached`.
+    /// Shows that the work has reached `reached`.
     pub(super) fn show(&mut self, reached: f64) {
         self.show_of(reached, "");
     }

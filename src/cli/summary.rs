@@ -360,7 +360,7 @@ fn force(newtons: f64) -> String {
     if newtons < 1e4 { format!("{newtons:.4} N") } else { format!("{:.4} kN", newtons / 1e3) }
 }
 
-/// Difference of two coefficients of restitution that is worth a word \[–\]: what two digits show. Chosen.
+/// Difference of two coefficients of restitution from which it is mentioned \[–\]: one that two digits show. Chosen.
 const OTHER_RESTITUTION: f64 = 0.01;
 
 /// A time in few digits; adding 0 turns −0 into 0.

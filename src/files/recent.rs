@@ -1,7 +1,7 @@
 //! The files that were opened or saved last, kept in a small list of the user's own.
 //!
-//! A list that is missing, unreadable or nonsense is an empty list: it never keeps the program from starting. Every
-//! change reads it anew first, so that two windows do not forget each other's files.
+//! A list that is missing, unreadable or malformed is read as empty: it never keeps the program from starting. Every change reads it anew
+//! first, so that two windows keep each other's files.
 
 use std::path::{Path, PathBuf};
 
@@ -72,7 +72,7 @@ impl Recent {
     fn change(&mut self, change: impl FnOnce(&mut Vec<PathBuf>)) -> Result<(), WriteError> {
         self.files = read(&self.list);
         change(&mut self.files);
-        // A name that is no Unicode cannot be written down: it lives as long as this window.
+        // A name that is not Unicode cannot be written: it lasts as long as this window.
         let files = self.files.iter().filter_map(|file| file.to_str()).map(str::to_owned).collect();
         let text = toml::to_string(&Written { files }).unwrap_or_default();
         let folder = folder_of(&self.list);

@@ -1,6 +1,6 @@
 //! Shapes and where they stand: girder prisms, face polygons, who is near whom, and the only doors to parry.
 //!
-//! This room knows lengths and vectors only, neither scenes nor bodies in motion, so every other room may ask it.
+//! This room has lengths and vectors only, neither scenes nor bodies in motion, so every other room may use it.
 
 pub mod broad;
 pub mod face;

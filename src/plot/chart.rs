@@ -142,7 +142,7 @@ impl Panel {
         text(svg, (LEFT, top - 7.0), 12.0, "start", INK, &escape(&self.name));
         for (number, curve) in self.curves.iter().enumerate() {
             curve.draw(svg, &at);
-            // The only curve of a panel goes by the panel's name.
+            // The only curve of a panel has the panel's name.
             if curve.name.is_empty() {
                 continue;
             }

@@ -1,4 +1,4 @@
-//! Draw lists to pixels with wgpu. Knows the view's lists and nothing of physics.
+//! Draw lists to pixels with wgpu. Uses the view's lists, not the physics.
 //!
 //! One pass is one file in `pass/` and one shader of the same stem in `shaders/`. A [`Renderer`] builds a pass when a
 //! list first has something for it in view, and runs it only then; [`Gpu::made`] counts what that took. Everything stays inside

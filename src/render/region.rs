@@ -13,8 +13,8 @@ pub struct Region {
 const MOST_REGIONS: usize = 6;
 /// Pixels that two regions drawn as one may take more than apart, for what beginning a region costs (tuned).
 const WORTH: u64 = 4096;
-/// Share of a picture below which regions of it are drawn, and not the whole. Of a frame by a processor 55 % are fragments and 9 % what
-/// every region repeats (`docs/cost.md`): two more regions are worth it from 1 − 2 · 9/55 = 0.67 on.
+/// Share of a picture below which regions of it are drawn, and not the whole. Of a frame by a processor 55 % are fragments and 9 % are
+/// repeated for every region (`docs/cost.md`): two more regions cost less than the whole up to 1 − 2 · 9/55 = 0.67.
 const PART: f64 = 0.7;
 
 impl Region {

@@ -202,8 +202,8 @@ fn not_given(listed: &Listed) -> Vec<String> {
     tables.map(line).collect()
 }
 
-/// Numbers in force of equal bearings of a whole deck: their loop, what it comes to at the largest movement of the run, and which of
-/// them follow from the size of the deck.
+/// Numbers in force of equal bearings of a whole deck: their loop, its effective stiffness and equivalent damping at the largest movement
+/// of the run, and which of them follow from the size of the deck.
 fn of_bearings(scene: &Scene, report: &Report) -> Vec<String> {
     let of = |girder: &crate::scene::Girder| {
         let Some(Bearings::Deck(deck)) = &girder.bearings else { return None };

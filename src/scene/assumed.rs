@@ -18,7 +18,7 @@ fn is_within(path: &str, table: &str) -> bool {
     path.strip_prefix(table).is_some_and(|rest| rest.is_empty() || rest.starts_with('.'))
 }
 
-/// A value of a scene as it is told: numbers to six digits.
+/// A value of a scene as a text: numbers to six digits.
 fn told(value: &Value) -> String {
     match value {
         Value::Float(number) => six(*number),

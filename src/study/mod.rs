@@ -1,5 +1,5 @@
-//! Many runs, to see what an answer is worth: work against error, cost against size, random scenes,
-//! one scene at many values of its keys, every normal law on one scene, the paper's experiment.
+//! Many runs, for the accuracy and cost of an answer: work against error, cost against size, random scenes, one scene at many values of its
+//! keys, every normal law on one scene, the paper's experiment.
 //!
 //! A study measures the program, so it may read clocks; it opens no file and prints nothing. Its tables and pages come
 //! back as text, its plots as [`Plot`](crate::plot::Plot)s that draw themselves as SVG and, with feature `study`, as PNG.

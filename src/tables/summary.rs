@@ -159,7 +159,7 @@ pub struct Versions {
 }
 
 impl Report {
-    /// Gathers the facts of an answer.
+    /// Collects the numbers of an answer.
     pub fn of(history: &History, options: &TableOptions) -> Self {
         let (scene, ledger, balance) = (history.scene(), history.ledger(history.end()), history.balance());
         let (upright, numbers) = (history.seats().uprights(), history.summary());

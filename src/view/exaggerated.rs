@@ -14,7 +14,7 @@ use crate::sim::{History, Motion};
 pub(super) fn motion(body: &Body, motion: &Motion, factor: f64) -> Motion {
     let home = DQuat::from_mat3(&DMat3::from_cols(body.axes.x_axis, body.axes.y_axis, body.axes.z_axis));
     let turn = (motion.attitude * home.inverse()).to_scaled_axis();
-    // The rotation vector knows no turns beyond a half; θ counts them all.
+    // The rotation vector has no turns beyond a half; θ counts them all.
     let turn = if turn.truncate().length() < 1e-12 { DVec3::Z * motion.theta } else { turn };
     let displacement = motion.displacement * factor;
     Motion {

@@ -23,7 +23,7 @@ const UPWARDS: Vec2 = Vec2::new(-0.2, -0.98);
 /// Between the lines of the hatching \[points\].
 const HATCH: f32 = 7.0;
 
-/// Contacts whose cone is told by gauge and friction circle: the hardest one that is closed, and those selected.
+/// Contacts with gauge and friction circle: the closed one of the largest force, and those selected.
 pub(super) fn told<'a>(input: &ViewInput<'_>, moment: &'a Moment) -> Vec<&'a ContactNow> {
     let first = hardest(&moment.contacts).filter(|_| input.overlays.cones);
     let chosen = moment.contacts.iter().filter(|c| input.selected.contains(&Target::Contact(c.contact)));

@@ -1,4 +1,4 @@
-//! From an answer to a picture's contents: a draw list that knows no graphics library.
+//! From an answer to a picture's contents: a draw list without any graphics library.
 //!
 //! Here f64 becomes f32. [`draw_list`] is a pure function of a [`ViewInput`]: the scene, its history, an instant, a
 //! camera and the layers wanted. The renderer draws the list; tests read it as text.

@@ -170,11 +170,11 @@ pub(super) fn names(input: &ViewInput<'_>, moment: &Moment, palette: &Palette, p
         .collect()
 }
 
-/// Of more gaps than this the least, the largest and those of what is selected are told. Chosen: more values than these are not read in a
-/// picture, and leave no room for names.
+/// With more gaps than this, those that have a text are the least, the largest and those of selected bodies. Chosen: more values than these
+/// are not read in a picture, and leave no room for names.
 const MANY_GAPS: usize = 8;
 
-/// The gaps that are told in words.
+/// The gaps with a text.
 fn told<'a>(input: &ViewInput<'_>, dimensions: &'a [Dimension]) -> Vec<&'a Dimension> {
     if dimensions.len() <= MANY_GAPS {
         return dimensions.iter().collect();

@@ -13,7 +13,7 @@ use crate::scene::edit::Edit;
 use crate::scene::presets;
 
 impl Workbench {
-    /// Goes where a link leads; what has no sense in it is told, and nothing of it is done then.
+    /// Follows a link; one without sense shows a message and changes nothing.
     pub fn follow(&mut self, fragment: &str) {
         // What was told of another link is about that one.
         self.apply(WindowCommand::Dismiss);

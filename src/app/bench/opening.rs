@@ -129,7 +129,7 @@ impl Workbench {
         }
     }
 
-    /// Shakes a ground otherwise; what could not be read is told.
+    /// Changes the motion of a ground; a file that could not be read shows a message.
     fn shake(&mut self, ground: GroundId, shaking: Result<record::Shaking, String>) {
         match shaking {
             Ok((motion, unread)) => {

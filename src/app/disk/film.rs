@@ -62,7 +62,7 @@ pub struct Films {
 }
 
 impl Films {
-    /// Does a command; answers with what the user is told.
+    /// Executes a command; returns a message to the user.
     pub(in crate::app) fn apply(&mut self, command: FilmCommand, source: Source<'_>) -> Option<&'static str> {
         match command {
             FilmCommand::Ask if !THREADS => return Some(text::NOT_ON_A_PAGE.as_str()),

@@ -107,7 +107,7 @@ impl SceneFiles {
         self.session.compare(&mut self.document)
     }
 
-    /// Does a command; answers with what is left to be done.
+    /// Executes a command; returns the step left to do.
     ///
     /// # Errors
     /// In words: a file that cannot be removed or written.

@@ -69,7 +69,7 @@ impl Tasks {
         }
     }
 
-    /// Shows a folder in the system's own window of files; that there is none is told.
+    /// Shows a folder in the system's own window of files; a message where there is none.
     pub(in crate::app) fn show_folder(&self, folder: PathBuf) {
         self.begin(move || show_folder::show(&folder));
     }
@@ -109,8 +109,7 @@ impl Tasks {
         self.background.written()
     }
 
-    /// Does a command about a film of an answer, of a stretch of it \[s\], each picture taken as `shot`; answers with what
-    /// the user is told.
+    /// Executes a command on a film of an answer, of a stretch of it \[s\], each picture taken as `shot`; returns a message to the user.
     pub(in crate::app) fn apply(
         &mut self,
         command: FilmCommand,

@@ -207,7 +207,7 @@ fn plate(painter: &Painter, room: Rect, at: Pos2, words: String, palette: &Palet
     painter.galley(plate.min + vec2(6.0, 4.0), galley, palette.force);
 }
 
-/// Values of both keys at a cell and what its run has come to.
+/// Values of both keys at a cell, and the result of its run.
 fn said(map: &Map, [x, y]: [usize; 2], units: [Unit; 2]) -> String {
     let value = |axis: usize, cell: usize| {
         format!("{} {}", text::title_of(&map.draft.axes[axis].key), units[axis].words(map.value_at(axis, cell)))

@@ -92,7 +92,7 @@ struct Runs {
 }
 
 impl Runs {
-    /// The runs of an order, once they are told; `Err` where it is refused, or nobody listens.
+    /// The runs of an order, once their number is sent; `Err` where the order is refused, or the receiver is gone.
     fn planned(scene: Scene, order: &Order, folder: PathBuf, send: &Sender<News>) -> Result<Self, ()> {
         let records = Records::in_folder(folder);
         let read = Box::new(move |scene: &mut Scene| records.complete(scene));

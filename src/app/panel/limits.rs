@@ -42,7 +42,7 @@ fn first_limit(key: &str, scene: &Scene, summary: Option<&Summary>) -> f64 {
     }
 }
 
-/// To two digits, downwards: a limit that the run passes is the one worth looking at first.
+/// To two digits, downwards, so that the run exceeds the limit.
 fn two_digits(value: f64) -> f64 {
     let step = 10f64.powf(value.abs().max(1e-6).log10().floor() - 1.0);
     (value / step).floor() * step

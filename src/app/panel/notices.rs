@@ -12,7 +12,7 @@ use crate::app::run::runner::Runner;
 use crate::app::style::theme::Palette;
 use crate::app::text;
 
-/// Time after which a notice of where something was written goes by itself \[s\]. Chosen: a path is read twice in it.
+/// Time after which a message on a written file disappears \[s\]. Chosen: a path is read twice in it.
 const NOTICE_SHOWN: f64 = 10.0;
 
 /// Greys an old answer and says why it is old.

@@ -112,7 +112,7 @@ struct Found {
 }
 
 impl Answer {
-    /// Gathers what the window asks of a run.
+    /// Collects the results of a run for the window.
     pub fn new(history: History, took: Duration, number: u64) -> Self {
         let summary = history.summary();
         let touches = merged(history.touches().iter().map(|t| (t.start, t.end)));

@@ -49,7 +49,7 @@ impl Between {
         bench: &mut Workbench,
         (surface, context): (&mut Surface, &Context),
     ) -> Option<Redraw> {
-        // Asked before the views go on: what changes in them is told once, to the frame that shows it.
+        // Asked before the views go on: their changes are reported once, to the frame that shows them.
         if !(surface.is_drawn_by_processor() && surface.has_known_frame() && bench.replay.playback.clock.playing) {
             return None;
         }

@@ -53,7 +53,7 @@ pub(in crate::app) struct Palette {
     pub(in crate::app) view: Color32,
     /// Behind plots and the timeline.
     pub(in crate::app) track: Color32,
-    /// Hair lines and ticks.
+    /// Thin lines and ticks.
     pub(in crate::app) line: Color32,
     /// Secondary text.
     pub(in crate::app) weak: Color32,

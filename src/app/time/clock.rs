@@ -1,7 +1,7 @@
 //! The playing clock: what time of the answer is shown.
 //!
-//! Slow motion lives here and nowhere else: the physics knows no clock, playing is a look-up in a finished answer. The
-//! clock is advanced by the time that a frame says has passed, so a test can play without waiting.
+//! Slow motion is here alone: the physics has no clock, playing is a look-up in a finished answer. The clock is advanced by the time that a
+//! frame says has passed, so a test can play without waiting.
 
 /// Playing speeds, in seconds of the answer per second on the wall.
 pub const SPEEDS: [f64; 13] = [0.001, 0.002, 0.005, 0.01, 0.02, 0.05, 0.1, 0.2, 0.5, 1.0, 2.0, 5.0, 10.0];

@@ -1,6 +1,5 @@
-//! Normal laws of several phases (`docs/physics.md#other-normal-laws`): a dashpot that acts in the approach alone, a
-//! spring that yields. In each phase the force is a smooth function of δ and `V_n`; what a law remembers of its touch is
-//! part of the phase.
+//! Normal laws of several phases (`docs/physics.md#other-normal-laws`): a dashpot that acts in the approach alone, a spring that yields. In
+//! each phase the force is a smooth function of δ and `V_n`; the memory of a touch is part of the phase.
 
 /// Phases of a normal law within a touch; by default a single one.
 pub(in crate::contact) trait Phases: Copy {

@@ -57,12 +57,12 @@ pub trait Device: DeviceReadings + std::fmt::Debug + Send + Sync {
         SwitchUnit::Length
     }
 
-    /// Whether the first number that the law remembers changes while the phase lasts, by [`Device::evolution`].
+    /// Whether the law's first memory changes while the phase lasts, by [`Device::evolution`].
     fn evolves(&self, _phase: &Phase) -> bool {
         false
     }
 
-    /// How the first number that the law remembers changes.
+    /// Rate of the law's first memory.
     fn evolution(&self, _phase: &Phase, _motion: &Separation) -> Evolution {
         Evolution::default()
     }
@@ -153,7 +153,7 @@ impl SwitchUnit {
     }
 }
 
-/// Equation of motion of the first number `m` that a law remembers: `ṁ = rate`, with `m` in a unit of the device.
+/// Equation of motion of the first memory `m` of a law: `ṁ = rate`, with `m` in a unit of the device.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
 pub struct Evolution {
     /// `ṁ` \[unit of m/s\].

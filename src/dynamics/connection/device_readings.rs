@@ -15,8 +15,7 @@ pub trait DeviceReadings: Connection<State = Phase, Motion = Separation> {
     /// The phase in a word.
     fn state(&self, phase: &Phase) -> Text;
 
-    /// Distance to the beginning of the force as a length to read; of a bearing what is left of its travel, NaN where that has no end
-    /// \[m\].
+    /// Distance to the beginning of the force as a length to read; of a bearing its remaining travel, NaN without a limit \[m\].
     fn distance_left(&self, phase: &Phase, motion: &Separation) -> f64;
 
     /// Force of the whole bearing that the device is a part of, on its first point \[N\]; of a device by itself its own force.

@@ -2,7 +2,7 @@
 
 use crate::language::Text;
 
-/// State of a device: which branch of its law is in force, and what that branch remembers.
+/// State of a device: the branch of its law in force, and the memory of that branch.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
 pub struct Phase {
     /// Number of the branch in force, by the device's own count.

@@ -14,8 +14,8 @@ pub(super) const RUN_SPEED_ROUNDING: f64 = 1e-14;
 /// [`IMPACT_SPEED_ROUNDING`] because reactions come from a solve over several contacts, which magnifies round-off. Tuned: every
 /// row of Tables 4–7 is met by states on the border between two rows (`tests/core/impact/tables.rs`).
 pub(super) const IMPACT_FORCE_ROUNDING: f64 = 1e-10;
-/// Normal speed that a kept point may gather from the error of the integrator, in parts of the largest speed of the run.
-/// The integrator keeps to the scene's tolerance per step, 1e-8 by default.
+/// Normal speed that a kept point may gain by the error of the integrator, in parts of the largest speed of the run. The integrator keeps
+/// to the scene's tolerance per step, 1e-8 by default.
 pub(super) const NORMAL_DRIFT: f64 = 1e-8;
 /// Normal speed of a point that is not kept and still counts as at rest, in units of the speed round-off. An impulse sums two
 /// terms for each of two sides: 4 roundings.
@@ -96,8 +96,7 @@ pub(super) const BORDER: f64 = 1e-12;
 pub(super) const SWITCHING_SAMPLES: usize = 16;
 /// First step of an integration, in parts of the longest allowed; error control corrects it. Tuned.
 pub(super) const FIRST_STEP: f64 = 1e-3;
-/// A step that reaches this part of the longest is stretched to it: what
-/// would be left is no step worth taking. Tuned.
+/// A step that reaches this part of the longest is stretched to it: the remainder would cost a step. Tuned.
 pub(super) const STRETCHED_STEP: f64 = 0.999;
 /// Rejected steps in a row before the run stops. 60 halvings take a step of 1 s to 1e-18 s, below
 /// the round-off of time.

@@ -176,7 +176,7 @@ impl World {
         reached && point.inset >= -near
     }
 
-    /// Arms the points of a pair that have come to be in front of their face by `t`.
+    /// Arms the points of a pair that are in front of their face at `t`.
     pub(in crate::dynamics::impact2d) fn arm_in_front(&mut self, pair: usize, t: f64) {
         for site in self.pairs[pair].sites.clone() {
             let track = &mut self.sites[site];

@@ -80,7 +80,7 @@ pub struct PlanarBearings {
 }
 
 impl PlanarBearings {
-    /// Gathers the bearings of a girder whose axes as placed are the columns of `axes`.
+    /// Stiffness and dashpots of a girder's bearings, whose axes as placed are the columns of `axes`.
     pub fn gather(bearings: &[Bearing], axes: DMat3) -> Self {
         let sum = |of: fn(&Bearing) -> DVec3| {
             bearings.iter().fold(DMat3::ZERO, |sum, b| sum + element(axes * b.place, axes, of(b)))

@@ -1,7 +1,7 @@
 //! A body as constant data: mass, inertia, bearings over `(x, y, θ)`, initial state; and what its degrees of freedom answer.
 //!
-//! Nothing outside of [`coordinates`](crate::dynamics::model::coordinates) knows how a state is laid out: it is asked through
-//! [`Coordinates`] for poses, rates, bounds and energies.
+//! The layout of a state is known to [`coordinates`](crate::dynamics::model::coordinates) alone: others ask [`Coordinates`] for poses,
+//! rates, bounds and energies.
 
 use std::fmt::Debug;
 use std::ops::Range;
@@ -110,7 +110,7 @@ pub enum BodyCoordinates {
     Planar,
     /// A rigid girder in space: displacement and quaternion.
     Spatial,
-    /// Any others: a girder that bends, a backwall, moving ground, a body from outside this package. The impact model knows none.
+    /// Any others: a girder that bends, a backwall, moving ground, a body from outside this package. Not in the impact model.
     Custom(Arc<dyn Coordinates>),
 }
 

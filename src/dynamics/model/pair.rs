@@ -157,7 +157,7 @@ pub struct ContactSite {
 }
 
 impl ContactSite {
-    /// The node as people are told of it: a corner of a girder by its number in plan, from 1 on, as readings and seats have it.
+    /// Name of the node in texts: a corner of a girder by its number in plan, from 1 on, as in readings and seats.
     pub fn node_in_words(&self) -> String {
         node_in_words(&self.node)
     }

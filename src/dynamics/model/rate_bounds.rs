@@ -20,7 +20,7 @@ pub struct RateBounds {
 pub struct ModalRates {
     /// Of a change: circular frequency or dashpot per mass, whichever is larger \[1/s\].
     pub change: f64,
-    /// Of a decay, `2 ζ ω` \[1/s\]: what the faster of the two exponents of an overdamped mode comes to.
+    /// Rate of a decay, `2 ζ ω` \[1/s\]: a bound on the faster of the two exponents of an overdamped mode.
     pub decay: f64,
 }
 

@@ -27,7 +27,7 @@ impl LinkLog {
         self.phases.get(after.max(1) - 1).map(|(_, phase)| *phase)
     }
 
-    /// The phase at `t` with what its law remembers then; `evolves` says whether that changes in a phase.
+    /// The phase at `t` with its memory at that time; `evolves`: whether the memory changes in a phase.
     pub fn evolved_at(&self, t: f64, evolves: impl Fn(&Phase) -> bool) -> Option<Phase> {
         let mut phase = self.at(t)?;
         if evolves(&phase)

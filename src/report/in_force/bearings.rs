@@ -1,4 +1,4 @@
-//! Equal bearings of a whole deck: their loop, and what it comes to at amplitudes.
+//! Equal bearings of a whole deck: their loop, and its effective stiffness and equivalent damping at amplitudes.
 
 use crate::language::{said, six};
 use crate::scene::keys::word_told;

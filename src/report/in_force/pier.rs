@@ -6,7 +6,7 @@ use crate::geometry::End;
 use crate::language::{Text, said, six};
 use crate::scene::{ResolvedPier, Scene};
 
-/// Largest place that is told as 0 \[m\].
+/// Largest coordinate that is shown as 0 \[m\].
 const ROUNDING: f64 = 1e-9;
 
 /// All piers, two lines each, or three where the base yields: place and mass, springs, yield.

@@ -132,8 +132,8 @@ pub const ACCELERATION: Limit = Limit {
     beyond: [NOTHING, Some(Text::new("domain-above-acceleration"))],
     remedy: Text::new("domain-mend-acceleration"),
 };
-/// Of G by the velocity, of the farthest corner by the spin; and what a displaced start comes to, `ω (|d| + |θ| r)` by the fastest
-/// bearing and `√(K/M) δ` by a face that is pressed in: what seeds cover.
+/// Of G by the velocity, of the farthest corner by the spin; and the speeds that a displaced start leads to, `ω (|d| + |θ| r)` by the
+/// fastest bearing and `√(K/M) δ` by a face that is pressed in: the range of the seeds.
 pub const SPEED: Limit = Limit {
     quantity: Text::new("domain-speed"),
     unit: "m/s",

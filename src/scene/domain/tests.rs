@@ -169,7 +169,7 @@ fn long_runs_are_measured_by_what_is_fastest() {
     };
     assert_eq!(shaken(6100.0), []);
     assert_eq!((only(&shaken(6150.0)).0, only(&shaken(6150.0)).2), ("motion.frequency_hz", MOTION_PHASE));
-    // The bearings, which turn the girder faster than they swing it, come to 1e5 rad before the ground does.
+    // The bearings, which turn the girder faster than they swing it, reach 1e5 rad before the ground does.
     assert_eq!(only(&with(|s| s.duration = 6100.0)).0, "girder.deck.bearings");
     let still = |duration: f64| {
         with(|s| {

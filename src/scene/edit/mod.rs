@@ -1,4 +1,4 @@
-//! Changes to a scene as values: each knows how to be done, and answers with the one that undoes it.
+//! Changes to a scene as values: each has a method that applies it and returns its inverse.
 //!
 //! An edit says what to do to a place, never how the mouse or a panel came to it, so handles, arrays and snapping are
 //! only new makers of these same values. Whether the scene makes sense afterwards is

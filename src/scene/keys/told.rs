@@ -1,7 +1,7 @@
 //! The texts of the tables of keys in the language in use: English as it stands with the keys, another by keys of its own in
 //! `assets/texts/*.keys.ftl`.
 //!
-//! A text that stands with several keys is told once, under the first of them: `meaning-girder-length_m`.
+//! A text that stands with several keys has one key of its own, under the first of them: `meaning-girder-length_m`.
 
 use std::collections::BTreeMap;
 use std::sync::LazyLock;

@@ -38,7 +38,7 @@ fn start(girder: &Girder, kind: Kind, at: &mut At<'_>) {
     level("force_n", &push.force, kind, &mut table);
 }
 
-/// Of three numbers a planar scene knows two.
+/// Of three numbers a planar scene has two.
 fn level(key: &str, vector: &[f64; 3], kind: Kind, at: &mut At<'_>) {
     if kind == Kind::Planar && vector[2] != 0.0 {
         let remedy = Text::new("wrong-vertical-in-plan");

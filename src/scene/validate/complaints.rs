@@ -43,7 +43,7 @@ impl SceneError {
     }
 }
 
-/// Complaints that are told one by one: what a terminal shows at once. Chosen.
+/// Complaints that are listed one by one: a terminal's height. Chosen.
 const MOST_TOLD: usize = 20;
 
 /// All complaints about a scene; never empty.

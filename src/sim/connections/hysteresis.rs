@@ -142,7 +142,7 @@ mod tests {
                 0.5 * (a.resistance[1] + b.resistance[1]) * (b.deformation[1] - a.deformation[1])
             })
             .sum();
-        // What is left at the end is stored, in the spring and in the hysteretic part.
+        // The rest at the end is stored, in the spring and in the hysteretic part.
         let ledger = history.ledger(3.0);
         let wanted = ledger.loss_bearing + ledger.bearing;
         assert!(wanted > 0.01 && (area - wanted).abs() < 1e-4 * wanted, "{area} J of {wanted} J");

@@ -32,8 +32,8 @@ pub struct LinkNow {
     pub force: DVec3,
     /// Force on the first point with the rest of the bearing that it is a part of, world axes \[N\].
     pub reaction: DVec3,
-    /// Distance to the beginning of its force; less the deformation while the force acts; of a bearing what is left of its travel, NaN
-    /// where that has no end \[m\].
+    /// Distance to the beginning of its force; less the deformation while the force acts; of a bearing its remaining travel, NaN without a
+    /// limit \[m\].
     pub gap: f64,
     /// Stored energy \[J\].
     pub stored: f64,

@@ -37,7 +37,7 @@ pub enum Verdict {
         /// The seat as placed, square to the front edge \[m\].
         placed: f64,
     },
-    /// No bearing carries the girder any more: it falls. In plan a run that goes on knows nothing of that.
+    /// No bearing carries the girder any more: it falls. A planar run that goes on does not show that.
     Falls {
         /// When \[s\].
         t: f64,
@@ -125,7 +125,7 @@ fn corner_off(seats: &[Seat]) -> Option<Verdict> {
     Some(Verdict::CornerOff { end: seat.ledge.end, corner, t, side, least: seat.least() })
 }
 
-/// The seat of which the least is left.
+/// The seat with the least remaining length.
 fn stays(seats: &[Seat]) -> Option<Verdict> {
     let seat = seats.iter().min_by(|a, b| a.least().value.total_cmp(&b.least().value))?;
     let corner = worst(seat).corner;

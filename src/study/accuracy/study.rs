@@ -71,7 +71,7 @@ pub struct Study {
     pub parts: Vec<Part>,
 }
 
-/// Measures; `said` is told what comes next.
+/// Measures; `said` is called with the name of the next run.
 ///
 /// # Errors
 /// A scene that does not validate.

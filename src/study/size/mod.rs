@@ -35,7 +35,7 @@ pub struct Row {
     pub error: f64,
 }
 
-/// Measures; `said` is told what comes next.
+/// Measures; `said` is called with the name of the next run.
 ///
 /// # Errors
 /// A row that does not validate.

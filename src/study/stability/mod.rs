@@ -64,7 +64,7 @@ pub struct Verdict {
     pub seconds: f64,
 }
 
-/// Examines one seed, and shrinks its scene where it fails. The hours last an hour, whatever comes up in them.
+/// Examines one seed, and shrinks its scene where it fails. A run of the family of hours lasts an hour, whatever the number of its events.
 pub fn seed(seed: u64, clock: Clock<'_>, limits: Limits) -> Verdict {
     let (family, scene) = family::scene(seed);
     let events = if family == family::HOURS { usize::MAX } else { limits.events };

@@ -8,7 +8,7 @@ use crate::scene::{Bearings, Initial, Motion, Push, Scene};
 
 /// Examinations that one shrinking may take.
 const MOST: usize = 120;
-/// Times the patience of one examination that a whole shrinking may take.
+/// Time of a whole shrinking, in time limits of one examination \[–\].
 const PATIENCES: f64 = 1.0;
 
 /// One way to make a scene smaller; the same scene where there is nothing left to do.

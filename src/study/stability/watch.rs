@@ -1,5 +1,5 @@
-//! A watch over runs: what takes too long is ended and said so, and what has seen enough is cut. The physics itself
-//! knows no clock.
+//! Time limits of runs: one that takes too long is ended with a complaint, and one with enough events is cut. The physics itself has no
+//! clock.
 
 use crate::scene::{Scene, SceneErrors};
 use crate::sim::{History, Session};
@@ -19,7 +19,7 @@ pub struct Limits {
 }
 
 impl Limits {
-    /// No end of patience, and a run is never long enough.
+    /// No time limit, and no limit of events or steps.
     pub const NONE: Self = Self { patience: f64::INFINITY, events: usize::MAX, steps: u64::MAX };
 }
 
@@ -29,7 +29,7 @@ const PORTIONS: i32 = 100;
 /// How fast portions grow: the first is 1e-8 of the run.
 const GROWTH: f64 = 1.2;
 
-/// A clock and the time until which there is patience.
+/// A clock and the end of the time limit.
 #[derive(Clone, Copy)]
 pub struct Watch<'a> {
     clock: Clock<'a>,
@@ -52,18 +52,18 @@ pub enum NoAnswer {
 }
 
 impl<'a> Watch<'a> {
-    /// Patience for so many seconds from now.
+    /// A time limit of `patience` seconds from now.
     pub fn new(clock: Clock<'a>, patience: f64) -> Self {
         Self { clock, until: clock() + patience }
     }
 
-    /// Whether patience is at its end.
+    /// Whether the time limit has passed.
     pub fn is_over(&self) -> bool {
         (self.clock)() > self.until
     }
 
-    /// Runs a scene while there is patience, and no further than a little beyond as many events or steps as are asked
-    /// for; an answer that was ended there is that of a scene that ends there.
+    /// Runs a scene within the time limit, and not much beyond the given number of events or steps; an answer that was ended there is that
+    /// of a scene that ends there.
     ///
     /// # Errors
     /// A scene that validation refuses, or a run that took too long.
@@ -83,8 +83,7 @@ impl<'a> Watch<'a> {
         Ok(history.cut(last_event.unwrap_or(ended)))
     }
 
-    /// Brings a run on to `until` \[s\] while there is patience; the time to which it came \[s\] where as many events or
-    /// steps as the limits ask for ended it before.
+    /// Runs on to `until` \[s\] within the time limit; returns the time reached \[s\] where the limit of events or steps ended it before.
     ///
     /// # Errors
     /// It took too long.

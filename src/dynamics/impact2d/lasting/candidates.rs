@@ -32,8 +32,8 @@ pub(in crate::dynamics::impact2d) fn candidates(
     let mut all = Vec::new();
     for manifold in manifolds(world, &instant.slots, &instant.kinematics) {
         let rest = rest_speed(world, &manifold, instant.speed_noise);
-        // A contact that lasted and that a hit elsewhere parts slower than the stop speed comes back by a hop that is left out as those of a
-        // bounce are, where it is pressed.
+        // A contact that lasted and that a hit elsewhere parts slower than the stop speed closes again within a hop, which is left out as
+        // the hops of a bounce are, where it is pressed.
         let parting = if world.are_kept(&manifold.sites) { world.model.impact.stop_speed.max(rest) } else { rest };
         let stays = |point: &ContactPoint| (-rest..=parting).contains(&cluster.speed(point, point.n));
         let kept: Vec<(usize, ContactPoint)> =

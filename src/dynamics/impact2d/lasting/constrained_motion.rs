@@ -44,7 +44,7 @@ impl FrictionMode {
         matches!(self, Self::Stick | Self::Wedged)
     }
 
-    /// Whether it is selected anew as soon as another mode agrees with Coulomb's law.
+    /// Whether it is selected anew once another mode agrees with Coulomb's law.
     pub fn is_for_want_of_another(self) -> bool {
         matches!(self, Self::Wedged | Self::Frictionless)
     }

@@ -155,7 +155,7 @@ impl LastingContact {
             && planar::in_a_row(&self.y).iter().all(|state| state[POSITIONS..] == [0.0; POSITIONS])
     }
 
-    /// Whether any contact has its mode for want of another: it ends as soon as others agree with Coulomb's law.
+    /// Whether any contact has its mode for want of another: it ends once others agree with Coulomb's law.
     pub(in crate::dynamics::impact2d) fn is_for_want_of_another(&self) -> bool {
         self.modes.iter().any(|mode| mode.friction.is_for_want_of_another())
     }

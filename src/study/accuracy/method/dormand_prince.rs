@@ -49,7 +49,7 @@ struct Pair {
 }
 
 impl Pair {
-    /// Tries a step; the state at its end is left in `stage`. Answers the error against the tolerance.
+    /// Tries a step; the state at its end is left in `stage`. Returns the error against the tolerance.
     fn attempt(&mut self, world: &mut World, t: f64, y: &[f64], h: f64, tolerance: f64) -> f64 {
         for i in 1..7 {
             for (n, y) in y.iter().enumerate() {

@@ -21,7 +21,7 @@ pub(super) fn slender(random: &mut Random) -> Scene {
     scene
 }
 
-/// Bodies that turn fast when they come to the wall.
+/// Bodies that spin fast when they reach the wall.
 pub(super) fn spinning(random: &mut Random) -> Scene {
     let f = random.log(0.1, 10.0);
     let mut scene = parts::blank(Kind::Planar);

@@ -56,7 +56,7 @@ pub(super) fn devices(random: &mut Random) -> Scene {
     let mut settings = bearings(random, &scene, &sizes);
     settings.extend(backfill(random, &scene));
     settings.extend(parts_of_a_bridge(random, &scene, &sizes));
-    // One that does not fit is left out by itself.
+    // A setting that does not fit is left out.
     settings.iter().fold(scene, |scene, setting| overrides::apply(&scene, setting).unwrap_or(scene))
 }
 

@@ -27,7 +27,7 @@ pub(super) fn parallel(random: &mut Random) -> Scene {
     scene
 }
 
-/// Two girders whose ends overlap sideways by a hair: corner on corner.
+/// Two girders whose ends overlap sideways by very little: corner on corner.
 pub(super) fn corner(random: &mut Random) -> Scene {
     let f = random.log(0.1, 10.0);
     let kind = parts::kind(random);
@@ -57,7 +57,7 @@ fn declared(between: [&str; 2], ends: [End; 2]) -> PairSettings {
     PairSettings { between: between.map(str::to_owned), ends: Some(ends), ..PairSettings::default() }
 }
 
-/// A wall as wide as the girder's end but for a hair, or whose side stands before a corner: nodes slide off and miss.
+/// A wall almost as wide as the girder's end, or whose side stands before a corner: nodes slide off and miss.
 pub(super) fn border(random: &mut Random) -> Scene {
     let f = random.log(0.1, 10.0);
     let kind = parts::kind(random);
@@ -80,7 +80,7 @@ pub(super) fn border(random: &mut Random) -> Scene {
     scene
 }
 
-/// Free undamped swings whose end meets the face by a hair, or misses it by one, or exactly touches.
+/// Free undamped swings whose end just meets the face, just misses it, or exactly touches.
 pub(super) fn grazing(random: &mut Random) -> Scene {
     let f = random.log(0.1, 10.0);
     let mut scene = parts::blank(Kind::Planar);

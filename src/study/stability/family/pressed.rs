@@ -1,4 +1,4 @@
-//! Scenes where contact lasts or comes to many at once: rows, pre-loaded faces, blocks that stick and slip, stiff walls.
+//! Scenes where contact lasts or acts on many bodies at once: rows, pre-loaded faces, blocks that stick and slip, stiff walls.
 
 use crate::geometry::End;
 use crate::scene::{Kind, Scene};
