@@ -30,7 +30,7 @@ pub enum NormalName {
     HertzDamp,
     /// Hertz's spring with a dashpot `c δ^{1/4}` (Tsuji).
     HertzViscous,
-    /// The same in the approach alone (Jankowski).
+    /// That dashpot in the approach alone (Jankowski).
     Jankowski,
     /// Bilinear spring (`DesRoches` and Muthukumar).
     Bilinear,
@@ -79,7 +79,7 @@ impl NormalName {
     }
 }
 
-/// How the parameter of a normal law follows from the coefficient of restitution.
+/// Relation between the parameter of a normal law and the coefficient of restitution.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq, PartialOrd, Ord, Hash, Serialize, Deserialize)]
 #[serde(rename_all = "kebab-case")]
 pub enum Calibration {

@@ -46,7 +46,7 @@ impl Crossed {
         Self { cos, sin, shear, lever: DVec3::new(1.0, -shear * cos, -shear * sin) }
     }
 
-    /// The same of axes that follow the common perpendicular by the part `follow` \[–\].
+    /// Axes that follow the common perpendicular by the part `follow` \[–\].
     #[inline]
     pub(super) fn partly(self, follow: f64) -> Self {
         if follow == 1.0 {
@@ -68,8 +68,8 @@ impl Crossed {
         DVec3::new(v.x, self.cos * v.y - self.sin * v.z, self.sin * v.y + self.cos * v.z)
     }
 
-    /// Where along the first axis the lines are nearest, of a point `at` of the edge in the turned axes \[m\]. Edges that turn parallel
-    /// send it beyond their ends.
+    /// Coordinate along the first axis at which the lines are nearest, of a point `at` of the edge in the turned axes \[m\]. Edges that
+    /// turn parallel send it beyond their ends.
     #[inline]
     pub(super) fn along(self, at: DVec3) -> f64 {
         at.x - self.shear * at.y

@@ -20,7 +20,7 @@ pub struct PairNumbers {
     pub hertz_stiffness: Option<f64>,
     /// Impact speed at which a Hertz or bilinear spring stands for K, `v_d` \[m/s\].
     pub design_speed: f64,
-    /// How the dashpot follows from `e_n`.
+    /// Relation between the dashpot and `e_n`.
     pub calibration: Calibration,
     /// Parameter ζ, ξ or a of the normal law in place of that of `e_n` \[–\].
     pub parameter: Option<f64>,

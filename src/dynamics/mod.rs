@@ -1,4 +1,4 @@
-//! How bodies move: free flight in closed form, contact by integration or by impulses, one event loop.
+//! Motion of bodies: free flight in closed form, contact by integration or by impulses, one event loop.
 //!
 //! `docs/solver.md` draws how a run is computed. Rooms, each using only rooms listed before it (held by `tests/architecture.rs`):
 //!

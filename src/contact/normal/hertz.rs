@@ -12,7 +12,7 @@ use super::phases::{Phases, Stage};
 pub enum HertzDashpot {
     /// `−c δ^{1/4} V_n` (Tsuji); without damping, c = 0 \[N·s/m^{5/4}\].
     Viscous(f64),
-    /// The same in the approach alone (Jankowski).
+    /// That dashpot in the approach alone (Jankowski).
     Approach(f64, Stage),
     /// `−(a/v_in) k_h δ^{3/2} V_n` (Hunt and Crossley) with this `a/v_in` \[s/m\]; before a touch, with a \[–\].
     Relative(f64),

@@ -32,7 +32,7 @@ pub(in crate::dynamics) struct Shared {
 /// Slots, sections, and time and horizon of a [`FlightSample`] \[s\].
 type FlightKey = ([Option<usize>; 2], [usize; 2], [f64; 2]);
 
-/// How long two bodies stand apart.
+/// Time for which two bodies stand apart.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub(super) enum Parted {
     /// They are near, or have not met: every pair is searched.
@@ -60,7 +60,7 @@ impl Shared {
         }
     }
 
-    /// How long the bodies of a pair stand apart from `t` on, in the planned step that ends at `step_end` or in flight. Nodes of the
+    /// Time for which the bodies of a pair stand apart from `t` on, in the planned step that ends at `step_end` or in flight. Nodes of the
     /// pair are armed or disarmed for the time from which it is searched.
     pub(super) fn parted(&mut self, world: &mut World, pair: usize, (t, step_end): (f64, Option<f64>)) -> Parted {
         let Some(meeting) = world.pairs[pair].meeting else { return Parted::Near };

@@ -108,11 +108,11 @@ pub trait Device: DeviceReadings + std::fmt::Debug + Send + Sync {
 /// Whether a force acts in a phase.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Activity {
-    /// None acts; one begins where the gap closes.
+    /// No force acts; one begins where the gap closes.
     Idle,
     /// A force acts.
     Acts,
-    /// None acts, and none can begin any more.
+    /// No force acts, and none can begin any more.
     Ended,
 }
 

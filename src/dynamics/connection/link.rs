@@ -46,7 +46,7 @@ pub struct Link {
     pub homes: [DVec3; 2],
     /// Axes that the device sees its motion in, in the columns, in the world as placed.
     pub axes: DMat3,
-    /// How that motion is measured.
+    /// Measure of the relative motion of its points.
     pub kinematics: Kinematics,
     /// Law of the force.
     pub device: Arc<dyn Device>,

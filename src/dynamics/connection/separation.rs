@@ -52,7 +52,7 @@ impl Separation {
     }
 }
 
-/// How the motion of the first point against the second is measured.
+/// Measure of the motion of the first point relative to the second.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
 pub enum Kinematics {
     /// Points at their true places, axes fixed in the world.
@@ -110,8 +110,8 @@ pub struct SeparationBounds {
 }
 
 impl SeparationBounds {
-    /// The same in axes that turn with bounds `spin` \[rad/s\] and `spin_rate` \[rad/s²\]: of `Rᵀ x` with the first and second
-    /// derivatives `Rᵀ(ẋ − ω×x)` and `Rᵀ(ẍ − 2ω×ẋ − ω̇×x + ω×(ω×x))`.
+    /// Bounds in axes that turn with bounds `spin` \[rad/s\] and `spin_rate` \[rad/s²\]: of `Rᵀ x` with the first and second derivatives
+    /// `Rᵀ(ẋ − ω×x)` and `Rᵀ(ẍ − 2ω×ẋ − ω̇×x + ω×(ω×x))`.
     #[must_use]
     pub fn carried(&self, spin: f64, spin_rate: f64) -> Self {
         let Self { distance, speed, acceleration } = *self;

@@ -39,7 +39,7 @@ pub struct ContactRun {
     pub(in crate::dynamics) events: Vec<Event>,
     /// Numbers and integrators of ended islands.
     pub(in crate::dynamics) island_stock: IslandStock,
-    /// How steps are stored.
+    /// Store of the steps.
     pub(in crate::dynamics) store: StepStore,
     /// Bounds that end the run.
     bounds: WorkBounds,

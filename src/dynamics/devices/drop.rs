@@ -74,7 +74,7 @@ impl DeviceReadings for DropWatch {
         self.gap(phase, motion)[0]
     }
 
-    /// Nothing to draw.
+    /// Empty: it has no line in a drawing.
     fn centre_line(&self, _: &Phase, _: [DVec3; 2]) -> Vec<DVec3> {
         Vec::new()
     }

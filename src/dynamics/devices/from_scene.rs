@@ -16,7 +16,7 @@ pub struct PlacedLaw {
     pub suffix: &'static str,
     /// Axes of its displacement and force, in the columns, world axes as placed.
     pub axes: DMat3,
-    /// How that motion is measured.
+    /// Measure of the relative motion of its points.
     pub kinematics: Kinematics,
     /// The law.
     pub device: Arc<dyn Device>,

@@ -22,7 +22,7 @@ pub struct ElastoPlastic {
 }
 
 impl ElastoPlastic {
-    /// How the angle of the force turns on the circle, where that points `outwards`.
+    /// Equation of motion of the angle of the force on the circle, where that points `outwards`.
     fn turn(self, outwards: DVec2, motion: &Separation) -> Evolution {
         let (along, rate, per_length) = (outwards.perp(), motion.rate.truncate(), self.stiffness / self.force);
         Evolution {
@@ -34,7 +34,7 @@ impl ElastoPlastic {
     }
 }
 
-/// How the hysteretic parts along the two horizontal axes act together.
+/// Interaction of the hysteretic parts along the two horizontal axes.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub enum Hysteresis {
     /// One yield circle `|z| ≤ Q`: round rubber, sliders.

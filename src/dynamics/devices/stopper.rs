@@ -18,11 +18,11 @@ pub struct Stopper {
     pub gap: f64,
     /// K \[N/m\].
     pub stiffness: f64,
-    /// How it fails.
+    /// Mode of failure.
     pub failure: Failure,
 }
 
-/// How a stopper fails.
+/// Mode of failure of a stopper.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub enum Failure {
     /// It does not.

@@ -1,4 +1,4 @@
-//! How many polynomials a girder needs, (F9): from the stiffness of its contacts against its own.
+//! Number of polynomials of a girder, (F9): from the stiffness of its contacts against its own.
 
 use glam::{DMat2, DVec2, DVec3};
 use nalgebra::{Matrix3, SymmetricEigen};
@@ -33,7 +33,7 @@ impl Softness {
         Self { kappa: stiffness * beam.length / beam.axial, end: stiffness * most }
     }
 
-    /// The same in space: the girder yields upwards and twists, too.
+    /// Softness in space, with vertical deflection and twist too.
     pub fn in_space(beam: &SpaceBeam, stiffness: f64, offsets: &[DVec3]) -> Self {
         let modes = SpaceModes::of(*beam, EXACT_ENDS);
         let at = |xi: f64, r: DVec3| {

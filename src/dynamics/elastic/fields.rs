@@ -25,7 +25,7 @@ impl Fields {
         self.moved + self.turned.cross(r)
     }
 
-    /// The same motion in the axes in which the columns are its own.
+    /// The motion in the axes in which the columns are its own.
     #[must_use]
     pub fn in_axes(self, columns: &DMat3) -> Self {
         Self { moved: *columns * self.moved, turned: *columns * self.turned }

@@ -48,7 +48,7 @@ impl Modes {
         Self { beam, degree: n, all: modes }
     }
 
-    /// How many there are, `N_e`.
+    /// Number of modes, `N_e`.
     pub fn count(&self) -> usize {
         self.all.len()
     }

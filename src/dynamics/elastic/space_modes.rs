@@ -55,7 +55,7 @@ impl SpaceModes {
         Self { beam, degree: n, all }
     }
 
-    /// How many there are, `N_e`.
+    /// Number of modes, `N_e`.
     pub fn count(&self) -> usize {
         self.all.len()
     }

@@ -18,7 +18,7 @@ pub(in crate::dynamics) struct Spent {
     pub events: usize,
     /// Whether a contact is closed now.
     pub touches: bool,
-    /// When it is \[s\].
+    /// Time \[s\].
     pub t: f64,
     /// Length of the run \[s\].
     pub duration: f64,

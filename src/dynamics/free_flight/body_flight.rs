@@ -46,7 +46,7 @@ impl FlightInPlan {
 #[derive(Clone, Debug)]
 pub struct CustomFlight {
     form: Arc<dyn ClosedForm>,
-    /// When it begins \[s\].
+    /// Beginning \[s\].
     start: f64,
     /// State at its beginning.
     state: BodyState,
@@ -87,7 +87,7 @@ pub(in crate::dynamics) struct FlightAlong<'a> {
 }
 
 impl BodyFlight {
-    /// When it begins \[s\].
+    /// Beginning \[s\].
     #[inline]
     pub fn start(&self) -> f64 {
         match self {

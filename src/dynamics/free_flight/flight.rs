@@ -49,7 +49,7 @@ pub(in crate::dynamics) enum FreeMotionForm {
 /// One stretch of free motion.
 #[derive(Clone, Debug)]
 pub struct Flight {
-    /// When it begins \[s\].
+    /// Beginning \[s\].
     pub start: f64,
     /// State at its beginning.
     pub state: PlanarState,

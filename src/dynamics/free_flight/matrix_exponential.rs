@@ -21,7 +21,7 @@ type Matrix = [[f64; SIZE]; SIZE];
 /// k = 18: 6e-11 at the most and 6e-12 as measured, where tolerances go down to 1e-12.
 type Doubled = [[TwoFloat; SIZE]; SIZE];
 
-/// Where `sin` stands; `cos`, `u0`, `u1` and `1` follow.
+/// Index of `sin`; `cos`, `u0`, `u1` and `1` follow.
 pub const SIN: usize = WIDTH;
 /// Index of the record's value.
 pub const VALUE: usize = WIDTH + 2;

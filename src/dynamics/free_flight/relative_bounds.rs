@@ -34,7 +34,7 @@ pub(in crate::dynamics) struct RelativeBounds {
     pub speed: f64,
     /// Acceleration \[m/s²\].
     pub acceleration: f64,
-    /// How long they hold \[s\].
+    /// Time for which they hold \[s\].
     pub window: f64,
 }
 

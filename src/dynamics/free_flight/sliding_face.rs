@@ -18,7 +18,7 @@ use crate::motion::{Ground, Line, LinearPiece, Samples};
 /// One stretch of sliding, within one piece of a record.
 #[derive(Clone, Debug)]
 pub struct SlidingFace {
-    /// When it begins \[s\].
+    /// Beginning \[s\].
     pub from: f64,
     /// Longest sampling interval that resolves every reversal \[s\].
     pub sight: f64,

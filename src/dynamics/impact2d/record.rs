@@ -18,7 +18,7 @@ pub struct Hit {
     pub pair: usize,
     /// The declared contacts that touched: one at a corner, the two outermost of a face.
     pub sites: Vec<usize>,
-    /// Where the first impulse acted, world \[m\].
+    /// Point of action of the first impulse, world \[m\].
     pub point: DVec2,
     /// Impulses, and the energy that they took.
     pub impulses: HitImpulses,
@@ -83,7 +83,7 @@ pub struct Record {
     pub beside: Vec<(usize, [f64; 2])>,
     /// Time reached \[s\].
     pub end: f64,
-    /// Where to look in the lists; made at the first look into a finished log.
+    /// Index of the lists; made on first use of a finished log.
     index: Index,
 }
 

@@ -54,7 +54,7 @@ pub(in crate::dynamics::impact2d) struct PairTrack {
 pub(in crate::dynamics::impact2d) struct SiteTrack {
     /// Number in the model.
     pub number: usize,
-    /// Which side of the pair owns the node, and which the face; none for an abutment.
+    /// Numbers (0, 1) of the sides of the pair with node and face; `None` for an abutment.
     pub sides: [Option<usize>; 2],
     /// Lengths of the contact as placed.
     pub spot: SiteGeometry,
@@ -70,7 +70,7 @@ pub(in crate::dynamics::impact2d) struct SiteTrack {
     pub beside: Option<f64>,
     /// Earlier stretches of that \[s\].
     pub was_beside: Vec<[f64; 2]>,
-    /// When it is in front of the face again on the trajectories in force \[s\].
+    /// Time at which it is in front of the face again on the trajectories in force \[s\].
     pub in_front_at: Option<f64>,
     /// Depth behind the face at which a point that has lifted off hits again \[m\].
     pub depth: f64,

@@ -22,7 +22,7 @@ pub struct LinearMotion {
 /// Start and parameters of a flight: place and speed of each drift at the start, then the free part of each coefficient.
 #[derive(Clone, Copy, Debug)]
 pub struct FlightParameters<'a> {
-    /// When it begins \[s\].
+    /// Beginning \[s\].
     pub start: f64,
     /// Numbers of [`LinearMotion::begin`].
     pub numbers: &'a [f64],
@@ -111,7 +111,8 @@ impl LinearMotion {
         }
     }
 
-    /// How long bounds from a look hold, at most `horizon`: under a record a fraction of what the slowest exponential takes \[s\].
+    /// Time for which bounds from an evaluation hold, at most `horizon`: under a record half the time constant of the slowest exponential
+    /// \[s\].
     pub fn window(&self, horizon: f64) -> f64 {
         if self.driven.is_steady() { horizon } else { horizon.min(0.5 / self.slowest) }
     }

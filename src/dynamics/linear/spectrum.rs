@@ -20,7 +20,7 @@ const SWEEPS: usize = 60;
 /// The decomposition: coordinates that drift without a force, and exponentials.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Spectrum {
-    /// How many coordinates there are.
+    /// Number of coordinates.
     pub size: usize,
     /// Coordinates without stiffness and damping that nothing couples: double zeros.
     pub drifts: Vec<usize>,

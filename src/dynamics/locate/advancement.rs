@@ -16,7 +16,7 @@ pub struct BoundedGap {
     pub rate: f64,
     /// Bound on `|g̈|` within `window` \[m/s²\].
     pub curvature: f64,
-    /// How long the bounds hold \[s\].
+    /// Time for which the bounds hold \[s\].
     pub window: f64,
     /// Whether the gap keeps its sign within `window`, by its distance alone.
     pub out_of_reach: bool,
@@ -58,7 +58,7 @@ pub(in crate::dynamics) enum AdvanceOutcome {
 pub(in crate::dynamics) struct Advancement {
     here: BoundedGap,
     armed: bool,
-    /// When it was first evaluated as positive again \[s\].
+    /// Time at which it was first evaluated as positive again \[s\].
     positive_at: Option<f64>,
     resolution: f64,
     finest: f64,
@@ -82,7 +82,7 @@ impl Advancement {
         self.here.gap
     }
 
-    /// When a gap that was not armed at the start was evaluated as positive again \[s\].
+    /// Time at which a gap that was not armed at the start was evaluated as positive again \[s\].
     pub(in crate::dynamics) fn rearmed_at(&self) -> Option<f64> {
         self.positive_at
     }

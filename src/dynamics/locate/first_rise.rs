@@ -71,7 +71,7 @@ pub(in crate::dynamics) struct EarliestRise<T> {
 }
 
 impl<T> EarliestRise<T> {
-    /// None yet.
+    /// No rise yet.
     pub(in crate::dynamics) fn none() -> Self {
         Self { found: None }
     }
@@ -99,7 +99,7 @@ impl<T> EarliestRise<T> {
 /// The earliest event known so far.
 #[derive(Clone, Copy, Debug)]
 pub(in crate::dynamics) struct EarliestEvent {
-    /// When \[s\].
+    /// Time \[s\].
     pub at: f64,
     /// Events at most this much later are simultaneous with it \[s\].
     pub together: f64,
@@ -108,7 +108,7 @@ pub(in crate::dynamics) struct EarliestEvent {
 impl EarliestEvent {
     pub(in crate::dynamics) const UNKNOWN: Self = Self { at: f64::INFINITY, together: 0.0 };
 
-    /// Where a function rises through 0 between `left` and `right`: the root where it is before the earliest event; else only
+    /// Zero of a function that rises through 0 between `left` and `right`: the root where it is before the earliest event; else only
     /// whether both are simultaneous, by two evaluations, since contacts of a flush face change at one instant.
     fn rise(self, [left, right]: [f64; 2], [start, end]: [f64; 2], function: &mut impl FnMut(f64) -> f64) -> f64 {
         let (at, with) = (self.at, self.at + self.together);

@@ -10,7 +10,7 @@ use crate::dynamics::locate::root::{root_between, root_with_slope};
 /// A gap and its rate at a time.
 #[derive(Clone, Copy, Debug)]
 pub(in crate::dynamics) struct GapSample {
-    /// When \[s\].
+    /// Time \[s\].
     pub t: f64,
     /// `g` \[m\].
     pub gap: f64,
@@ -23,12 +23,12 @@ pub(in crate::dynamics) struct GapSample {
 pub(in crate::dynamics) struct GapClosing {
     /// First crossing of 0 from above; `None` without one before the end of the search \[s\].
     pub closing: Option<f64>,
-    /// When a gap that was not armed is first positive again \[s\].
+    /// Time at which a gap that was not armed is first positive again \[s\].
     pub rearmed_at: Option<f64>,
 }
 
 impl GapClosing {
-    /// Nothing until the end of the search.
+    /// No closing until the end of the search.
     pub(in crate::dynamics) const NONE: Self = Self { closing: None, rearmed_at: None };
 
     /// A closing of an armed gap at `t` \[s\].
@@ -101,9 +101,9 @@ impl<A: FnMut(f64) -> GapSample, C: FnMut(&GapSample, f64) -> f64, N: FnMut(f64)
         (-sample_at.rate - (self.rate_error)(sample_at.t)).max(-sample_at.gap - self.resolution)
     }
 
-    /// When a gap that is negative at the second of two samples crossed 0. A gap within the resolution of 0 at the first one
-    /// counts as closing from the time at which its depth or its rate exceeds its error: of bodies that move alike under the
-    /// ground alone, round-off would decide where it closes. Its depth is then at most the resolution.
+    /// Time at which a gap that is negative at the second of two samples crossed 0. A gap within the resolution of 0 at the first one
+    /// counts as closing from the time at which its depth or its rate exceeds its error: of bodies that move alike under the ground alone,
+    /// round-off would decide where it closes. Its depth is then at most the resolution.
     fn crossing(&mut self, before: &GapSample, after: &GapSample) -> f64 {
         let sample = &mut self.sample;
         let falling = |sample: &GapSample| [-sample.gap, -sample.rate];

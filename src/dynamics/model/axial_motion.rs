@@ -52,7 +52,7 @@ pub struct AxialParts<'a> {
     pub along: usize,
     /// Number of the first modal coordinate.
     pub first: usize,
-    /// How many positions a state has.
+    /// Number of positions in a state.
     pub places: usize,
     /// Of each end and mode: displacement along the axis, across it, and turn.
     pub ends: [Vec<[f64; 3]>; 2],

@@ -75,7 +75,7 @@ pub struct UnbalancedWeight {
 pub struct PlanarBearings {
     /// The right-hand sides of (1) gathered.
     pub stiffness: DMat3,
-    /// Likewise the dashpots.
+    /// The dashpots gathered in the same way.
     pub damping: DMat3,
 }
 

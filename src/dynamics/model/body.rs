@@ -33,7 +33,7 @@ pub struct Body {
     pub coordinates: BodyCoordinates,
     /// Its shape.
     pub prism: Prism,
-    /// Where G is placed \[m\].
+    /// G as placed \[m\].
     pub home: DVec3,
     /// Its axes as placed, in the columns, in the world.
     pub axes: DMat3,
@@ -114,7 +114,7 @@ pub enum BodyCoordinates {
     Custom(Arc<dyn Coordinates>),
 }
 
-/// How a body's state is laid out, and what moves it.
+/// Degrees of freedom of a body: the layout of its state, and its equation of motion.
 ///
 /// A state has [`width`](Self::width) components: [`positions`](Self::positions), then velocities that carry them. It is counted
 /// from where the body was placed, or, in contact, from a [`ReferencePose`].
@@ -126,10 +126,10 @@ pub trait Coordinates: Debug + Send + Sync {
     /// Components of the state.
     fn width(&self) -> usize;
 
-    /// How many of them are positions; they come first.
+    /// Number of positions; they come first.
     fn positions(&self) -> usize;
 
-    /// How many sections there are.
+    /// Number of sections.
     fn sections(&self) -> usize {
         1
     }
@@ -204,7 +204,8 @@ pub trait Coordinates: Debug + Send + Sync {
     /// Size of component `i` of bodies of size `place` \[m\] with circular frequency `omega` \[rad/s\], for difference quotients.
     fn increment_scale(&self, i: usize, place: f64, omega: f64) -> f64;
 
-    /// How far a point of any section at `arm` from G goes at most, where components `range` together go as far as `way(range)` \[m\].
+    /// Bound on the displacement of a point of any section at `arm` from G, where components `range` together are displaced by at most
+    /// `way(range)` \[m\].
     fn excursion(&self, arm: f64, way: &dyn Fn(Range<usize>) -> f64) -> f64;
 
     /// Bounds on the motion of any section, where rate and second derivative of components `range` together are at most `rates(range)`.

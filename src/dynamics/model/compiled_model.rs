@@ -48,7 +48,7 @@ impl Pier {
 pub struct Model {
     /// Planar or spatial.
     pub kind: Kind,
-    /// How long \[s\].
+    /// Duration \[s\].
     pub duration: f64,
     /// Local error per step, relative; less per step in runs of many thousands, whose errors add up.
     pub tolerance: f64,
@@ -62,7 +62,7 @@ pub struct Model {
     pub gravity: f64,
     /// Ground motion.
     pub ground: Ground,
-    /// How supports move against that ground, where they do.
+    /// Motion of the supports relative to that ground, where they have one.
     pub moving: Option<MovingGround>,
     /// Girders, as numbered in the scene; then backwalls that move; then piers; then ground that moves otherwise.
     pub bodies: Vec<Body>,
@@ -132,7 +132,7 @@ impl Model {
         }
     }
 
-    /// The same with corners alone as contact points, without edge nodes: for a method that has none of its own.
+    /// The model with corners alone as contact points, without edge nodes: for a method that has none of its own.
     #[must_use]
     pub fn of_corners(mut self) -> Self {
         // Edge nodes are behind the contacts of all pairs.

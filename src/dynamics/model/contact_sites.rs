@@ -38,7 +38,7 @@ pub(super) struct PairSide {
     pub body: Option<usize>,
     nodes: Vec<Node>,
     pub face: Face,
-    /// Where an abutment's frame stands: its corner a.
+    /// Origin of an abutment's frame: its corner a \[m\].
     pub fixed: DVec3,
 }
 
@@ -54,7 +54,8 @@ impl PairSide {
 /// out, which lie too far beside the face of the first side.
 ///
 /// # Errors
-/// When an abutment's four corners are no face.
+///
+/// An abutment's four corners are no face.
 pub(in crate::dynamics) fn contacts(
     scene: &Scene,
     bodies: &[Body],
@@ -153,7 +154,7 @@ fn around(scene: &Scene, bodies: &[Body], face: &PairSide) -> Result<[DVec3; 4],
     Ok(normals)
 }
 
-/// Where the body of a side was placed, and its axes there.
+/// G and axes of the body of a side, as placed.
 pub(super) fn placed_at(bodies: &[Body], side: &PairSide) -> (DVec3, DMat3) {
     side.body.map_or((side.fixed, DMat3::IDENTITY), |body| (bodies[body].home, bodies[body].axes))
 }

@@ -92,7 +92,7 @@ impl EdgeEnds {
     }
 }
 
-/// Where an edge crosses the side of a face, seen along the face's normal.
+/// Crossing of an edge with the side of a face, projected along the face's normal.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub(in crate::dynamics) struct Crossing {
     /// Part of the edge from its first end at which the projections cross \[–\].
@@ -101,7 +101,7 @@ pub(in crate::dynamics) struct Crossing {
     along: f64,
     /// Part of the edge at which its line is nearest to that of the side \[–\].
     nearest: f64,
-    /// How far beyond an end of the side that, or the crossing, is \[m\].
+    /// Distance of that place, or of the crossing, beyond an end of the side \[m\].
     overhang: f64,
     /// Sine of the angle between edge and side \[–\].
     sine: f64,
@@ -140,12 +140,12 @@ impl Edge {
         edge
     }
 
-    /// The same with a node of the side at the crossing as well, or not.
+    /// The edge with or without a node of the side at the crossing.
     pub(in crate::dynamics) fn with_other(self, shared: bool) -> Self {
         Self { shared, ..self }
     }
 
-    /// The same of bodies that have met, with the two faces among those of their bodies.
+    /// The edge of bodies that have met, with the two faces among those of their bodies.
     pub(in crate::dynamics) fn among(self, faces: Option<Arc<[FaceChoice; 2]>>) -> Self {
         Self { faces, ..self }
     }
@@ -221,7 +221,7 @@ impl Edge {
         self.ends_at([0, 1].map(|i| locate(&self.ends[i], node, face)))
     }
 
-    /// The same from both ends as nodes against the face.
+    /// Both ends, given as nodes relative to the face, with their distances from the side.
     pub(in crate::dynamics) fn ends_at(&self, ends: [Local; 2]) -> EdgeEnds {
         EdgeEnds {
             ends,

@@ -55,7 +55,8 @@ impl FaceEdge<'_> {
 /// Declares the edge nodes of a pair; of a planar scene none.
 ///
 /// # Errors
-/// When an abutment's four corners are no face.
+///
+/// An abutment's four corners are no face.
 pub(in crate::dynamics) fn edge_nodes(
     scene: &Scene,
     bodies: &[Body],

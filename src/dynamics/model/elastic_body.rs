@@ -118,7 +118,7 @@ impl ElasticBody {
         }
     }
 
-    /// How fast it turns \[rad/s\], and how far the centre of an end is from the mean axes, the farther one \[m\]; in a state.
+    /// Angular velocity in a state \[rad/s\], and distance of the centre of an end from the mean axes, the larger of both ends \[m\].
     pub fn spin_and_deflection(&self, state: &[f64]) -> [f64; 2] {
         of_both!(self, girder => girder.spin_and_deflection(state))
     }

@@ -1,4 +1,4 @@
-//! Which of its faces a corner or an edge of a body touches with: the one that looks at the other body the most.
+//! Choice of the face with which a corner or an edge of a body touches: the one that faces the other body the most.
 
 use glam::DVec3;
 

@@ -48,7 +48,7 @@ pub fn beam(girder: &Girder, section: &ResolvedElastic) -> Beam {
     }
 }
 
-/// The same in space.
+/// The girder as a beam in space.
 fn space_beam(girder: &Girder, section: &ResolvedElastic) -> SpaceBeam {
     SpaceBeam {
         plan: beam(girder, section),

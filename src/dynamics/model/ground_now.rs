@@ -7,7 +7,7 @@ use glam::DVec3;
 pub struct GroundNow {
     /// Acceleration \[m/s²\].
     pub acceleration: DVec3,
-    /// When \[s\].
+    /// Time \[s\].
     pub t: f64,
     /// Beginning of the stretch without a kink that this time belongs to \[s\].
     pub since: f64,

@@ -30,7 +30,8 @@ impl Model {
     /// the world.
     ///
     /// # Errors
-    /// When an end is at no body of the model, both ends are at one body, or, in a planar model, they differ in height.
+    ///
+    /// An end is at no body of the model, both ends are at one body, or, in a planar model, they differ in height.
     pub fn link(
         &mut self,
         name: &str,

@@ -26,7 +26,7 @@ pub struct Meeting {
 /// sections that follow them.
 #[derive(Clone, Debug)]
 pub struct Solid {
-    /// Where that stands as placed \[m\].
+    /// Origin of the body's frame as placed \[m\].
     home: DVec3,
     /// Numbers of its sections, in the order in which their poses are given.
     sections: SmallVec<[usize; 1]>,
@@ -75,7 +75,7 @@ impl Meeting {
         behind(one, other, [there, here]).max(behind(other, one, [here, there]))
     }
 
-    /// How far the two overlap along a unit vector that points out of body `out`; negative apart \[m\].
+    /// Overlap of the two along a unit vector that points out of body `out`; negative apart \[m\].
     pub fn overlap_along(&self, axis: DVec3, out: usize, poses: &[SectionPoses; 2]) -> f64 {
         let reach = |which: usize, sign: f64| {
             let (solid, poses) = (&self.solids[which], &poses[which]);
@@ -88,8 +88,8 @@ impl Meeting {
         reach(out, 1.0) + reach(1 - out, -1.0)
     }
 
-    /// How far the two overlap along the direction along which they do the least, the shortest way by which they part; negative apart
-    /// \[m\]. Of convex polyhedra that direction is normal to a face of either or to an edge of each (separating axes).
+    /// Least overlap of the two over all directions, along the shortest way by which they part; negative apart \[m\]. Of convex polyhedra
+    /// that direction is normal to a face of either or to an edge of each (separating axes).
     pub fn least_overlap(&self, poses: &[SectionPoses; 2]) -> f64 {
         let [one, other] = [0, 1].map(|which| self.solids[which].at(&poses[which]));
         let normals = [0, 1].map(|which| {

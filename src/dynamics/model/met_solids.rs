@@ -13,7 +13,8 @@ use crate::scene::{Kind, Scene, SceneErrors};
 /// do not lie in the faces that they bound.
 ///
 /// # Errors
-/// When an abutment's four corners are no face.
+///
+/// An abutment's four corners are no face.
 pub(super) fn meetings(scene: &Scene, bodies: &[Body], met: &[[SolidId; 2]]) -> Result<Vec<Meeting>, SceneErrors> {
     let is_solid = |id: &SolidId| match id {
         SolidId::Girder(number) => scene.kind == Kind::Planar || bodies[*number].sections() == 1,

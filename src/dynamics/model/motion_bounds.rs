@@ -3,7 +3,7 @@
 /// Bounds on a motion over `[t, t + window]`.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct MotionBounds {
-    /// How long they hold \[s\].
+    /// Time for which they hold \[s\].
     pub window: f64,
     /// Displacement of G \[m\].
     pub reach: f64,

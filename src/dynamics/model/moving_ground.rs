@@ -18,11 +18,11 @@ use crate::scene::{Kind, MovingSupports, Scene};
 pub struct Foundation {
     /// Its number among the bodies.
     pub body: usize,
-    /// How it moves.
+    /// Motion.
     pub motion: SupportMotion,
 }
 
-/// How the ground moves under the supports of a scene, and the paths of its grounds.
+/// Motions of the ground under the supports of a scene, and the paths of its grounds.
 #[derive(Clone, Debug)]
 pub struct MovingGround {
     /// Ground, delay and factor by support.

@@ -147,7 +147,7 @@ pub struct ContactSite {
     pub face: Face,
     /// Node and face as placed.
     pub geometry: ContactGeometry,
-    /// Where the frame of the abutment in this contact stands, if there is one \[m\].
+    /// Origin of the abutment's frame in this contact, if there is one \[m\].
     pub fixed: DVec3,
     /// That frame.
     pub stand: Frame,
@@ -185,8 +185,8 @@ impl ContactSite {
         self.edge.as_ref().map_or(0.0, |edge| 0.5 * edge.length())
     }
 
-    /// How far a node at its place is beyond the edges of its face, or beyond the face's body behind; negative within \[m\]; of
-    /// an edge node, how far it is from the crossing beyond the distance at which it is moved.
+    /// Distance of a node at its place beyond the edges of its face, or beyond the face's body behind; negative within \[m\]; of an edge
+    /// node, its distance from the crossing less the distance at which it is moved.
     ///
     /// Without [`around`](Self::around) the polygon's edges count, for the projection; with it the planes of the neighbouring
     /// faces, for the node itself: at the end of a skewed girder a node that is over the edge may still be in the girder.
@@ -204,7 +204,7 @@ impl ContactSite {
         (farthest - edge_slack(&self.face)).max(here.penetration() - self.face.depth)
     }
 
-    /// How far the projection of a corner is outside of the polygon; negative inside \[m\].
+    /// Distance of the projection of a corner outside of the polygon; negative inside \[m\].
     pub fn over_edge(&self, here: &Local) -> f64 {
         outside(&self.face, here.at)
     }

@@ -78,7 +78,7 @@ impl ReferencePose {
         (self.shift + since.shift, self.angle + since.heading)
     }
 
-    /// How many numbers say where it is, unless it is where the body was placed.
+    /// Number of numbers of its position and attitude, unless it is the placed pose.
     pub(in crate::dynamics) fn size(&self) -> usize {
         if self.level { 3 } else { 7 }
     }

@@ -22,7 +22,7 @@ pub(in crate::dynamics) fn accelerations(body: &Body, here: &Frame, contact: &Wr
     newton_euler(body, here, &wrench, ground)
 }
 
-/// The same by all that acts on the body.
+/// Accelerations by all loads on the body.
 #[inline]
 pub(in crate::dynamics) fn newton_euler(body: &Body, here: &Frame, all: &Wrench, ground: DVec3) -> [DVec3; 2] {
     [all.force / body.mass - ground, spin_rate(body, here, all.moment)]

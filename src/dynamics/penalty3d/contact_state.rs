@@ -29,7 +29,7 @@ pub struct ClosedContact {
     pub mode: Mode,
     /// Law with `clamp` while the damping force exceeds the elastic one: the normal force is held at 0.
     pub held_at_zero: bool,
-    /// Where the node is and how the contact is directed.
+    /// Node and normal of the contact.
     pub place: NodePlace,
     /// State of the numerical method.
     pub solver: SolverState,

@@ -176,7 +176,7 @@ impl Island {
         Ok(())
     }
 
-    /// Where a kink of the ground limits steps rather than a method \[s\]: between bodies joined by devices that change their law, whose
+    /// Next kink of the ground that limits steps rather than a method \[s\]: between bodies joined by devices that change their law, whose
     /// forces are smooth in between, and where every support has kinks of its own.
     fn limiting_kink(&self, model: &Model, t: f64) -> f64 {
         let changes = |link: &ActiveLink| !link.link(model).device.is_linear();

@@ -30,7 +30,7 @@ struct Touch {
     law: u32,
     /// Origin of anchors: displacement of the node along the face from the placed to the reference poses \[m\].
     way: DVec2,
-    /// Where the node is and how the contact is directed.
+    /// Node and normal of the contact.
     place: NodePlace,
 }
 

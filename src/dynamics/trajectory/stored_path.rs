@@ -33,7 +33,7 @@ pub struct StoredPath {
     swept: Swept,
 }
 
-/// How far a body comes in steps whose polynomials are not kept.
+/// Bounds on displacement and rotation in steps whose polynomials are not kept.
 #[derive(Clone, Copy, Debug, Default)]
 pub struct Swept {
     /// Bound on the distance of G from where the body was placed \[m\].

@@ -1,4 +1,4 @@
-//! Which pairs and links concern bodies, and which bodies are joined by connections whose force acts.
+//! Pairs and links of bodies, and the bodies that are joined by connections whose force acts.
 
 use std::ops::Range;
 

@@ -101,11 +101,11 @@ pub(in crate::dynamics) struct PairTrack {
     pub meeting: Option<usize>,
     /// Whether the two bodies of a meeting were near each other or apart at the last search.
     pub search_state: SearchState,
-    /// When its next closing is due, or its next search; infinite without either \[s\].
+    /// Time of its next closing, or of its next search; infinite without either \[s\].
     pub due: f64,
 }
 
-/// Where two bodies that have met were when a pair of theirs was searched last.
+/// Relative position of two bodies that have met at the last search of one of their pairs.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
 pub(in crate::dynamics) enum SearchState {
     /// Near each other, or not searched yet: nodes are armed and disarmed as they pass planes.
@@ -154,7 +154,7 @@ pub(in crate::dynamics) struct ContactTrack {
     pub divisor: f64,
     /// In plan, whether it is one of the nodes among which K and C were divided, and has passed its part to no other.
     pub has_part: bool,
-    /// Where the node is and how its contact is directed since its last closing.
+    /// Node and normal of the contact since its last closing.
     pub place: NodePlace,
     /// Of an edge node the contacts of both ends of the edge with the same face, where these are nodes; `None` of a corner.
     pub corners: Option<[usize; 2]>,

@@ -9,7 +9,7 @@ pub(in crate::dynamics) fn deck() -> Beam {
     Beam { length: 30.0, mass: 6e5, rotary: 100.0 / 12.0, axial: e * area, bending: e * area * 100.0 / 12.0, shear }
 }
 
-/// The same so slender and so stiff in shear that it is nearly Euler and Bernoulli's.
+/// A deck so slender and so stiff in shear that it is nearly Euler and Bernoulli's.
 fn slender() -> Beam {
     Beam { rotary: 9e-4, shear: 2.7e14, bending: 30e9 * 8.0, ..deck() }
 }

@@ -47,7 +47,7 @@ pub(in crate::dynamics::impact2d) struct PairMotion {
     pub poses: [PlanarPose; 2],
     limits: PairLimits,
     accelerations: Option<[[f64; 3]; 2]>,
-    /// How long the bounds hold \[s\].
+    /// Time for which the bounds hold \[s\].
     pub window: f64,
 }
 

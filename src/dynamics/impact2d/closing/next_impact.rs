@@ -39,7 +39,7 @@ struct OpenPoint {
     advancement: Advancement,
     /// Lower bound of the gap from the last evaluation on, where its third derivative is bounded.
     bound: Option<CubicBound>,
-    /// When a point that has lifted off was first in front of the face \[s\].
+    /// Time at which a point that has lifted off was first in front of the face \[s\].
     in_front_at: Option<f64>,
 }
 
@@ -215,7 +215,7 @@ fn evaluate(
     }
 }
 
-/// When a point that has lifted off is in front of the face: at `next` or, where one step spans the whole hop, halfway.
+/// Time at which a point that has lifted off is in front of the face \[s\]: `next` or, where one step spans the whole hop, halfway.
 fn front_time(world: &World, pair: usize, point: &OpenPoint, there: &PairMotion, [t, next]: [f64; 2]) -> Option<f64> {
     let track = &world.sites[point.site];
     let [clear, rate] = gap(&track.geometry, track.sides, &there.poses);

@@ -54,7 +54,7 @@ impl HitImpulses {
 /// Result of a collision.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Collision {
-    /// Where the first impulse acts, from the first side's G \[m\].
+    /// Point of action of the first impulse, from the first side's G \[m\].
     pub arm: DVec2,
     /// The impulses.
     pub impulses: HitImpulses,

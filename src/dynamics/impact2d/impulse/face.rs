@@ -18,7 +18,7 @@ use crate::dynamics::integrator::dense_lu::solve_regularised;
 /// Two ends of a face, the lesser along `s` first.
 pub type Ends = [ContactPoint; 2];
 
-/// Where the first impulse acts (44), as a part of the way from the first end to the second.
+/// Point of action of the first impulse (44), as a part of the way from the first end to the second \[–\].
 pub fn centroid(cluster: &Cluster, ends: &Ends) -> f64 {
     let [v0, v1] = [0, 1].map(|i| cluster.speed(&ends[i], ends[i].n));
     let (middle, slope) = (f64::midpoint(v0, v1), 0.5 * (v1 - v0));

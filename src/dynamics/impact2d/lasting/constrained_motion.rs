@@ -31,7 +31,7 @@ pub enum FrictionMode {
     SlipAtEnd {
         /// Sign of `v_s`, ±1.
         sign: f64,
-        /// Which of the two points carries the pressure.
+        /// Number of the point that carries the pressure, of the two.
         end: usize,
     },
     /// Without friction, where no motion is consistent with it (Painlevé).
@@ -139,7 +139,7 @@ impl ConstrainedMotion {
 /// An unknown reaction: the force per unit of it, and the acceleration that it brings to 0.
 struct Unknown {
     mode: usize,
-    /// Which point of the contact for a normal reaction; none for the tangential one of stick.
+    /// Number of the contact's point for a normal reaction; `None` for the tangential one of stick.
     at: Option<usize>,
     point: ContactPoint,
     direction: DVec2,

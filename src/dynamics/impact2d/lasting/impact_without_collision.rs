@@ -72,7 +72,7 @@ pub(in crate::dynamics::impact2d) fn stop_within_friction(
     })
 }
 
-/// The same bodies with velocities in place of free accelerations, and none by which directions turn.
+/// The bodies with velocities in place of free accelerations, and without the part by which directions turn.
 fn in_velocities(model: &Model, kinematics: &BodyKinematics) -> BodyKinematics {
     let mut still = kinematics.clone();
     for frame in &mut still.frames {

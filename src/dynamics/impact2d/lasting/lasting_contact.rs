@@ -138,7 +138,7 @@ impl LastingContact {
         Self { bodies, modes, since: t, from: t, until: t, ending: None, planned: None, y, step: None }
     }
 
-    /// The same with this length of its first step \[s\], where one is known.
+    /// The contact with this length of its first step \[s\], where one is known.
     pub(in crate::dynamics::impact2d) fn with_first_step(self, step: Option<f64>) -> Self {
         Self { step, ..self }
     }
@@ -164,7 +164,8 @@ impl LastingContact {
     /// place and of a speed that the tolerance allows \[m\], \[m/s\].
     ///
     /// # Errors
-    /// When no step is short enough.
+    ///
+    /// No step is short enough.
     pub(in crate::dynamics::impact2d) fn plan(
         &mut self,
         model: &Model,

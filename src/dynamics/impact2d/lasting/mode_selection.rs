@@ -25,7 +25,7 @@ pub struct Candidate {
     pub pair: usize,
     /// Declared contacts with no gap and no speed along the normal: one or two.
     pub sites: Vec<usize>,
-    /// Where they are.
+    /// Points of contact.
     pub points: Vec<ContactPoint>,
     /// Sign of `v_s`; 0 at rest along the face.
     pub slip: f64,

@@ -25,7 +25,7 @@ const AHEAD: f64 = 8.0;
 pub(in crate::dynamics) struct GivenMotion {
     /// The displacement.
     pub motion: RelativeMotion,
-    /// How many axes of the world it moves along.
+    /// Number of the world's axes that it moves along.
     pub axes: usize,
 }
 

@@ -5,7 +5,7 @@ use crate::dynamics::model::rate_bounds::ModalRates;
 /// Damping of the elastic modes.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub enum ModalDamping {
-    /// The same ratio ζ for every mode.
+    /// One ratio ζ for every mode.
     Ratio(f64),
     /// `α + β ω²` on the rates: ratio `α/2ω + β ω/2`.
     Rayleigh {
@@ -39,7 +39,7 @@ impl ModalSprings {
         Self(frequencies.map(|omega| [omega * omega, damping.dashpot(omega)]).collect())
     }
 
-    /// How many there are.
+    /// Number of modes.
     pub(super) fn count(&self) -> usize {
         self.0.len()
     }

@@ -72,7 +72,7 @@ pub(in crate::dynamics) fn is_base_along(base: &ReferencePose, axis: usize) -> b
     place[1 - axis] == 0.0 && place.z == 0.0
 }
 
-/// Which directions a girder may move in.
+/// Directions in which a girder is free.
 pub(in crate::dynamics) fn free(body: &Body) -> [bool; POSITIONS] {
     DIRECTIONS.map(|direction| body.free[direction])
 }

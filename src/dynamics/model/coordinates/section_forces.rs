@@ -236,7 +236,7 @@ impl Equilibrium {
         0.5 * self.size[0]
     }
 
-    /// Where loads act \[m\]: moments have kinks there and forces jump.
+    /// Stations of the loads \[m\]: moments have kinks there and forces jump.
     pub fn loaded(&self) -> impl Iterator<Item = f64> + '_ {
         let acting = self.loads.iter().filter(|load| load.force != DVec3::ZERO || load.moment != DVec3::ZERO);
         acting.map(|load| load.station)

@@ -1,19 +1,19 @@
-//! Where the node of an edge is, and how its contact is directed (`docs/physics.md#edge-nodes`).
+//! Node of an edge and normal of its contact (`docs/physics.md#edge-nodes`).
 
 use glam::{DMat3, DVec2, DVec3};
 
 use super::{Crossing, Edge};
 use crate::contact::ContactGeometry;
 
-/// Where the node of a contact is and how its contact is directed, axes of the bodies as placed.
+/// Node and normal of a contact, axes of the bodies as placed.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
 pub struct NodePlace {
     /// Node from that of its site, of an edge node the middle of the edge \[m\].
     pub shift: DVec3,
     /// Unit normal of an edge node's contact, outward of the face's body; 0 for a corner, whose normal is the face's.
     pub normal: DVec3,
-    /// How far the node may be beyond an end of the side: faces that are not parallel see a crossing beside the place where
-    /// its edges are nearest \[m\].
+    /// Allowed distance of the node beyond an end of the side \[m\]: of faces that are not parallel the crossing is beside the place where
+    /// the edges are nearest.
     pub overhang: f64,
     /// Part by which an edge node's normal follows the common perpendicular as the bodies turn; by the rest it stays with the face's body
     /// \[–\].

@@ -53,7 +53,7 @@ struct Order<'a> {
     parts: &'a [LinearPart],
     /// The first coordinate of each part.
     first: Vec<usize>,
-    /// How many there are.
+    /// Number of all coordinates.
     count: usize,
 }
 

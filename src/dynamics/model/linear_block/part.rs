@@ -21,7 +21,7 @@ pub struct LinearPart {
     pub own_damping: Vec<f64>,
     /// Constant generalised force of the push.
     pub push: Vec<f64>,
-    /// Where its coordinates start.
+    /// Initial values of its coordinates.
     pub start: Vec<f64>,
     /// Distance of its ends from G, of a body that bends \[m\].
     pub lever: f64,
@@ -29,7 +29,7 @@ pub struct LinearPart {
     pub sections: Vec<SectionShape>,
 }
 
-/// How a section moves by the modal coordinates.
+/// Displacement of a section by the modal coordinates.
 #[derive(Clone, Debug, Default)]
 pub struct SectionShape {
     /// From G to its centre, world axes as placed \[m\].
@@ -39,7 +39,7 @@ pub struct SectionShape {
 }
 
 impl LinearPart {
-    /// How many coordinates it has.
+    /// Number of coordinates.
     pub fn places(&self) -> usize {
         self.masses.len()
     }

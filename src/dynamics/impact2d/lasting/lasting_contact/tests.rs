@@ -22,7 +22,7 @@ fn sliding(preset: &str, change: impl FnOnce(&mut Model), sign: f64) -> (Model, 
     (model, contact)
 }
 
-/// The same by Dormand–Prince as finely as it goes, up to `end`.
+/// State at `end` by Dormand–Prince at the finest tolerance.
 fn integrated(model: &Model, contact: &LastingContact, end: f64) -> Vec<f64> {
     let mut contact = contact.clone();
     while contact.from < end {

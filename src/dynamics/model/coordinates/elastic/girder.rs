@@ -37,7 +37,7 @@ pub struct ElasticGirder {
     pub(super) deforming: Vec<Section>,
     /// Bearings, axis by axis.
     pub(in crate::dynamics) bearings: Vec<BearingAxis>,
-    /// The same for their forces.
+    /// Spring and dashpot rows of the bearings' forces on the coordinates.
     pub(super) rows: BearingRows,
     /// Constant load of the given push on the modes.
     pub(super) pushed: Vec<f64>,
@@ -84,7 +84,7 @@ impl ElasticGirder {
         self.springs.count()
     }
 
-    /// How many positions a state has.
+    /// Number of positions in a state.
     pub(in crate::dynamics) fn places(&self) -> usize {
         RIGID + self.count()
     }
@@ -139,7 +139,7 @@ impl ElasticGirder {
         fields.into_iter().zip(q).map(|(field, q)| field * *q).sum()
     }
 
-    /// How fast it turns \[rad/s\], and how far the centre of an end is from the mean axes, the farther one \[m\]; in a state.
+    /// Angular velocity in a state \[rad/s\], and distance of the centre of an end from the mean axes, the larger of both ends \[m\].
     pub fn spin_and_deflection(&self, state: &[f64]) -> [f64; 2] {
         let (place, rate) = self.halves(state);
         let away = |end: &Section| end.deformation(&place[RIGID..], &rate[RIGID..]).of.truncate().length();

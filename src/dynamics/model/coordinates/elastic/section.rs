@@ -18,7 +18,7 @@ pub(in crate::dynamics) fn station_and_offset(place: DVec2, shear: f64, half: f6
     (station, DVec2::new(across + (oblique - station), place.y))
 }
 
-/// How the frame of a section moves with φ.
+/// Motion of a section's frame by φ.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub(in crate::dynamics) enum SectionFrame {
     /// It turns by θ + φ.

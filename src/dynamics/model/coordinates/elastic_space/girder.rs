@@ -71,7 +71,7 @@ impl SpatialElasticGirder {
         self.springs.count()
     }
 
-    /// How many positions a state has.
+    /// Number of positions in a state.
     pub(super) fn places(&self) -> usize {
         POSITIONS + self.count()
     }
@@ -131,7 +131,7 @@ impl SpatialElasticGirder {
         fields.into_iter().zip(q).map(|(field, q)| field * *q).sum()
     }
 
-    /// How fast it turns \[rad/s\], and how far the centre of an end is from the mean axes, the farther one \[m\]; in a state.
+    /// Angular velocity in a state \[rad/s\], and distance of the centre of an end from the mean axes, the larger of both ends \[m\].
     pub fn spin_and_deflection(&self, state: &[f64]) -> [f64; 2] {
         let [q, rates] = self.modal(state);
         let away = |end: &Section| end.deformation(q, rates).of.moved.length();
