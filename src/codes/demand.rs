@@ -25,7 +25,7 @@ pub struct Case<'a> {
     pub columns: Option<(f64, Source)>,
 }
 
-/// Where the value of an input is from.
+/// Source of an input's value.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, serde::Serialize)]
 #[serde(rename_all = "lowercase")]
 pub enum Source {
@@ -57,7 +57,7 @@ pub struct Input {
     pub value: f64,
     /// Its unit.
     pub unit: &'static str,
-    /// Where it is from.
+    /// Source of the value.
     pub source: Source,
 }
 
@@ -118,7 +118,7 @@ impl Demand {
         self.is_met() && self.used < self.provided
     }
 
-    /// The same in a word.
+    /// The verdict in a word.
     pub fn verdict(&self) -> Text {
         match (self.is_met(), self.holds()) {
             (false, _) => Text::new("too-short"),

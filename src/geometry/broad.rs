@@ -97,7 +97,7 @@ pub struct Along {
     pub axis: usize,
     /// Coordinate and number, rising.
     order: Vec<(f64, usize)>,
-    /// Where in the order each number stands.
+    /// Place in the order of each number.
     place: Vec<usize>,
 }
 

@@ -8,7 +8,7 @@ const FLAT: f64 = 1e-9;
 /// Area over the square of the size below which four points have no normal \[–\]: their cross product is rounding.
 const NO_AREA: f64 = 1e-12;
 
-/// Why four points are not a face.
+/// Reasons why four points are not a face.
 #[derive(Clone, Debug, PartialEq, thiserror::Error)]
 pub enum FaceError {
     /// The corners do not lie in one plane.
@@ -33,7 +33,7 @@ pub struct Face {
     pub tangent: DVec3,
     /// Second tangent, `n × tangent`.
     pub bitangent: DVec3,
-    /// How far the body reaches behind the face \[m\].
+    /// Depth of the body behind the face \[m\].
     pub depth: f64,
 }
 
@@ -41,7 +41,8 @@ impl Face {
     /// Builds a face from its corners.
     ///
     /// # Errors
-    /// When the corners are not flat, not convex, or not a shape that paper equations (66), (67) cover.
+    ///
+    /// The corners are not flat, not convex, or not a shape that paper equations (66), (67) cover.
     pub fn new(corners: [DVec3; 4], depth: f64) -> Result<Self, FaceError> {
         let [a, b, c, d] = corners;
         let size = (c - a).length().max((d - b).length());
@@ -84,7 +85,7 @@ impl Face {
         (point - self.corners[0]).dot(self.normal)
     }
 
-    /// How far inside the polygon a point's projection lies: its distance to the nearest side, negative outside \[m\].
+    /// Distance of a point's projection to the nearest side of the polygon, negative outside \[m\].
     pub fn inset(&self, point: DVec3) -> f64 {
         self.inset_at(self.coordinates(point))
     }

@@ -14,7 +14,7 @@ use super::Prism;
 /// then errs by 2e-10.
 const NEARLY_PARALLEL: f64 = 1e-6;
 
-/// Where a body stands: its origin in the world, and the turn from its frame to the world's.
+/// Pose of a body: its origin in the world, and the rotation from its frame to the world's.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Stand {
     /// Origin of the body's frame \[m\].
@@ -61,8 +61,8 @@ pub fn block_behind(face: [DVec3; 4], depth: f64) -> [DVec3; 8] {
     [a - back, b - back, c - back, d - back, a, b, c, d]
 }
 
-/// How far apart two convex quadrilaterals are along the axis that parts them most, by their sides' normals: negative when they
-/// overlap, and then the shortest way out \[m\]. Corners follow one another along the outline.
+/// Distance of two convex quadrilaterals along the axis that parts them most, by their sides' normals; negative when they overlap, and then
+/// the shortest way out \[m\]. Corners follow one another along the outline.
 pub fn plan_separation(one: &[DVec2; 4], other: &[DVec2; 4]) -> f64 {
     let normals = [one, other]
         .into_iter()
@@ -79,8 +79,7 @@ pub fn plan_separation(one: &[DVec2; 4], other: &[DVec2; 4]) -> f64 {
         .fold(f64::NEG_INFINITY, f64::max)
 }
 
-/// How far a point is from a convex polygon along the side that parts them most; negative inside, and then the shortest way
-/// out \[m\].
+/// Distance of a point from a convex polygon along the side that parts them most; negative inside, and then the shortest way out \[m\].
 pub fn plan_distance(polygon: &[DVec2; 4], point: DVec2) -> f64 {
     let middle = polygon.iter().sum::<DVec2>() / 4.0;
     let beyond = |i: usize| {
@@ -230,7 +229,7 @@ impl Convex {
         query::distance(&stand.pose(), &self.hull, &other_stand.pose(), &other.hull).map_or(0.0, |found| found.distance)
     }
 
-    /// How far along a ray its first point inside the body lies, in lengths of `direction`; 0 from inside.
+    /// Distance along a ray to its first point inside the body, in lengths of `direction` \[–\]; 0 from inside.
     pub fn pick(&self, stand: Stand, origin: DVec3, direction: DVec3) -> Option<f64> {
         if direction.length_squared() == 0.0 {
             return None;
@@ -248,8 +247,8 @@ impl Hexahedron {
         Self { corners, normals: directions(normals), edges: directions(edges) }
     }
 
-    /// How far apart two bodies are along the axis that parts them most: negative when they overlap, and then the
-    /// shortest way out; 0 when they touch \[m\].
+    /// Distance of two bodies along the axis that parts them most; negative when they overlap, and then the shortest way out; 0 when they
+    /// touch \[m\].
     ///
     /// Apart, it is at most the true [`distance`](Convex::distance). By the separating axes (normals of the sides, and
     /// edges crossed), because parry's EPA answers 0 for aligned overlapping boxes, which every planar scene is full of.

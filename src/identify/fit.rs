@@ -15,7 +15,7 @@ pub struct History<'a> {
     pub times: &'a [f64],
     /// Displacements \[m\].
     pub x: &'a [f64],
-    /// How the ground moved along it.
+    /// Motion of the ground along it.
     pub shaking: &'a Shaking,
     /// Whether the ground motion is known only up to a factor, which is fitted too.
     pub scaled: bool,
@@ -81,7 +81,7 @@ impl Identified {
     }
 }
 
-/// Why nothing was found, with a remedy.
+/// Reasons of a failed identification, with remedies.
 #[derive(Clone, Debug, PartialEq, thiserror::Error)]
 pub enum NotIdentified {
     /// Too few rows.

@@ -12,7 +12,7 @@ pub trait Model {
     fn slopes(&self, parameters: &[f64]) -> Option<Vec<Vec<f64>>>;
 }
 
-/// Where the steps ended.
+/// Result of the iteration.
 #[derive(Clone, Debug)]
 pub struct Solution {
     /// Parameters.

@@ -1,4 +1,4 @@
-//! How far least squares can be off: the covariance of the estimates under residuals that need not be independent.
+//! Errors of least squares: the covariance of the estimates under residuals that need not be independent.
 //!
 //! The estimate `p` of least squares moves with the noise `e` by `(JᵀJ)⁻¹ Jᵀ e`, so its covariance is
 //! `(JᵀJ)⁻¹ JᵀΣJ (JᵀJ)⁻¹`, `Σ` that of the noise. For independent noise `Σ = s² I`. Noise that is correlated from sample to

@@ -12,7 +12,7 @@ use crate::motion::oscillator::Shaking;
 
 /// Frequencies that are looked at first, evenly spaced by their logarithm.
 const COUNT: u32 = 240;
-/// How often the neighbourhood of the largest is looked at closer, each time four times.
+/// Number of refinements of the neighbourhood of the largest, each by four.
 const CLOSER: u32 = 4;
 /// Share of the ground's largest Fourier amplitude below which a ratio is noise.
 const SHAKEN: f64 = 0.1;

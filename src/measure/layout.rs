@@ -24,7 +24,7 @@ pub struct Layout {
     /// Time of the first picture \[s\].
     #[serde(default)]
     pub from_s: f64,
-    /// How many pictures belong to it, in the order of their names; all when left out.
+    /// Number of pictures that belong to it, in the order of their names; all when left out.
     #[serde(default, skip_serializing_if = "Option::is_none")]
     pub pictures: Option<usize>,
     /// Length of a pixel; from the places of marks on one body when left out \[mm\].
@@ -41,7 +41,7 @@ pub struct Layout {
 pub struct MarkPlace {
     /// Body that it is on; `table` for the reference.
     pub body: String,
-    /// Where it is in the first picture, to a few pixels: to the right and down from its top left.
+    /// Place in the first picture, to a few pixels: to the right and down from its top left.
     pub pixel: [f64; 2],
     /// Its place on the body, x along it and y to the left, from the point whose motion is wanted \[mm\].
     #[serde(default, skip_serializing_if = "Option::is_none")]

@@ -6,7 +6,7 @@
 
 use super::grey::Grey;
 
-/// How far beyond the threshold's edge a mark's light reaches \[pixels\]: a half-covered pixel and one more of blur.
+/// Reach of a mark's light beyond the threshold's edge \[pixels\]: a half-covered pixel and one more of blur.
 const REACH: usize = 2;
 /// Share of a picture's pixels above the level taken as the brightness of its marks (chosen: less than the marks cover).
 const BRIGHTEST: f64 = 2e-4;

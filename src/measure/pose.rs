@@ -45,7 +45,8 @@ impl Calibration {
     /// body that has two.
     ///
     /// # Errors
-    /// Nothing that gives a scale.
+    ///
+    /// Without anything that gives a scale.
     pub fn of(layout: &Layout, places: &[[f64; 2]]) -> Result<Self, String> {
         let bodies = std::iter::once(TABLE).chain(layout.bodies());
         let known = bodies.filter_map(|body| {

@@ -29,19 +29,19 @@ fn place(pixels: f64) -> String {
     format!("{pixels:.1}")
 }
 
-/// Why a mark was not followed. Marks are numbered from 1.
+/// Reasons why a mark was not followed. Marks are numbered from 1.
 #[derive(Clone, Debug, PartialEq, thiserror::Error)]
 pub enum Lost {
-    /// None where it should be.
+    /// No mark at the expected place.
     #[error("{}", said!("mark-missing", "mark" => *mark, "body" => body.as_str(), "within" => format!("{within:.0}"), "x" => place(near[0]), "y" => place(near[1])))]
     Missing {
         /// Its number.
         mark: usize,
         /// Body that it is on.
         body: String,
-        /// Where it was expected \[pixels\].
+        /// Expected place \[pixels\].
         near: [f64; 2],
-        /// How far around that place \[pixels\].
+        /// Radius of the search about that place \[pixels\].
         within: f64,
     },
     /// It and another are one.
@@ -49,7 +49,7 @@ pub enum Lost {
     Merged {
         /// Their numbers.
         marks: [usize; 2],
-        /// Where \[pixels\].
+        /// Place \[pixels\].
         at: [f64; 2],
     },
     /// It is one with something else that is bright.
@@ -59,7 +59,7 @@ pub enum Lost {
         mark: usize,
         /// Body that it is on.
         body: String,
-        /// Where \[pixels\].
+        /// Place \[pixels\].
         at: [f64; 2],
         /// Its pixels.
         area: usize,
@@ -73,7 +73,7 @@ pub enum Lost {
         mark: usize,
         /// Body that it is on.
         body: String,
-        /// Where \[pixels\].
+        /// Place \[pixels\].
         at: [f64; 2],
         /// Its pixels.
         area: usize,
@@ -87,7 +87,7 @@ pub enum Lost {
         mark: usize,
         /// Body that it is on.
         body: String,
-        /// Where \[pixels\].
+        /// Place \[pixels\].
         at: [f64; 2],
     },
     /// Another size of picture.
@@ -108,7 +108,7 @@ pub struct Tracker {
     size: [usize; 2],
     within: f64,
     areas: Vec<usize>,
-    /// Where they were in the last two pictures.
+    /// Places in the last two pictures \[pixels\].
     last: [Vec<[f64; 2]>; 2],
 }
 
@@ -136,7 +136,7 @@ impl Tracker {
         Ok(tracker)
     }
 
-    /// Where the marks are in the last picture, to the right and down \[pixels\].
+    /// Places of the marks in the last picture, to the right and down \[pixels\].
     pub fn places(&self) -> &[[f64; 2]] {
         &self.last[1]
     }

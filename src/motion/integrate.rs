@@ -7,7 +7,7 @@ use super::format::STANDARD_GRAVITY;
 pub struct Peak {
     /// With its sign, in the unit of the series.
     pub value: f64,
-    /// When \[s\].
+    /// Time \[s\].
     pub at: f64,
 }
 
@@ -65,9 +65,9 @@ pub fn peaks(samples: &[f64], [velocity, displacement]: [&[f64]; 2], dt: f64) ->
 pub struct StrongMotion {
     /// `π / (2 g) ∫ a² dt` \[m/s\].
     pub arias: f64,
-    /// When 5 % are reached \[s\].
+    /// Time at which 5 % are reached \[s\].
     pub from: f64,
-    /// When 95 % are reached \[s\].
+    /// Time at which 95 % are reached \[s\].
     pub until: f64,
 }
 

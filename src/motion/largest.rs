@@ -1,4 +1,4 @@
-//! Where a ground motion is sampled, and the largest acceleration of a component and when it is reached first.
+//! Sample times of a ground motion, the largest acceleration of a component, and the time at which it is first reached.
 
 use glam::DVec3;
 

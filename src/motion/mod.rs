@@ -71,9 +71,9 @@ pub enum Samples {
 /// A stretch of ground motion without a kink, until `until`; the sine adds to it.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct LinearPiece {
-    /// Where the piece begins \[s\].
+    /// Beginning of the piece \[s\].
     pub from: f64,
-    /// Where it ends; infinite after the last sample \[s\].
+    /// End of the piece; infinite after the last sample \[s\].
     pub until: f64,
     /// Acceleration within it.
     pub line: Line,
@@ -248,7 +248,7 @@ impl Ground {
         if number > 0 && self.piece_start(number) >= t { number - 1 } else { number }
     }
 
-    /// Where the linear piece of that number begins \[s\].
+    /// Beginning of the linear piece of that number \[s\].
     pub fn piece_start(&self, number: usize) -> f64 {
         if let Self::Record { dt, .. } = self { number as f64 * dt } else { 0.0 }
     }

@@ -76,7 +76,7 @@ impl GroundPath {
     }
 }
 
-/// How the ground of a support moves: `factor · a(t − delay)` of the ground motion of this number, at rest before.
+/// Motion of the ground of a support: `factor · a(t − delay)` of the ground motion of this number, at rest before.
 #[derive(Clone, Copy, Debug, PartialEq, serde::Serialize)]
 pub struct SupportMotion {
     #[serde(skip)]

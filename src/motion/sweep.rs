@@ -16,7 +16,7 @@ use std::f64::consts::TAU;
 /// amplitude of a sine of its highest frequency is lowered by two thirds of it (`sinc²(φ' dt/2) = 1 − (φ' dt)²/12 + …`).
 pub const LINE_ERROR: f64 = 1e-4;
 
-/// How the frequency of a sweep depends on time.
+/// Frequency of a sweep as a function of time.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Rate {
     /// By the same number of hertz each second.
@@ -36,7 +36,7 @@ pub struct Sweep {
     pub to: f64,
     /// `T` \[s\].
     pub length: f64,
-    /// How the frequency goes from one to the other.
+    /// Frequency as a function of time between the two.
     pub rate: Rate,
 }
 

@@ -28,7 +28,7 @@ pub struct Earthquake {
     pub damping: f64,
     /// Time within which the envelope rises \[s\].
     pub rise: f64,
-    /// When it begins to die away \[s\].
+    /// Beginning of the decay \[s\].
     pub until: f64,
     /// Rate at which it does `1/τ` \[1/s\].
     pub decay: f64,

@@ -32,7 +32,7 @@ pub struct ErrorEstimate {
     /// Largest difference of the fibre stress of a girder that bends, and of N, M and `M_y` at mid-span that make a tenth of it, where and
     /// when each is largest, in parts of it \[–\]; `None` where no girder bends, or at tolerances up to 1e-9.
     pub stress: Option<f64>,
-    /// Where the finer run gave up before the end of this one: until when they were compared \[s\].
+    /// End of the comparison, where the finer run stopped before the end of this one \[s\].
     pub until: Option<f64>,
 }
 

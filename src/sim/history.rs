@@ -37,7 +37,7 @@ pub struct History {
     pub(super) trajectories: Trajectories,
     events: Vec<Event>,
     record: Option<Record>,
-    /// The same scene by the other model.
+    /// Answer of the scene by the other model.
     beside: Option<Arc<Self>>,
     effort: Effort,
     pub(super) found: Found,
@@ -91,7 +91,7 @@ impl History {
         self.trajectories.model()
     }
 
-    /// How far the answer reaches \[s\].
+    /// Time that the answer reaches \[s\].
     pub fn end(&self) -> f64 {
         self.trajectories.end()
     }
@@ -101,12 +101,12 @@ impl History {
         self.record.as_ref()
     }
 
-    /// The same scene by the model that does not lead, where it asks for both.
+    /// Answer of the scene by the model that does not lead, where it asks for both.
     pub fn beside(&self) -> Option<&Self> {
         self.beside.as_deref()
     }
 
-    /// The same answer with another model's beside it.
+    /// This answer with another model's beside it.
     #[must_use]
     pub fn with_beside(mut self, beside: Self) -> Self {
         self.beside = Some(Arc::new(beside));
@@ -118,7 +118,7 @@ impl History {
         self.effort
     }
 
-    /// The same answer as far as `t`, as of a scene that ends then \[s\].
+    /// This answer up to `t`, as of a scene that ends then \[s\].
     #[must_use]
     pub fn cut(mut self, t: f64) -> Self {
         self.scene.duration = self.scene.duration.min(t);
@@ -156,7 +156,7 @@ impl History {
         self.found = Found::default();
     }
 
-    /// Why it stops before the scene's duration, if it does.
+    /// Reason of a stop before the scene's duration.
     pub fn stop(&self) -> Option<&Stop> {
         self.stop.as_ref()
     }
@@ -217,7 +217,7 @@ impl History {
         self.model().girders().len().min(other.model().girders().len())
     }
 
-    /// The same at `t` \[s\].
+    /// Difference of the girders' motions at `t` \[s\].
     pub fn girders_apart_at(&self, other: &Self, t: f64) -> RunDifference {
         (0..self.girders_of_both(other))
             .map(|body| self.apart_at(other, body, t))

@@ -32,15 +32,15 @@ pub struct TooDeep {
 /// bodies took over.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Dropped {
-    /// How many times.
+    /// Number of times.
     pub count: usize,
     /// Energy of all of them, less what was taken over \[J\].
     pub energy: f64,
-    /// The same in parts of the largest energy in play.
+    /// That energy in parts of the largest energy in play \[–\].
     pub share: f64,
     /// The contact that lost most.
     pub contact: usize,
-    /// When it left \[s\].
+    /// Time at which it left \[s\].
     pub t: f64,
 }
 

@@ -21,7 +21,7 @@ const LEFT: f64 = 0.02;
 pub struct MovedSupport {
     /// The abutment or pier, or the bearing or device on the ground.
     pub name: String,
-    /// How it moves.
+    /// Motion.
     #[serde(flatten)]
     pub motion: SupportMotion,
     /// The name of its ground motion, where that is not the one of the ground of reference.

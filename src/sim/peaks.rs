@@ -44,7 +44,7 @@ pub(super) fn largest(times: &[f64], value: &dyn Fn(f64) -> f64) -> Extreme {
     largest_seen(times, &values, value)
 }
 
-/// The same of each of several values that are computed together.
+/// Largest of each of several values that are computed together.
 pub(super) fn largest_of_each<const N: usize>(times: &[f64], values: &dyn Fn(f64) -> [f64; N]) -> [Extreme; N] {
     let seen: Vec<[f64; N]> = times.iter().map(|&t| values(t)).collect();
     std::array::from_fn(|own| {
@@ -53,7 +53,7 @@ pub(super) fn largest_of_each<const N: usize>(times: &[f64], values: &dyn Fn(f64
     })
 }
 
-/// The same where the values at the looks are known.
+/// Largest value, where the values at the sample times are known.
 pub(super) fn largest_seen(times: &[f64], values: &[f64], value: &dyn Fn(f64) -> f64) -> Extreme {
     let higher = |best: Extreme, next: Extreme| if exceeds(next.value, best.value) { next } else { best };
     let looks = times.iter().zip(values).map(|(&t, &value)| Extreme { value, t });

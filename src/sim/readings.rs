@@ -27,7 +27,7 @@ pub struct Reading {
     pub force: Option<Extreme>,
     /// Its bearings, where it has any.
     pub bearings: Option<BearingsReading>,
-    /// When it has tipped in space, and its largest tilt \[s, rad\]; nothing where it stays upright.
+    /// Time at which it has tipped in space, and its largest tilt \[s, rad\]; `None` where it stays upright.
     pub tipped: Option<(f64, f64)>,
 }
 
@@ -80,9 +80,9 @@ pub struct Passed {
     pub whose: String,
     /// Of a seat, under which end.
     pub end: Option<End>,
-    /// When for the first time \[s\].
+    /// Time at which it was first exceeded \[s\].
     pub t: f64,
-    /// How far at the most, SI; degrees for the rotation.
+    /// Largest value, SI; degrees for the rotation.
     pub reached: f64,
 }
 
@@ -157,7 +157,7 @@ pub fn reading(history: &History, girder: usize) -> Reading {
     }
 }
 
-/// When a function first rises above 0, at a look or at its peak between two, to a part in a thousand million of the run \[s\].
+/// Time at which a function first rises above 0, at a sample or at its peak between two, to a part in a thousand million of the run \[s\].
 pub(super) fn first(times: &[f64], end: f64, value: &dyn Fn(f64) -> f64) -> Option<f64> {
     let at_peak = || Some(largest(times, value)).filter(|peak| peak.value > 0.0).map(|peak| peak.t);
     let mut above = times.iter().copied().find(|&t| value(t) > 0.0).or_else(at_peak)?;

@@ -8,7 +8,7 @@ pub use crate::dynamics::record::event::{Cause, Event, EventKind, Stop};
 /// A body's motion at one instant, relative to the ground.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Motion {
-    /// Where G is \[m\].
+    /// Position of G \[m\].
     pub place: DVec3,
     /// Displacement of G from where it was placed \[m\].
     pub displacement: DVec3,
@@ -134,7 +134,7 @@ impl ContactNow {
         if self.state == ContactState::Stick { self.mu_static } else { self.mu_kinetic }
     }
 
-    /// How much of the friction cone is used: `|F_t| / (μ |F_n|)`; 1 at its rim.
+    /// Part of the friction cone in use \[–\]: `|F_t| / (μ |F_n|)`; 1 at its rim.
     pub fn cone_use(&self) -> f64 {
         let limit = self.mu() * self.normal_force;
         if limit > 0.0 { self.tangential_force.length() / limit } else { 0.0 }
@@ -152,7 +152,7 @@ pub struct Touch {
     pub start: f64,
     /// Opened at, or where the answer ends \[s\].
     pub end: f64,
-    /// When `|R_k|` is largest \[s\].
+    /// Time at which `|R_k|` is largest \[s\].
     pub peak_time: f64,
     /// Largest `|R_k|` \[N\].
     pub peak_force: f64,
@@ -164,7 +164,7 @@ pub struct Touch {
     pub slip: f64,
 }
 
-/// How far two runs are apart, at an instant or at the most.
+/// Difference of two runs, at an instant or the largest.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
 pub struct RunDifference {
     /// In displacement of G \[m\].
@@ -184,7 +184,7 @@ impl RunDifference {
 pub struct Extreme {
     /// Its value, SI.
     pub value: f64,
-    /// When \[s\].
+    /// Time \[s\].
     pub t: f64,
 }
 
@@ -262,12 +262,12 @@ pub struct Overlap {
     pub intervals: Vec<[f64; 2]>,
     /// Its greatest depth, the shortest way out \[m\], and when.
     pub depth: Extreme,
-    /// Where it was deepest: the centre of what the two bodies share, world \[m\].
+    /// Place of the greatest depth: the centre of the intersection of the two bodies, world \[m\].
     pub place: DVec3,
 }
 
 impl Overlap {
-    /// When it was seen first \[s\].
+    /// Time at which it was first seen \[s\].
     pub fn first(&self) -> f64 {
         self.intervals.first().map_or(self.depth.t, |interval| interval[0])
     }
@@ -284,7 +284,7 @@ impl Overlap {
 pub struct Uplift {
     /// The bearing, `deck.bearing1`.
     pub name: String,
-    /// When it carried nothing for the first time \[s\].
+    /// Time at which it first carried nothing \[s\].
     pub t: f64,
     /// The most that it held the girder down with: of one that lifts the pull of its dashpot while its spring is still pressed \[N\].
     pub pull: Extreme,
@@ -294,7 +294,7 @@ pub struct Uplift {
     pub load: f64,
 }
 
-/// How a girder in space stands.
+/// Tilt and uplift of a girder in space.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Upright {
     /// Largest angle of its vertical axis from the vertical \[rad\].

@@ -20,7 +20,7 @@ pub struct Session {
     model: Arc<Model>,
     /// One run a group of bodies.
     groups: Vec<Box<dyn Run>>,
-    /// How far it was last asked to come \[s\].
+    /// Time up to which a computation was last requested \[s\].
     asked: f64,
     /// Bodies that met without facing each other as placed, so far: between them every face can touch.
     met: Vec<[SolidId; 2]>,
@@ -30,16 +30,16 @@ pub struct Session {
     beside: Option<Box<Self>>,
 }
 
-/// How far a run has come.
+/// Progress of a run.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Reached {
     /// Until when everything is computed \[s\].
     pub t: f64,
-    /// How many events there were.
+    /// Number of events.
     pub events: usize,
-    /// How many steps of integrators were taken.
+    /// Number of steps of the integrators.
     pub steps: u64,
-    /// How many times two bodies have met that no contact joined: after each the run began anew, with contact between them.
+    /// Number of times that two bodies have met that no contact joined: after each the run began anew, with contact between them.
     pub met: usize,
 }
 
@@ -54,7 +54,7 @@ impl Session {
         Ok(session)
     }
 
-    /// The same with contact between all faces of these bodies from the beginning: those of another run of like scenes.
+    /// A run with contact between all faces of these bodies from the beginning: those of another run of like scenes.
     ///
     /// # Errors
     /// Every complaint about the scene.
@@ -148,17 +148,17 @@ impl Session {
         &self.model
     }
 
-    /// How many events [`History::events`] would hold by now; the impact model keeps a record instead.
+    /// Number of events in [`History::events`] so far; the impact model keeps a record instead.
     fn events(&self) -> usize {
         self.groups.iter().map(|group| group.events()).sum()
     }
 
-    /// How many steps the integrators of all groups have taken.
+    /// Number of steps of the integrators of all groups.
     fn steps(&self) -> u64 {
         self.groups.iter().map(|group| group.schedule().effort.steps).sum()
     }
 
-    /// Why a group of bodies stopped early, the first of them if any did.
+    /// Reason of the first early stop of a group of bodies, if there was one.
     fn stop(&self) -> Option<&Stop> {
         self.groups.iter().filter_map(|group| group.schedule().stop()).min_by(|a, b| a.t.total_cmp(&b.t))
     }
@@ -168,7 +168,8 @@ impl Session {
     /// of a spatial girder is without its half turns, between −π and π.
     ///
     /// # Errors
-    /// Why a group of bodies stopped early.
+    ///
+    /// The stop of a group of bodies.
     pub fn motions(&self) -> Result<Vec<Motion>, &Stop> {
         let at = self.asked.min(self.model.duration);
         if let Some(history) = &self.answer {

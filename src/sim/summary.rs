@@ -16,15 +16,15 @@ pub struct Summary {
     pub peak_force: f64,
     /// Largest force between two bodies, of all their contacts together \[N\].
     pub peak_total: f64,
-    /// When \[s\].
+    /// Time of it \[s\].
     pub peak_total_time: Option<f64>,
     /// Largest impulse of a hit; nothing under the contact model \[N·s\].
     #[serde(skip_serializing_if = "Option::is_none")]
     pub peak_impulse: Option<f64>,
-    /// When \[s\].
+    /// Time of it \[s\].
     #[serde(skip_serializing_if = "Option::is_none")]
     pub peak_impulse_time: Option<f64>,
-    /// When the force of a contact is largest \[s\].
+    /// Time at which the force of a contact is largest \[s\].
     pub peak_time: Option<f64>,
     /// Touches of single contacts.
     pub touches: usize,

@@ -42,7 +42,7 @@ impl Unit {
         }
     }
 
-    /// How it is shown whatever the values: factor from SI, and name.
+    /// Representation for any values: factor from SI, and name.
     pub fn shown(self) -> (f64, &'static str) {
         match self {
             Self::Metre => (1e3, "mm"),
@@ -53,8 +53,8 @@ impl Unit {
         }
     }
 
-    /// How it is shown where the largest value is known, with at most five digits before the point: lengths from 1 m on in metres, forces,
-    /// moments and energies from 10,000 on in thousands and from 10 million on in millions.
+    /// Representation by the largest value, with at most five digits before the point: lengths from 1 m on in metres, forces, moments and
+    /// energies from 10,000 on in thousands and from 10 million on in millions.
     pub fn shown_up_to(self, largest: f64) -> (f64, &'static str) {
         let names = match self {
             Self::Metre if largest.abs() >= 1.0 => return (1.0, "m"),

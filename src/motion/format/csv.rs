@@ -105,7 +105,7 @@ fn is_heading(record: &StringRecord) -> bool {
     record.len() == 2 && record.iter().all(|field| number(field).is_none())
 }
 
-/// Nothing but blanks and separators.
+/// Whether there are only blanks and separators.
 fn is_blank(record: &StringRecord) -> bool {
     record.iter().all(str::is_empty)
 }
@@ -151,7 +151,7 @@ struct Time {
     digits: Digits,
 }
 
-/// How a number is printed.
+/// Format of a printed number.
 #[derive(Clone, Copy)]
 struct Digits {
     /// Digits after the decimal mark, fewer by the exponent.

@@ -46,7 +46,7 @@ pub fn read(bytes: &[u8], name: &Path, beside: &Supplement) -> Result<Record, Re
     read_as(FORMATS, bytes, name, beside)
 }
 
-/// The same with other formats.
+/// Reads with these formats.
 fn read_as(formats: &[Format], bytes: &[u8], name: &Path, beside: &Supplement) -> Result<Record, RecordError> {
     let by_contents: Vec<&Format> = formats.iter().filter(|format| (format.sniff)(bytes)).collect();
     let by_name = |among: &[&Format]| among.iter().copied().find(|format| format.fits_name(name)).copied();

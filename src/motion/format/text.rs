@@ -125,7 +125,7 @@ pub(super) fn first_number(text: &str) -> Option<(f64, &str)> {
     None
 }
 
-/// Where a word starts in a text, in either case.
+/// Start of a word in a text, in either case.
 pub(super) fn find_word(text: &str, word: &str) -> Option<usize> {
     text.to_ascii_lowercase().find(&word.to_ascii_lowercase())
 }

@@ -34,7 +34,7 @@ pub struct BackfillReading {
     pub abutment: usize,
     /// Greatest push into the soil \[m\].
     pub push: f64,
-    /// When \[s\].
+    /// Time \[s\].
     pub t: f64,
     /// Resistance there, the greatest of the run \[N\].
     pub force: f64,

@@ -13,7 +13,7 @@ pub struct BearingsReading {
     pub girder: usize,
     /// Number of the bearing that deforms most among the girder's, and its largest deformation \[m\].
     pub deformation: (usize, Extreme),
-    /// The same of the largest resistance: spring, dashpot and what yields or slides \[N\].
+    /// Number of the bearing with the largest resistance, and that: of spring, dashpot and the parts that yield or slide \[N\].
     pub force: (usize, Extreme),
 }
 

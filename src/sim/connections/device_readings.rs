@@ -19,13 +19,13 @@ pub struct DeviceReading {
     /// Least and greatest displacement of its points against each other along its axis since placed: elongation, or approach, at one side of
     /// a stopper the first one's \[m\].
     pub deformation: [Extreme; 2],
-    /// How many times its force set in.
+    /// Number of times that its force began.
     pub times: usize,
-    /// When for the first time \[s\].
+    /// Time of the first of them \[s\].
     pub first: Option<f64>,
-    /// When it yielded for the first time \[s\].
+    /// Time at which it first yielded \[s\].
     pub yielded_at: Option<f64>,
-    /// When it broke \[s\].
+    /// Time at which it broke \[s\].
     pub broke_at: Option<f64>,
 }
 

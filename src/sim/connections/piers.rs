@@ -47,7 +47,7 @@ pub struct PierReading {
 /// Ductility and residual drift of the base of a pier that yields.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct BaseReading {
-    /// When it yielded for the first time \[s\].
+    /// Time at which it first yielded \[s\].
     pub yielded_at: Option<f64>,
     /// Largest drift in parts of that at yield, along and across; on one yield circle that in any direction, twice \[–\].
     pub ductility: [f64; 2],

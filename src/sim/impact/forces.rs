@@ -11,7 +11,7 @@ use crate::dynamics::impact2d::{LastingInterval, Record};
 use crate::dynamics::model::coordinates::planar::PlanarState;
 use crate::sim::{ContactNow, History};
 
-/// Where an interval's bodies are at `t`, and its reactions.
+/// Poses of an interval's bodies at `t`, and its reactions.
 fn reactions(history: &History, interval: &LastingInterval, t: f64) -> Option<(BodyKinematics, Vec<Reaction>)> {
     let model = history.model();
     let state = |body: &usize| -> PlanarState {

@@ -22,9 +22,9 @@ const LOOKS: u32 = 256;
 pub struct Unjoined {
     /// The two bodies.
     pub bodies: [SolidId; 2],
-    /// How far they are apart as placed \[m\].
+    /// Distance as placed \[m\].
     pub apart: f64,
-    /// How far their corners move towards each other without contact, at most \[m\].
+    /// Bound on the approach of their corners without contact \[m\].
     pub reach: f64,
 }
 
@@ -52,7 +52,7 @@ pub fn unjoined(scene: &Scene, model: &Model) -> Vec<Unjoined> {
     .collect()
 }
 
-/// How far the corners of a body move without contact \[m\].
+/// Bound on the displacement of a body's corners without contact \[m\].
 fn reach(solids: &Solids, model: &Model, number: usize) -> f64 {
     // A backwall that moves is held by the ground unless something hits it.
     let Some(girder) = solids.body(number).filter(|&body| body < model.girders().len()) else { return 0.0 };

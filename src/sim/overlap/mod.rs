@@ -56,7 +56,7 @@ impl History {
         !(faces && self.model().kind == Kind::Spatial && overlap.depth.value <= sliver)
     }
 
-    /// How deep the two bodies of an overlap are inside each other at `t`, the shortest way out; 0 apart \[m\].
+    /// Depth of the overlap of two bodies at `t`, along the shortest way out; 0 apart \[m\].
     pub fn overlap_depth(&self, overlap: &Overlap, t: f64) -> f64 {
         let pair = Solids::pair(self, overlap.bodies);
         let placed = pair.placed(self, [0, 1], t);

@@ -15,7 +15,7 @@ const LOOKS_PER_REVERSAL: f64 = 16.0;
 /// Bound on a body's motion over an interval from a given time on.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub(super) struct Bound {
-    /// How far the bound holds \[s\].
+    /// Time up to which the bound holds \[s\].
     pub until: f64,
     /// Speed of any corner \[m/s\].
     pub speed: f64,
@@ -59,7 +59,7 @@ pub(super) fn speed(history: &History, body: usize, radius: f64, t: f64) -> f64 
     frame.velocity.length() + frame.spin.length() * radius
 }
 
-/// How far a body comes from where it was placed, over the whole answer \[m\].
+/// Greatest displacements of a body from where it was placed, over the whole answer \[m\].
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub(super) struct Reach {
     /// Its G.
@@ -69,7 +69,7 @@ pub(super) struct Reach {
 }
 
 impl Reach {
-    /// Where G moves by `way` \[m\] and a point at `radius` \[m\] from G by the rotation `chord` times that.
+    /// From a displacement `way` of G \[m\], and the displacement by the rotation of a point at `radius` \[m\] from G, `chord` times that.
     fn of(way: f64, chord: f64, radius: f64) -> Self {
         Self { place: way, corner: way + chord * radius }
     }
@@ -84,7 +84,7 @@ pub(super) fn turns(own: &Body) -> bool {
     own.excursion(1.0, &|_| 1.0) > own.excursion(0.0, &|_| 1.0)
 }
 
-/// How far girder `body`, whose farthest corner is at `radius` \[m\] from G, comes from where it was placed.
+/// Greatest displacements of girder `body`, whose farthest corner is at `radius` \[m\] from G.
 pub(super) fn reach(history: &History, body: usize, radius: f64) -> Reach {
     let (path, own) = (history.trajectories.path(body), &history.model().bodies[body]);
     let of_frame = |frame: &Frame| Reach::of(frame.shift.length(), frame.chord(), radius);

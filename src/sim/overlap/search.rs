@@ -84,7 +84,7 @@ struct Approach {
     acceleration: f64,
 }
 
-/// When the excess counts within an interval, and where it is deepest.
+/// Intervals in which the excess counts, and the time at which it is deepest.
 #[derive(Clone, Debug)]
 struct Found {
     intervals: Vec<Interval>,
@@ -130,7 +130,7 @@ impl Meeting<'_> {
         }
     }
 
-    /// When the excess counts in an interval, and where it is deepest; `None` where it never counts.
+    /// Intervals in which the excess counts, and the time at which it is deepest; `None` where it never counts.
     fn within(&self, followed: Followed, [from, until]: Interval) -> Option<Found> {
         let mut found: Option<Found> = None;
         let mut before = self.sample(followed, from);
@@ -277,7 +277,8 @@ impl Meeting<'_> {
         2.0 * left / (now + (now * now + 2.0 * acceleration * left).sqrt())
     }
 
-    /// When the excess begins or ceases to count between two samples of which one counts: the last time before and the first after \[s\].
+    /// Time at which the excess begins or ceases to count between two samples of which one counts: the last time before and the first after
+    /// \[s\].
     fn change(&self, followed: Followed, [mut before, mut after]: Interval) -> Interval {
         let counts = |t| self.counts(&self.sample(followed, t));
         let at_first = counts(before);

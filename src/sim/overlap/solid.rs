@@ -23,7 +23,7 @@ struct Solid {
     body: Option<usize>,
     /// Corners, about the origin of its body in its axes, or in the world for an abutment that stands \[m\].
     corners: [DVec3; 8],
-    /// The same as a convex body; only in space.
+    /// The body as a convex one; only in space.
     convex: Option<Convex>,
     /// Largest distance of a corner from the origin of its body; 0 for what stands \[m\].
     radius: f64,
@@ -59,7 +59,7 @@ impl Joined {
     }
 }
 
-/// Where two bodies are, and how deep they overlap.
+/// Poses of two bodies.
 #[derive(Clone, Debug)]
 pub(super) struct Placed {
     stands: [Stand; 2],
@@ -175,8 +175,7 @@ impl Solids {
         })
     }
 
-    /// How far apart two bodies are along the axis that parts them most; negative when they overlap, and then the shortest
-    /// way out \[m\].
+    /// Distance of two bodies along the axis that parts them most; negative when they overlap, and then the shortest way out \[m\].
     pub(super) fn separation(&self, pair: [usize; 2], placed: &Placed) -> f64 {
         let [one, other] = pair.map(|number| &self.all[number]);
         let [here, there] = placed.stands;
@@ -188,8 +187,8 @@ impl Solids {
         plan_separation(&one.plan(here, a.as_ref()), &other.plan(there, b.as_ref()))
     }
 
-    /// Where a contact's node is in plan at `t`: its distance from the body of its face, along the side that parts them most,
-    /// negative inside; and its distance before the plane of its face \[m\].
+    /// Distances of a contact's node in plan at `t` \[m\]: from the body of its face, along the side that parts them most, negative inside;
+    /// and before the plane of its face.
     pub(super) fn node(&self, history: &History, pair: [usize; 2], contact: usize, t: f64) -> [f64; 2] {
         let model = history.model();
         let site = &model.sites[contact];

@@ -1,4 +1,4 @@
-//! When the contacts of a facing pair do not watch all that can meet.
+//! Times at which the contacts of a facing pair do not limit all overlaps of its bodies.
 //!
 //! Let every node of one body's end be in front of the plane of the other's face, or closed against it. Then the whole body
 //! is in front of that plane but for the depth of its closed contacts, since its far end lies behind its near one as long as

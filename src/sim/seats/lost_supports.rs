@@ -10,9 +10,9 @@ use crate::sim::seats::view::Seats;
 pub struct LostSupport {
     /// The bearing, `deck.bearing1`.
     pub name: String,
-    /// When \[s\].
+    /// Time \[s\].
     pub t: f64,
-    /// Where its point of the girder was, world \[m\].
+    /// Place of its point of the girder then, world \[m\].
     pub place: DVec3,
 }
 
@@ -62,7 +62,7 @@ impl Seats<'_> {
         lost.filter(|(_, at)| *at <= self.history.end()).min_by(|a, b| a.1.total_cmp(&b.1))
     }
 
-    /// When a girder has lost the support of its last bearing \[s\]; none while any bearing carries it.
+    /// Time at which a girder has lost the support of its last bearing \[s\]; `None` while any bearing carries it.
     pub fn without_support(self, girder: usize) -> Option<f64> {
         let supports = self.history.model().supports.get(girder).filter(|supports| !supports.is_empty())?;
         let lost = supports.iter().map(|links| self.lost_at(*links.first()?).filter(|at| *at <= self.history.end()));
@@ -76,13 +76,13 @@ impl Seats<'_> {
         falls.unwrap_or(f64::INFINITY).min(self.history.end())
     }
 
-    /// When a bearing of a girder lost its support \[s\]; infinite where it keeps it.
+    /// Time at which a bearing of a girder lost its support \[s\]; infinite where it keeps it.
     pub fn bearing_lost_at(self, girder: usize, number: usize) -> f64 {
         let first = self.history.connections().bearing_links(girder, number).first();
         first.and_then(|link| self.lost_at(*link)).unwrap_or(f64::INFINITY)
     }
 
-    /// When the support that a link is was lost \[s\]: for good, in its last phase.
+    /// Time at which the support that a link is was lost for good, in its last phase \[s\].
     fn lost_at(self, link: usize) -> Option<f64> {
         let (at, phase) = self.history.connections().link_phases(link).last()?;
         self.history.model().links[link].device.is_lost(phase).then_some(*at)

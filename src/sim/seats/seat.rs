@@ -20,7 +20,7 @@ const MINIMUM_BAND: f64 = 0.1;
 /// The seat of an end as placed, fixed to the ground or to the pier under the end: a strip behind the front edge, which is parallel to the end.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Ledge {
-    /// Which end of the girder.
+    /// End of the girder.
     pub end: End,
     /// Length of the seat along the axis \[m\].
     pub length: f64,
@@ -50,20 +50,20 @@ impl Ledge {
         self.placed() + shift.dot(self.normal)
     }
 
-    /// Where a corner of the end is along the edge, from the middle of the end as placed: of `Prism::end_corners` the first
-    /// is at −`half_end` as placed \[m\].
+    /// Place of a corner of the end along the edge, from the middle of the end as placed: of `Prism::end_corners` the first is at
+    /// −`half_end` as placed \[m\].
     pub fn place_along(&self, which: usize, shift: DVec3) -> f64 {
         let placed = if which == 0 { -self.half_end } else { self.half_end };
         placed + shift.dot(self.along)
     }
 }
 
-/// When a corner comes off, and where.
+/// Time and place at which a corner comes off.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Departure {
-    /// When for the first time \[s\].
+    /// Time \[s\].
     pub t: f64,
-    /// Where along the edge, from the middle of the end as placed, towards the corner at +y \[m\].
+    /// Place along the edge, from the middle of the end as placed, towards the corner at +y \[m\].
     pub along: f64,
 }
 
@@ -74,16 +74,16 @@ pub struct SeatCorner {
     pub corner: usize,
     /// The least that remained, square to the edge; negative where it came off \[m\].
     pub least: Extreme,
-    /// When and where it came off over the front edge.
+    /// Departure over the front edge.
     pub off: Option<Departure>,
     /// The least distance from the seat's sides, along the edge, where the scene gives its width \[m\].
     pub side: Option<Extreme>,
-    /// When and where it left the seat over a side.
+    /// Departure over a side of the seat.
     pub off_side: Option<Departure>,
 }
 
 impl SeatCorner {
-    /// When it came off, over the front edge or over a side \[s\].
+    /// Time at which it came off, over the front edge or over a side \[s\].
     fn off_at(&self) -> Option<f64> {
         [self.off, self.off_side].into_iter().flatten().map(|off| off.t).reduce(f64::min)
     }
@@ -98,7 +98,7 @@ pub struct Seat {
     pub corners: [SeatCorner; 2],
     /// The least share of the end that stood on its seat, along the edge, 0 to 1.
     pub least_share: Extreme,
-    /// When both corners were off the front edge for the first time: the end is lost \[s\].
+    /// Time at which both corners were first off the front edge: the end is lost \[s\].
     pub lost_at: Option<f64>,
 }
 
@@ -114,7 +114,7 @@ impl Seat {
         self.ledge.placed() - self.least().value
     }
 
-    /// When the first corner came off, over the front edge or over a side \[s\].
+    /// Time at which the first corner came off, over the front edge or over a side \[s\].
     pub fn off_at(&self) -> Option<f64> {
         self.first_off().map(|(_, t)| t)
     }
@@ -212,7 +212,7 @@ impl Seats<'_> {
 /// to it \[m\].
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct OrbitPoint {
-    /// When \[s\].
+    /// Time \[s\].
     pub t: f64,
     /// `[along, remaining]` of either corner, in the order of [`Prism::end_corners`].
     pub corners: [[f64; 2]; 2],

@@ -50,8 +50,8 @@ impl<'a> Seats<'a> {
         bearing.preload.z + bearing.force(&(), &motion).z + of_links
     }
 
-    /// How upright a girder in space stays, and which of its bearings stopped carrying, until a support was lost: linear ones and lead
-    /// rubber hold the girder down then, sliders lift. `None` in a planar scene.
+    /// Tilt of a girder in space, and its bearings that stopped carrying, until a support was lost: linear ones and lead rubber hold the
+    /// girder down then, sliders lift. `None` in a planar scene.
     pub fn upright(self, girder: usize) -> Option<&'a Upright> {
         self.uprights().get(girder)
     }
@@ -101,7 +101,7 @@ impl<'a> Seats<'a> {
         Some(Uplift { name: format!("{}.bearing{}", body.name, number + 1), t, pull, lifts, load: at_rest })
     }
 
-    /// When a girder has tipped for the first time, and its largest tilt \[s, rad\]; `None` where it stays upright.
+    /// Time at which a girder has first tipped, and its largest tilt \[s, rad\]; `None` where it stays upright.
     pub fn tipped(self, girder: usize) -> Option<(f64, f64)> {
         let most = self.upright(girder)?.tilt;
         if most.value <= TIPPED.to_radians() {

@@ -26,7 +26,7 @@ pub enum Verdict {
     SupportLost {
         /// The first such bearing, by its number in the girder.
         bearing: usize,
-        /// When \[s\].
+        /// Time \[s\].
         t: f64,
         /// The end with the least left.
         end: End,
@@ -39,25 +39,25 @@ pub enum Verdict {
     },
     /// No bearing carries the girder any more: it falls. A planar run that goes on does not show that.
     Falls {
-        /// When \[s\].
+        /// Time \[s\].
         t: f64,
-        /// When the first bearing lost its support \[s\].
+        /// Time at which the first bearing lost its support \[s\].
         first: f64,
     },
     /// The girder tips over in space: what remains of a seat in plan says nothing then.
     Tipped {
-        /// When \[s\].
+        /// Time \[s\].
         t: f64,
         /// Its largest tilt \[rad\].
         tilt: f64,
     },
     /// A corner comes off, and its end is not lost.
     CornerOff {
-        /// Which end.
+        /// The end.
         end: End,
         /// The corner that comes off first, by its number in plan.
         corner: usize,
-        /// When \[s\].
+        /// Time \[s\].
         t: f64,
         /// Whether over a side of the seat, not over its front edge.
         side: bool,
@@ -66,13 +66,13 @@ pub enum Verdict {
     },
     /// Both corners of an end are off its front edge.
     Lost {
-        /// Which end, the first of two.
+        /// The end, the first of two.
         end: End,
         /// A corner of it, by its number in plan.
         corner: usize,
-        /// When the end is lost \[s\].
+        /// Time at which the end is lost \[s\].
         t: f64,
-        /// When its first corner came off \[s\].
+        /// Time at which its first corner came off \[s\].
         first: f64,
     },
 }

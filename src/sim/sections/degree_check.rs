@@ -42,7 +42,7 @@ fn of_two(of: &mut OfBodies, bodies: [SolidId; 2]) -> &mut f64 {
 pub struct DegreeCheck {
     /// Largest degree of a girder, and what it was compared with.
     pub degree: [usize; 2],
-    /// Where the other run gave up before the end of this one: until when both were compared \[s\].
+    /// End of the comparison, where the other run stopped before the end of this one \[s\].
     #[serde(skip_serializing_if = "Option::is_none")]
     pub until: Option<f64>,
     /// Of the largest force of a contact of a pair.

@@ -32,8 +32,8 @@ const PER_TRANSIT: f64 = 24.0;
 /// Most halvings of the time between two looks: a guard, where values are rounding alone.
 const DEEPEST: u32 = 40;
 
-/// How many values are searched: the largest |N| \[N\], |M|, |`M_y`| and |T| \[N·m\] of both sides of mid-span; the largest stress of the
-/// extreme fibre \[Pa\] and |N| of all stations.
+/// Number of values that are searched: the largest |N| \[N\], |M|, |`M_y`| and |T| \[N·m\] of both sides of mid-span; the largest stress of
+/// the extreme fibre \[Pa\] and |N| of all stations.
 pub(in crate::sim) const VALUES: usize = 6;
 
 /// Below which each of the [`VALUES`] of a girder of this half length \[m\] is rounding of the others: its force is 1e-9 of N, and of the

@@ -16,7 +16,7 @@ use crate::sim::sections::view::Sections;
 
 /// Bound of a neglected term from which a run warns.
 pub const NEGLIGIBLE: f64 = 1e-2;
-/// How many frequencies are listed.
+/// Number of frequencies that are listed.
 const LISTED: usize = 6;
 
 /// Relative bounds of what the model leaves out (`docs/physics.md#flexible-girders`).
@@ -50,9 +50,9 @@ impl Neglected {
 /// The hardest hit of an elastic girder.
 #[derive(Clone, Copy, Debug, PartialEq, serde::Serialize)]
 pub struct ElasticHit {
-    /// When it began \[s\].
+    /// Beginning \[s\].
     pub t: f64,
-    /// How long the two bodies were in touch, pauses of less than a wave's way there and back included \[s\].
+    /// Time for which the two bodies were in touch, pauses of less than a wave's way there and back included \[s\].
     pub contact_time: f64,
     /// Whether it ended before the run did.
     pub ended: bool,
