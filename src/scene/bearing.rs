@@ -15,7 +15,7 @@ use super::keys::{Editable, Fallback, Keyed as _, Range, Stands, Stated, table};
 #[derive(Clone, Copy, Debug, PartialEq, Serialize)]
 #[serde(untagged)]
 pub enum PerDirection {
-    /// The same along x and y.
+    /// One number for both x and y.
     Both(f64),
     /// `[x, y]`.
     Each([f64; 2]),

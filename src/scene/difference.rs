@@ -35,8 +35,8 @@ impl Values {
         Self(all)
     }
 
-    /// Where this scene and another one differ: first what stands in the largest tables, of girders before all others, so that a skew comes
-    /// before the bearings that follow it.
+    /// Differences of this scene from another one: those of the largest tables first, of girders before all others, so that a skew comes
+    /// before the bearings that follow from it.
     pub fn differences<'a>(&'a self, other: &'a Self) -> Vec<Difference<'a>> {
         let here = self.0.iter().map(|(place, value)| (place, [Some(value), other.0.get(place)]));
         let there = other.0.iter().filter(|(place, _)| !self.0.contains_key(*place));
@@ -73,7 +73,7 @@ pub fn differing_keys<'a, T: Serialize + 'a>(one: &T, others: impl Iterator<Item
     found.into_iter().collect()
 }
 
-/// Which numbers of two lists differ; none of values that are no lists.
+/// Numbers of two lists that differ; none of values that are no lists.
 fn components(values: [Option<&Value>; 2]) -> impl Iterator<Item = usize> {
     let lists = values.map(|value| value.and_then(Value::as_array).map_or(&[][..], Vec::as_slice));
     let count = lists[0].len().max(lists[1].len());

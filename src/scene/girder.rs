@@ -25,7 +25,7 @@ pub enum Direction {
 }
 
 table! {
-    /// Where and how fast a girder starts, relative to where it was placed.
+    /// Initial displacement and velocity of a girder, relative to where it was placed.
     #[derive(Clone, Copy, Debug, PartialEq, Serialize, Deserialize)]
     default struct Initial, INITIAL {
         #[serde(with = "super::two_or_three")]
@@ -114,7 +114,7 @@ words! {
     }
 }
 
-/// How far a corner of a spatial girder that lost a support drops before its run stops, where the file does not say \[m\].
+/// Default drop of a corner of a spatial girder that lost a support at which its run stops \[m\].
 const DROP: f64 = 0.1;
 
 /// A girder whose ends are square to its axis \[degrees\].
@@ -179,7 +179,7 @@ impl Girder {
         Self { name: name.into(), length, width, thickness, mass, ..Self::by_default() }
     }
 
-    /// How far a corner drops, in space, before the run stops \[m\].
+    /// Drop of a corner, in space, at which the run stops \[m\].
     pub fn drop(&self) -> f64 {
         self.drop.unwrap_or(DROP)
     }

@@ -11,7 +11,7 @@ use super::motion::{Motion, MotionVisitor};
 pub struct NamedGround {
     /// Name by which supports refer to it.
     pub name: String,
-    /// How it moves.
+    /// Motion.
     #[serde(flatten)]
     pub motion: Motion,
 }

@@ -3,7 +3,7 @@
 use super::keys::words;
 
 words! {
-    /// Which directions the bodies of a scene may move in.
+    /// Directions in which the bodies of a scene may move.
     Kind, by default Planar {
         /// x, y and the rotation about the vertical; bearings linear at every rotation (the paper's experiments).
         Planar = "planar",

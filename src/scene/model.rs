@@ -1,11 +1,11 @@
-//! Which model computes a scene, and the numbers of the rigid-body impact model (`docs/physics.md#impact-model`).
+//! Models that compute a scene, and the numbers of the rigid-body impact model (`docs/physics.md#impact-model`).
 
 use serde::{Deserialize, Serialize};
 
 use super::keys::{Fallback, Range, table, words};
 
 words! {
-    /// Which of the two models computes a scene.
+    /// Models that compute a scene.
     ModelKind, by default Contact {
         /// The 3D contact-friction model (paper section 4).
         Contact = "contact",
@@ -38,7 +38,7 @@ table! {
 }
 
 words! {
-    /// How the impact model meets a hit along a whole face.
+    /// Treatment of a hit along a whole face by the impact model.
     Flush, by default Paper {
         /// The paper's: one impulse at the centroid of the approach speeds along the face (44), then one at the corner
         /// that the rotation drives in.

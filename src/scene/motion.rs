@@ -1,4 +1,4 @@
-//! How the ground moves, as written in a scene.
+//! Motion of the ground, as written in a scene.
 
 use serde::de::value::{MapAccessDeserializer, StringDeserializer};
 use serde::de::{DeserializeSeed, Error, IntoDeserializer, MapAccess, Visitor};
@@ -119,7 +119,7 @@ enum MotionKind {
     Sweep,
 }
 
-/// Which keys are known depends on `kind`, so it is read first; the reader of scene files hands it out first.
+/// The known keys depend on `kind`, so it is read first; the reader of scene files hands it out first.
 impl<'de> Deserialize<'de> for Motion {
     fn deserialize<D: Deserializer<'de>>(deserializer: D) -> Result<Self, D::Error> {
         deserializer.deserialize_map(MotionVisitor { name: None })
@@ -128,7 +128,7 @@ impl<'de> Deserialize<'de> for Motion {
 
 /// Reads a motion; beside its keys a name, where there is a place for one.
 pub(super) struct MotionVisitor<'n> {
-    /// Where the name goes.
+    /// Destination of the name.
     pub name: Option<&'n mut Option<String>>,
 }
 

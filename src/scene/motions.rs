@@ -39,7 +39,7 @@ impl Scene {
         std::iter::once(("motion".to_owned(), &mut self.motion)).chain(named)
     }
 
-    /// How a ground moves; `None` where the scene has none of that number.
+    /// Motion of a ground; `None` where the scene has none of that number.
     pub fn motion_of(&self, ground: GroundId) -> Option<&Motion> {
         match ground {
             GroundId::Reference => Some(&self.motion),

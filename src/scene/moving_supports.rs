@@ -1,4 +1,4 @@
-//! How the ground moves under each support: by the wave, and by what abutments and piers say of their own.
+//! Motion of the ground under each support: by the wave, and by the keys of abutments and piers.
 
 use glam::{DVec2, DVec3};
 
@@ -7,7 +7,7 @@ use super::supports::StandsOn;
 use super::{Abutment, Girder, Motion, Scene, placed};
 use crate::motion::support::SupportMotion;
 
-/// How the ground moves under each support of a scene.
+/// Motion of the ground under each support of a scene.
 #[derive(Clone, Debug, PartialEq)]
 pub struct MovingSupports {
     /// Delay per metre, along the way of the wave \[s/m\].
@@ -48,8 +48,8 @@ impl MovingSupports {
 }
 
 impl Scene {
-    /// How the ground moves under each support, where it does not move as one; the ground of reference moves as `[motion]` says
-    /// and is that of the support which the wave reaches first.
+    /// Motion of the ground under each support, where it does not move as one; the ground of reference has the motion of `[motion]` and is
+    /// that of the support which the wave reaches first.
     pub fn moving_supports(&self) -> Option<MovingSupports> {
         // Ground that stands still is the same later.
         let still = self.motion == Motion::None;

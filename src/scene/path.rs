@@ -15,12 +15,12 @@ pub(super) fn value_at<'t>(table: &'t Table, path: &str) -> Option<&'t Value> {
     Some(here)
 }
 
-/// How the items of a list are called: by name, or by number.
+/// Names of the items of a list in a path: their own, or their numbers.
 pub(super) fn items(list: &[Value]) -> Vec<String> {
     (0..list.len()).map(|number| item_at(list, number)).collect()
 }
 
-/// How the item at a number is called in a path: a name with a dot would be two steps.
+/// Name of the item at a number in a path: a name with a dot would be two steps.
 pub(super) fn item_at(list: &[Value], number: usize) -> String {
     let name = list.get(number).and_then(|item| item.get("name")?.as_str()).filter(|name| !name.contains('.'));
     name.map_or_else(|| number.to_string(), str::to_owned)

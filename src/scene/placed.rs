@@ -1,4 +1,4 @@
-//! Where the bodies of a scene stand as placed: corners and faces in the world.
+//! Bodies of a scene as placed: corners and faces in the world.
 
 use glam::{DMat3, DVec2, DVec3};
 
@@ -52,7 +52,7 @@ pub fn abutment_face(scene: &Scene, abutment: &Abutment) -> Option<[DVec3; 4]> {
     Some([centre - w - h, centre + w - h, centre + w + h, centre - w + h])
 }
 
-/// How far an abutment reaches behind its face \[m\].
+/// Depth of an abutment behind its face \[m\].
 pub fn abutment_depth(scene: &Scene, abutment: &Abutment) -> f64 {
     let girder = scene.girders.iter().find(|g| g.name == abutment.faces);
     abutment.depth.or(girder.map(|g| g.length)).unwrap_or(1.0)

@@ -125,7 +125,7 @@ pub struct RecordMotion {
     /// File of the record, relative to the scene's file.
     #[serde(default, skip_serializing_if = "Option::is_none")]
     pub file: Option<String>,
-    /// Which channel of the file, from 1; needed where the file has several.
+    /// Number of the file's channel, from 1; needed where the file has several.
     #[serde(default, skip_serializing_if = "Option::is_none")]
     pub channel: Option<usize>,
     /// Unit of the numbers in a file that states none.
@@ -152,7 +152,7 @@ pub struct RecordMotion {
     /// Samples of `file`, once it has been read. Never written.
     #[serde(skip)]
     pub loaded: Option<Arc<Record>>,
-    /// The same of each component's file.
+    /// Samples of each component's file.
     #[serde(skip)]
     pub loaded_components: Vec<Option<Arc<Record>>>,
 }
@@ -218,7 +218,7 @@ impl RecordMotion {
         series((self.samples.as_ref(), self.dt), self.loaded.as_ref(), self.channel)
     }
 
-    /// The same of a component, by its place in the list.
+    /// Interval \[s\] and samples of a component, by its place in the list.
     pub fn component_series(&self, n: usize) -> Option<(f64, &[f64])> {
         let (component, loaded) = (self.components.get(n)?, self.loaded_components.get(n).and_then(Option::as_ref));
         series((component.samples.as_ref(), component.dt), loaded, component.channel)

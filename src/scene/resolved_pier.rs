@@ -44,7 +44,7 @@ pub struct ResolvedPier {
     pub cap: [f64; 3],
     /// Its columns: diameter, or sides along and across \[m\].
     pub column: PerDirection,
-    /// How many columns stand across it.
+    /// Number of columns across it.
     pub columns: usize,
 }
 

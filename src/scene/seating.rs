@@ -1,4 +1,4 @@
-//! Where a bearing loses its support: beyond a free travel, or over the front edge of its seat (`docs/physics.md#loss-of-support`).
+//! Loss of a bearing's support: beyond a free travel, or over the front edge of its seat (`docs/physics.md#loss-of-support`).
 
 use super::{Girder, ResolvedBearing, Scene};
 use crate::geometry::End;
@@ -15,8 +15,8 @@ pub struct Room {
 }
 
 impl Room {
-    /// How far a displacement `w` along the normal is beyond the room, by a smooth function that is 0 at both of its ends with
-    /// the slope of a length there \[m\].
+    /// Displacement `w` along the normal beyond the room, by a smooth function that is 0 at both of its ends with the slope of a length
+    /// there \[m\].
     pub fn excess(&self, w: f64) -> f64 {
         let (before, beyond) = (w - self.from, self.to - w);
         // By the room's own ends: a displacement that is bounded by nothing is beyond it.

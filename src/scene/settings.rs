@@ -5,7 +5,7 @@ use serde::{Deserialize, Serialize};
 use super::keys::{Fallback, Range, table, words};
 
 words! {
-    /// How a run is integrated between events.
+    /// Method of integration between events.
     SolverMethod, by default EventDriven {
         /// Closed-form flight where it exists, Dormand–Prince 8(5,3) with dense output elsewhere, every event
         /// root-found.
@@ -105,7 +105,7 @@ pub struct Layer {
 macro_rules! overlays {
     ($( $layer:ident = $key:literal, $label:literal, $on:literal, $meaning:literal; )+) => {
         table! {
-            /// Which layers the view draws over the bodies.
+            /// Layers that the view draws over the bodies.
             #[derive(Clone, Copy, Debug, PartialEq, Eq, Serialize, Deserialize)]
             default struct Overlays, OVERLAYS {
                 $( $layer: bool = $key as $label, Range::Switch, Fallback::Switch($on), $meaning; )+

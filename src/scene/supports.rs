@@ -166,7 +166,7 @@ impl Scene {
     }
 }
 
-/// How far points reach along a direction in plan, from the least to the largest \[m\].
+/// Least and largest coordinate of points along a direction in plan \[m\].
 pub(super) fn extent(points: &[(usize, DVec3)], along: DVec2) -> [f64; 2] {
     let ways = points.iter().map(|(_, place)| place.truncate().dot(along));
     ways.fold([f64::INFINITY, f64::NEG_INFINITY], |[low, high], way| [low.min(way), high.max(way)])

@@ -11,7 +11,7 @@ use crate::motion::sweep::{Rate, Sweep};
 const MOST_INTERVALS: u32 = 1_000_000;
 
 words! {
-    /// How the frequency of a sweep depends on time.
+    /// Frequency of a sweep as a function of time.
     SweepRate, by default Linear {
         /// By the same number of hertz each second.
         Linear = "linear",

@@ -27,7 +27,7 @@ pub struct Scene {
     /// Planar or spatial.
     #[serde(default)]
     pub kind: Kind,
-    /// How long the ground shakes and the answer reaches \[s\].
+    /// Duration of the ground motion and of the answer \[s\].
     #[serde(rename = "duration_s")]
     pub duration: f64,
     /// Gravity, used by spatial scenes only \[m/s²\].
@@ -66,16 +66,16 @@ pub struct Scene {
     /// Numbers of the impact model.
     #[serde(default, skip_serializing_if = "is_default")]
     pub impact: ImpactSettings,
-    /// How the ground moves.
+    /// Motion of the ground.
     #[serde(default)]
     pub motion: Motion,
     /// Motions that supports have of their own, in the order of the file.
     #[serde(rename = "ground", default, skip_serializing_if = "Vec::is_empty")]
     pub grounds: Vec<NamedGround>,
-    /// How that motion travels; without it the ground moves as one.
+    /// Propagation of that motion; without it the ground moves as one.
     #[serde(default, skip_serializing_if = "Option::is_none")]
     pub wave: Option<Wave>,
-    /// How exactly it is to be computed.
+    /// Settings of the solver.
     #[serde(default, skip_serializing_if = "is_default")]
     pub solver: SolverSettings,
     /// Limits that a run is checked against.
@@ -84,7 +84,7 @@ pub struct Scene {
     /// Inputs of design codes for seat lengths beside the scene.
     #[serde(default, skip_serializing_if = "is_default")]
     pub codes: Codes,
-    /// How it is first shown.
+    /// First view.
     #[serde(default, skip_serializing_if = "is_default")]
     pub view: ViewSettings,
 }

@@ -38,7 +38,7 @@ impl<'de> Visitor<'de> for TwoOrThree {
     }
 }
 
-/// The same of a list that may be left out.
+/// A list that may be left out.
 pub(super) mod optional {
     use serde::{Deserializer, Serializer};
 

@@ -1,26 +1,25 @@
-//! Where two runs part: per quantity the largest difference, when, and when it first exceeds a tolerance; and the
-//! events that differ.
+//! Differences of two runs: per quantity the largest difference, when, and when it first exceeds a tolerance; and the events that differ.
 
 use std::collections::BTreeMap;
 
 use super::read::{EventRow, Trajectory};
 
-/// How one quantity differs between two runs.
+/// Difference of one quantity between two runs.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Difference {
     /// Its column, such as `deck.x`.
     pub name: String,
     /// Largest |A − B|, in the column's unit.
     pub largest: f64,
-    /// When \[s\].
+    /// Time of the largest difference \[s\].
     pub at: f64,
     /// Largest absolute value in either run, to measure by.
     pub scale: f64,
-    /// When the difference first exceeds the tolerance times `scale`, if it ever does \[s\].
+    /// Time at which the difference first exceeds the tolerance times `scale` \[s\].
     pub parts_at: Option<f64>,
 }
 
-/// How two trajectories differ.
+/// Differences of two trajectories.
 #[derive(Clone, Debug, Default, PartialEq)]
 pub struct Comparison {
     /// Instants in both runs, bit for bit the same time; differences are taken at these.
@@ -35,7 +34,7 @@ pub struct Comparison {
     pub only_b: Vec<String>,
 }
 
-/// How the events of one contact differ.
+/// Difference of the events of one contact.
 #[derive(Clone, Debug, PartialEq)]
 pub enum EventDifference {
     /// Both have the same kinds in the same order; times differ by this at most \[s\].

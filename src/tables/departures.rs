@@ -1,5 +1,5 @@
-//! Where an answer does not hold, or a designer must look: limits that were passed, supports that were lost, bearings that lift or pull,
-//! overlaps, contacts beyond the sense of their law, quantities outside the domain.
+//! Limits of an answer's validity, and warnings to a designer: limits that were passed, supports that were lost, bearings that lift or
+//! pull, overlaps, contacts beyond the sense of their law, quantities outside the domain.
 
 use serde::Serialize;
 
@@ -15,14 +15,14 @@ pub struct PassedReport {
     pub limit: Limit,
     /// The girder, bearing (`deck.bearing1`), pier or pair; of a seat the girder with its end: `deck+x`.
     pub whose: String,
-    /// When for the first time \[s\].
+    /// Time at which it was first exceeded \[s\].
     pub t: f64,
-    /// How far at the most, in the unit of the limit.
+    /// Largest value, in the unit of the limit.
     pub reached: f64,
 }
 
 impl PassedReport {
-    /// How far at the most, with its unit.
+    /// Largest value, with its unit.
     pub fn reached(&self) -> String {
         let unit = match self.limit {
             Limit::Rotation => "°",
@@ -38,9 +38,9 @@ impl PassedReport {
 pub struct LostReport {
     /// `deck.bearing1`.
     pub bearing: String,
-    /// When \[s\].
+    /// Time \[s\].
     pub t: f64,
-    /// Where its point of the girder was, world \[m\].
+    /// Place of its point of the girder then, world \[m\].
     pub place: [f64; 3],
 }
 
@@ -49,11 +49,11 @@ pub struct LostReport {
 pub struct UpliftReport {
     /// `deck.bearing1`.
     pub bearing: String,
-    /// When for the first time \[s\].
+    /// Time at which it first carried nothing \[s\].
     pub t: f64,
     /// The most that it held the girder down with, of one that lifts by its dashpot before it did \[N\].
     pub pull: f64,
-    /// When \[s\].
+    /// Time of that pull \[s\].
     pub pull_t: f64,
     /// Whether it lifts.
     pub lifts: bool,
@@ -66,15 +66,15 @@ pub struct UpliftReport {
 pub struct OverlapReport {
     /// Names of the two bodies.
     pub bodies: [String; 2],
-    /// When it was seen first \[s\].
+    /// Time at which it was first seen \[s\].
     pub t: f64,
     /// From when to when it was there, in order of time \[s\].
     pub intervals: Vec<[f64; 2]>,
     /// Its greatest depth beyond what contacts carry, the shortest way out \[m\].
     pub depth: f64,
-    /// When it was deepest \[s\].
+    /// Time of the greatest depth \[s\].
     pub deepest_at: f64,
-    /// Where it was deepest, world \[m\].
+    /// Place of the greatest depth, world \[m\].
     pub place: [f64; 3],
 }
 
@@ -87,7 +87,7 @@ pub struct TooDeepReport {
     pub face: String,
     /// Its largest penetration \[m\].
     pub depth: f64,
-    /// When \[s\].
+    /// Time \[s\].
     pub t: f64,
     /// Allowed value: a tenth of the shortest side of either girder \[m\].
     pub allowed: f64,
@@ -96,17 +96,17 @@ pub struct TooDeepReport {
 /// Contacts that left a face while their springs held energy, in short.
 #[derive(Clone, Debug, PartialEq, Serialize)]
 pub struct DroppedReport {
-    /// How many times.
+    /// Number of times.
     pub count: usize,
     /// Energy of all of them \[J\].
     pub energy: f64,
-    /// The same in parts of the largest energy in play.
+    /// That energy in parts of the largest energy in play \[–\].
     pub share: f64,
     /// The node that held most.
     pub node: String,
     /// The face that it left.
     pub face: String,
-    /// When \[s\].
+    /// Time \[s\].
     pub t: f64,
 }
 

@@ -20,19 +20,19 @@ pub struct DeviceReport {
     pub kind: &'static str,
     /// Largest |force| \[N\].
     pub force: f64,
-    /// When \[s\].
+    /// Time of it \[s\].
     pub t: f64,
     /// Largest force in parts of the force at which it yields or breaks, where it does.
     pub part_of_strength: Option<f64>,
     /// Least and greatest displacement of its points against each other along its axis since placed \[m\].
     pub deformation: [f64; 2],
-    /// How many times its force set in.
+    /// Number of times that its force began.
     pub times: usize,
-    /// When for the first time \[s\].
+    /// Time of the first of them \[s\].
     pub first: Option<f64>,
-    /// When it yielded for the first time \[s\].
+    /// Time at which it first yielded \[s\].
     pub yielded_at: Option<f64>,
-    /// When it broke \[s\].
+    /// Time at which it broke \[s\].
     pub broke_at: Option<f64>,
 }
 

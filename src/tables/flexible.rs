@@ -19,7 +19,7 @@ pub struct FlexibleReport {
     pub tol_flex: f64,
     /// Degree n of its polynomials; 0 where it was taken as rigid.
     pub degree: usize,
-    /// How many modes it has.
+    /// Number of modes.
     pub modes: usize,
     /// Frequencies of the first of them \[Hz\].
     pub frequencies: Vec<f64>,
@@ -55,7 +55,7 @@ pub struct FlexibleRun {
     pub local_error: f64,
     /// Relative bounds of what the model leaves out.
     pub neglected: Neglected,
-    /// Which of them are above 1e-2.
+    /// Those above 1e-2.
     pub not_negligible: Vec<Text>,
 }
 

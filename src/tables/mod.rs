@@ -50,7 +50,7 @@ pub struct TableOptions {
     pub estimated_error: Option<ErrorEstimate>,
     /// [`crate::sim::Sections::check_degree`], when it was asked for.
     pub degree_check: Option<DegreeCheck>,
-    /// How long the run took to compute, when it was timed \[s\].
+    /// Time of the run's computation, when it was measured \[s\].
     pub run_time: Option<f64>,
 }
 

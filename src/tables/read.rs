@@ -22,7 +22,7 @@ pub struct Trajectory {
 /// One row of `events.csv`, as far as a comparison needs it.
 #[derive(Clone, Debug, PartialEq)]
 pub struct EventRow {
-    /// When \[s\].
+    /// Time \[s\].
     pub t: f64,
     /// The contact: pair, and node and face where the file has them.
     pub contact: String,
@@ -45,7 +45,8 @@ pub struct TableError {
 /// Reads the bytes of a `trajectory.csv`; columns of states, `NAME.state`, are words and are passed over.
 ///
 /// # Errors
-/// When they are not a table of finite numbers whose first column is `t`.
+///
+/// Bytes that are not a table of finite numbers whose first column is `t`.
 pub fn trajectory(bytes: &[u8]) -> Result<Trajectory, TableError> {
     let mut reader = csv::Reader::from_reader(bytes);
     let names: Vec<String> = reader.headers().map_err(not_csv)?.iter().map(str::to_owned).collect();
@@ -75,7 +76,8 @@ fn is_word(name: &str) -> bool {
 /// Reads the bytes of an `events.csv`; columns other than `t`, `pair`, `kind`, `node` and `face` are passed over.
 ///
 /// # Errors
-/// When they are not a table with those first three columns.
+///
+/// Bytes that are not a table with those first three columns.
 pub fn events(bytes: &[u8]) -> Result<Vec<EventRow>, TableError> {
     let mut reader = csv::Reader::from_reader(bytes);
     let names = reader.headers().map_err(not_csv)?.clone();

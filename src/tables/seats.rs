@@ -28,19 +28,19 @@ pub struct SeatReport {
     pub end: &'static str,
     /// Length of the seat under it along the axis \[m\].
     pub length: f64,
-    /// The same square to its front edge, `length · sin β` \[m\].
+    /// Length square to its front edge, `length · sin β` \[m\].
     pub placed: f64,
     /// The least that remained at either corner, square to the edge; negative when it came off \[m\].
     pub least_remaining: f64,
-    /// The same along the axis \[m\].
+    /// Least remaining length along the axis \[m\].
     pub least_along_axis: f64,
     /// Length used, square to the edge: placed less least \[m\].
     pub used: f64,
-    /// When the least remained \[s\].
+    /// Time of the least remaining length \[s\].
     pub t: f64,
-    /// When the first corner came off, over the front edge or over a side; `None` where both stayed \[s\].
+    /// Time at which the first corner came off, over the front edge or over a side; `None` where both stayed \[s\].
     pub left_at: Option<f64>,
-    /// When both corners were off for the first time: the end is lost \[s\].
+    /// Time at which both corners were first off: the end is lost \[s\].
     pub lost_at: Option<f64>,
     /// The least share of the end that stood on its seat, 0 to 1.
     pub least_share: f64,
@@ -75,17 +75,17 @@ pub struct CornerReport {
     pub angle: &'static str,
     /// The least that remained; negative where it came off \[m\].
     pub least_remaining: f64,
-    /// When \[s\].
+    /// Time of it \[s\].
     pub t: f64,
-    /// When it came off over the front edge; `None` where it stayed \[s\].
+    /// Time at which it came off over the front edge; `None` where it stayed \[s\].
     pub left_at: Option<f64>,
     /// Rotation about G, either way, at which nothing remains at it \[degrees\].
     pub zero_rotation_deg: Option<f64>,
-    /// Where along the edge it came off, from the middle of the end as placed \[m\].
+    /// Place along the edge at which it came off, from the middle of the end as placed \[m\].
     pub left_along: Option<f64>,
     /// The least distance from the sides of the seat, where the scene gives its width \[m\].
     pub least_at_side: Option<f64>,
-    /// When it left the seat over a side \[s\].
+    /// Time at which it left the seat over a side \[s\].
     pub left_side_at: Option<f64>,
 }
 

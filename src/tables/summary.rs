@@ -27,13 +27,13 @@ pub struct Report {
     pub scene: String,
     /// Planar or spatial.
     pub kind: Kind,
-    /// Which model computed it, `contact` or `impact`.
+    /// Model that computed it, `contact` or `impact`.
     pub model: &'static str,
     /// Duration of the scene \[s\].
     pub duration: f64,
-    /// How far the answer reaches \[s\].
+    /// Time that the answer reaches \[s\].
     pub end: f64,
-    /// Why it ends before `duration`, if it does.
+    /// Reason of an end before `duration`.
     pub gave_up: Option<Stop>,
     /// The headline numbers.
     #[serde(flatten)]
@@ -117,7 +117,7 @@ pub struct Report {
     pub digest: String,
     /// Time to compute it, when timed \[s\].
     pub run_time: Option<f64>,
-    /// How many times faster than real time, when timed.
+    /// Factor of the run's speed over real time, when measured \[–\].
     pub times_real_time: Option<f64>,
     /// Versions of program and scene format.
     pub versions: Versions,

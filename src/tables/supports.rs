@@ -18,13 +18,13 @@ pub struct BearingsReport {
     pub bearing: usize,
     /// Its largest deformation, in plan \[m\].
     pub deformation: f64,
-    /// When \[s\].
+    /// Time of it \[s\].
     pub t: f64,
     /// The bearing that resists most in plan, counted from 1.
     pub force_bearing: usize,
     /// Its largest resistance in plan: spring, dashpot and what yields or slides \[N\].
     pub force: f64,
-    /// When \[s\].
+    /// Time of it \[s\].
     pub force_t: f64,
 }
 
@@ -35,7 +35,7 @@ pub struct BackfillReport {
     pub abutment: String,
     /// Greatest push of the wall into the soil \[m\].
     pub push: f64,
-    /// When \[s\].
+    /// Time of it \[s\].
     pub t: f64,
     /// Greatest resistance of the soil \[N\].
     pub force: f64,
@@ -76,17 +76,17 @@ pub struct PierReport {
     pub periods: [f64; 2],
     /// Largest displacement of its cap against its foot, in plan \[m\].
     pub drift: f64,
-    /// When \[s\].
+    /// Time of it \[s\].
     pub drift_t: f64,
     /// Largest base shear \[N\].
     pub shear: f64,
-    /// When \[s\].
+    /// Time of it \[s\].
     pub shear_t: f64,
     /// Largest moment at its feet, of all its columns \[N·m\].
     pub moment: f64,
     /// Largest rotation of its cap in plan \[rad\].
     pub rotation: f64,
-    /// When its base yielded for the first time \[s\].
+    /// Time at which its base first yielded \[s\].
     pub yielded_at: Option<f64>,
     /// Largest drift in parts of that at yield, along and across; on one yield circle that in any direction, twice; of a base that can
     /// yield.

@@ -15,9 +15,9 @@ pub struct VerdictReport {
     pub stays: bool,
     /// The moment that decides it \[s\].
     pub t: f64,
-    /// The same in words, which are English in a file.
+    /// The verdict in words, which are English in a file.
     pub words: String,
-    /// The same in the language in use, for people.
+    /// The verdict in the language in use.
     #[serde(skip)]
     pub told: String,
 }

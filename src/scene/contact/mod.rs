@@ -39,7 +39,7 @@ macro_rules! law_words {
 law_words!(FrictionLaw, NormalName, Calibration);
 
 words! {
-    /// How the stiffness of a facing pair is shared between its nodes.
+    /// Division of a facing pair's stiffness among its nodes.
     Sharing, by default Tributary {
         /// K and C divided by the number of declared nodes inside the facing polygon when the pair first closes.
         Tributary = "tributary",
@@ -59,7 +59,7 @@ words! {
 }
 
 words! {
-    /// Which faces of the bodies of a scene can touch under the contact model.
+    /// Faces of the bodies of a scene that can touch under the contact model.
     Between, by default All {
         /// Any face of any two bodies that come near.
         All = "all",

@@ -86,7 +86,7 @@ macro_rules! contact_tables {
         }
 
         impl ContactSettings {
-            /// The same without the pairs, of which there may be as many as girders.
+            /// The settings without those of pairs, of which there may be as many as girders.
             pub(in crate::scene) fn alone(&self) -> Self {
                 Self {
                     $( $given: self.$given, )+

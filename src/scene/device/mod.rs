@@ -95,7 +95,7 @@ macro_rules! devices {
                 match id.kind { $( DeviceKind::$Kind => self.$list.get(id.number).cloned().map(Device::$Kind), )+ }
             }
 
-            /// How many devices of a kind there are.
+            /// Number of devices of a kind.
             pub fn count_of(&self, kind: DeviceKind) -> usize {
                 match kind { $( DeviceKind::$Kind => self.$list.len(), )+ }
             }

@@ -1,4 +1,4 @@
-//! Where the two points of a device are as placed: in the frames of the bodies that they are on.
+//! Points of a device as placed: in the frames of the bodies that they are on.
 
 use glam::{DMat3, DVec3};
 
@@ -28,8 +28,8 @@ impl Joint {
     }
 }
 
-/// Where a point of the world is on a body by its name, or on the ground without: along the axes of its frame as placed, as a device's
-/// points are given \[m\]; `None` where nobody has the name.
+/// Coordinates of a point of the world on a body by its name, or on the ground without: along the axes of its frame as placed, as a
+/// device's points are given \[m\]; `None` where no body has the name.
 pub fn point_on(scene: &Scene, body: Option<&str>, world: DVec3) -> Option<[f64; 3]> {
     let stand = Stand::of(scene, body)?;
     Some((stand.axes.transpose() * (world - stand.origin)).to_array())

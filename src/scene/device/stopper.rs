@@ -9,7 +9,7 @@ use crate::language::{Text, message};
 use crate::scene::keys::{Fallback, Range, words};
 
 words! {
-    /// Which sides a stopper stops at.
+    /// Sides at which a stopper stops.
     Sides, by default Both {
         /// At either side.
         Both = "both",

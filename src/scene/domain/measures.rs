@@ -116,7 +116,7 @@ pub struct BesideGirder {
     pub key: String,
     /// The girder.
     pub girder: String,
-    /// How far outside of it in plan \[m\].
+    /// Distance outside of it in plan \[m\].
     pub by: f64,
 }
 
@@ -163,7 +163,7 @@ pub(super) fn start_displacements(girder: &Girder) -> [f64; 2] {
     [DVec3::from(girder.initial.displacement).length(), turn * radius(girder)]
 }
 
-/// How deep the starts of two girders, or of one before an abutment, press their ends into each other along the first one's axis,
+/// Depth to which the starts of two girders, or of one before an abutment, press their ends into each other along the first one's axis,
 /// turns left out; 0 where they do not, as where one starts above the other \[m\].
 pub(super) fn pressed_by(scene: &Scene, facing: &Facing) -> f64 {
     let Side::Girder(first, end) = facing.first else { return 0.0 };

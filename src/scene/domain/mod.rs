@@ -29,9 +29,9 @@ pub struct Limit {
     pub remedy: Text,
 }
 
-/// Where a range begins at 0 there is nothing below.
+/// No text: a range that begins at 0 has nothing below.
 const NOTHING: Option<Text> = None;
-/// Where a range is what has been checked and no more.
+/// Text of a range that is the one of the checks.
 const UNCHECKED: Text = Text::new("domain-unchecked");
 
 /// `solver.tolerance`. Below: from its 1000th step with contact on a body's steps may err by less, in proportion to their

@@ -1,4 +1,4 @@
-//! How each edit is done, and what undoes it.
+//! Application of each edit, and its inverse.
 
 use std::mem::replace;
 

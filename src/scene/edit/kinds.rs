@@ -14,7 +14,7 @@ pub struct General {
     pub description: String,
     /// Planar or spatial.
     pub kind: Kind,
-    /// How long the ground shakes \[s\].
+    /// Duration of the ground motion \[s\].
     pub duration: f64,
     /// Gravity \[m/s²\].
     pub gravity: f64,
@@ -57,7 +57,7 @@ pub enum Edit {
     Assumed(Vec<String>),
     /// Contact numbers and pairs.
     Contact(Box<ContactSettings>),
-    /// Which model computes it.
+    /// Models that compute it.
     Model(ModelSettings),
     /// Numbers of the impact model.
     Impact(ImpactSettings),
@@ -65,7 +65,7 @@ pub enum Edit {
     Motion(Box<Motion>),
     /// Motions that supports have of their own.
     Grounds(Vec<NamedGround>),
-    /// How that motion travels.
+    /// Propagation of that motion.
     Wave(Option<Wave>),
     /// Limits that are watched.
     Limits(Limits),
@@ -83,7 +83,7 @@ pub enum Edit {
     Batch(Vec<Edit>),
 }
 
-/// Why an edit cannot be done; the scene is then as it was.
+/// Reasons of an edit that cannot be done; the scene is then as it was.
 #[derive(Clone, Debug, PartialEq, thiserror::Error)]
 pub enum EditError {
     /// There is no such number.
@@ -93,7 +93,7 @@ pub enum EditError {
         what: &'static str,
         /// The number asked for, from 0.
         index: usize,
-        /// How many there are.
+        /// Number of all.
         count: usize,
     },
     /// Nobody has this name.

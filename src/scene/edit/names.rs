@@ -1,4 +1,4 @@
-//! Who has a name, and which names are free.
+//! Names in use, and free names.
 
 use crate::scene::Scene;
 

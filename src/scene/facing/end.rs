@@ -1,4 +1,4 @@
-//! Which ends of girders look at each other.
+//! Ends of girders that face each other.
 
 use std::cell::OnceCell;
 use std::collections::BTreeMap;
@@ -13,7 +13,7 @@ use crate::scene::{Scene, placed};
 /// Two ends face each other when their normals are opposed within this angle \[degrees\].
 pub const LARGEST_TURN_DEG: f64 = 30.0;
 
-/// Which abutments stand before which ends, by number, gone through once.
+/// Abutments before each end, by number.
 pub(super) struct Walls<'a> {
     scene: &'a Scene,
     by_end: BTreeMap<(&'a str, End), Vec<usize>>,
@@ -89,14 +89,14 @@ impl EndFace {
             && beside.abs() - wide <= self.aside(longest, ahead + deep) + slack
     }
 
-    /// How far sideways an end at most `longest` long can be that is seen at most `ahead` \[m\]: `|s cos φ ± a sin φ|` is its offset along a
-    /// face turned by φ against this one.
+    /// Bound on the sideways offset of an end at most `longest` long that is at most `ahead` before this one \[m\]: `|s cos φ ± a sin φ|`
+    /// is its offset along a face turned by φ against this one.
     fn aside(&self, longest: f64, ahead: f64) -> f64 {
         let (sin, cos) = LARGEST_TURN_DEG.to_radians().sin_cos();
         (f64::midpoint(self.length, longest) + ahead.max(0.0) * sin) / cos
     }
 
-    /// How far along a world axis an end at most `longest` long that this one sees can be at most \[m\].
+    /// Bound on the coordinate along a world axis of an end at most `longest` long that faces this one \[m\].
     fn farthest(&self, axis: usize, longest: f64) -> f64 {
         if axis == 2 || self.wall.is_infinite() {
             return f64::INFINITY;

@@ -1,5 +1,4 @@
-//! Who can touch whom: pairs of facing ends, found by themselves or declared (Fig. 24,
-//! `docs/physics.md#contact-pairs`).
+//! Pairs of facing ends, found from the geometry or declared (Fig. 24, `docs/physics.md#contact-pairs`).
 //!
 //! An abutment pairs with the end that it faces. Two girders' ends pair when they look at each other (outward normals
 //! opposed within [`LARGEST_TURN_DEG`]), each centre lies in front of the other's face, their sideways offset is less

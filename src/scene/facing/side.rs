@@ -182,7 +182,7 @@ pub(super) fn girder_named(scene: &Scene, name: &str) -> Option<usize> {
     scene.girders.iter().position(|g| g.name == name)
 }
 
-/// Who there is, for complaints.
+/// Names of the bodies, for complaints.
 pub(in crate::scene) fn names(scene: &Scene) -> Message {
     let list = |names: Vec<&str>| {
         if names.is_empty() { Text::new("wrong-names-none").into() } else { Message::from(names.join(", ")) }

@@ -48,17 +48,17 @@ impl Key {
         Self { name, range, fallback, meaning, label: None, slider: None, spatial: false }
     }
 
-    /// The same with a name for its field, the key of a text.
+    /// The key with a name for its field, the key of a text.
     pub(in crate::scene) const fn labelled(self, label: &'static str) -> Self {
         Self { label: Some(label), ..self }
     }
 
-    /// The same with a slider between these bounds.
+    /// The key with a slider between these bounds.
     pub(in crate::scene) const fn slid(self, bounds: [f64; 2]) -> Self {
         Self { slider: Some(bounds), ..self }
     }
 
-    /// The same of a quantity that only spatial scenes have.
+    /// The key of a quantity that only spatial scenes have.
     pub(in crate::scene) const fn in_space(self) -> Self {
         Self { spatial: true, ..self }
     }

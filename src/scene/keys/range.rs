@@ -4,7 +4,7 @@ use crate::language::{Message, Text, message};
 
 /// Beyond this no unit of this world makes sense, and squares begin to overflow.
 const LARGEST: f64 = 1e15;
-/// Likewise below.
+/// The least of a number that must be positive, likewise.
 const SMALLEST: f64 = 1e-15;
 
 /// Allowed values of a key; of a list of numbers, of each number.
@@ -20,7 +20,7 @@ pub enum Range {
     NotBelow(&'static str),
     /// From the first to the second number.
     Within([f64; 2]),
-    /// The same without the two numbers.
+    /// Between these, both excluded.
     Between([f64; 2]),
     /// One of these words.
     Words(&'static [&'static str]),
@@ -71,7 +71,7 @@ impl Range {
         }
     }
 
-    /// Where a hand that drags from a sound number may go: to the nearest limit, or not beyond where it is.
+    /// Allowed number for a drag to `wanted`: the nearest limit beyond a range, `now` where no limit is nearest.
     #[must_use]
     pub fn nearest(self, wanted: f64, now: f64) -> f64 {
         match self {

@@ -56,7 +56,7 @@ impl<'a> Word<'a> {
         Self { words, chosen, default, set: Box::new(set) }
     }
 
-    /// The same where it may be left out.
+    /// A choice that may be left out.
     pub(in crate::scene) fn optional<T: Copy + PartialEq>(
         value: &'a mut Option<T>,
         (all, words): (&'static [T], &'static [&'static str]),

@@ -44,7 +44,7 @@ pub(in crate::scene) trait Stands: Sized + Clone + PartialEq {
         }
     }
 
-    /// The same as [`slot`](Self::slot) of a value that may be left out.
+    /// [`slot`](Self::slot) of a value that may be left out.
     fn optional_slot(_: &mut Option<Self>) -> Slot<'_> {
         Slot::Apart
     }
@@ -322,7 +322,7 @@ macro_rules! words {
             pub const WORDS: &'static [&'static str] = &[$( $word, )+];
             /// Default.
             pub const DEFAULT: Self = Self::$Default;
-            /// The same as the table of keys says it.
+            /// Default for the table of keys.
             pub const FALLBACK: $crate::scene::keys::Fallback =
                 $crate::scene::keys::Fallback::Word(Self::DEFAULT.label());
 

@@ -11,7 +11,7 @@ use super::key::{Fallback, Key};
 use super::range::Range;
 use crate::language::{self, Language, Text, said};
 
-/// Which text of a key.
+/// Text of a key.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord)]
 enum Of {
     Meaning,

@@ -62,7 +62,7 @@ impl SceneErrors {
         lines.join("\n")
     }
 
-    /// The same complaints, about a file by this name.
+    /// The complaints, about a file by this name.
     #[must_use]
     pub fn in_file(mut self, file: &str) -> Self {
         for error in &mut self.0 {
@@ -201,7 +201,7 @@ impl At<'_> {
         }
     }
 
-    /// The same of one key.
+    /// Checks one key.
     pub(super) fn fits_key(&mut self, key: &Key, value: f64, kind: Kind) {
         if key.spatial && kind == Kind::Planar && value != 0.0 {
             let remedy = Text::new("wrong-in-plan");
@@ -232,7 +232,7 @@ impl At<'_> {
         }
     }
 
-    /// The same of the lists in the list under a key: `at_m[2][0]`.
+    /// Checks the lists in the list under a key: `at_m[2][0]`.
     pub(super) fn each_of<'l>(&mut self, key: &str, lists: impl IntoIterator<Item = &'l [f64]>) {
         let range = self.range(key);
         for (n, values) in lists.into_iter().enumerate() {

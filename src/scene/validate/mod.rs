@@ -30,7 +30,7 @@ pub fn validate(scene: &Scene) -> Result<(), SceneErrors> {
     facings(scene).map(|_| ())
 }
 
-/// The same of a scene as its file says it: values that it calls assumed stand in it.
+/// Validates a scene as its file gives it, with its assumed values.
 ///
 /// # Errors
 /// Those of [`validate`]; paths of assumed values that lead to nothing.

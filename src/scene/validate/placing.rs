@@ -221,7 +221,7 @@ fn stand_up(bodies: &mut [Placed]) {
     }
 }
 
-/// How deep two bodies reach into each other; two abutments may.
+/// Overlap of two bodies \[m\]; two abutments may.
 fn overlap(a: &Placed, b: &Placed) -> Option<f64> {
     let fixed = |body: &Placed| matches!(body.side, Body::Abutment(_));
     // Most neighbours stand apart along a side of one of them: only for the others bodies are built.

@@ -27,7 +27,7 @@ pub(super) fn record(place: &str, record: &RecordMotion, kind: Kind, complaints:
     processing(place, record, complaints);
 }
 
-/// Where samples stand and what is stated of them.
+/// Samples, and the keys that describe them.
 struct Source<'a> {
     samples: Option<&'a Vec<f64>>,
     dt: Option<f64>,

@@ -10,7 +10,7 @@ pub(super) fn below(path: &str, key: &str) -> String {
     if path.is_empty() { key.to_owned() } else { format!("{path}.{key}") }
 }
 
-/// Where the documentation lists a key among those of its table; what is not listed comes last.
+/// Rank of a key in the documentation among those of its table; a key that is not listed comes last.
 pub(super) fn rank(path: &str, key: &str) -> usize {
     let plain = |listed: &'static str| listed.split(" kind").next().map(|way| way.trim_end_matches("[]"));
     let listed_in = keys::as_of_motion(path.to_owned(), key);
