@@ -119,9 +119,14 @@ fn told(bars: &[Span]) -> String {
     text::bars(bars.len(), time(ContactState::Stick), time(ContactState::Slip))
 }
 
+/// The nearest x of a strip, its left edge where a narrow row leaves it no width.
+fn within(strip: Rect, x: f32) -> f32 {
+    x.min(strip.right()).max(strip.left())
+}
+
 /// From when a girder falls on, where the model computes no motion of it: shaded.
 fn beyond(painter: &Painter, axis: &TimeAxis, strip: Rect, t: f64, palette: &Palette) {
-    let from = axis.x(t).clamp(strip.left(), strip.right());
+    let from = within(strip, axis.x(t));
     let shade = Rect::from_min_max(pos2(from, strip.top()), strip.max);
     painter.rect_filled(shade, 0.0, palette.problem.gamma_multiply(0.16));
     painter.vline(from, strip.y_range(), Stroke::new(1.0, palette.problem));
@@ -129,7 +134,7 @@ fn beyond(painter: &Painter, axis: &TimeAxis, strip: Rect, t: f64, palette: &Pal
 
 /// The stretch that is played: a bar over the ruler; what is not played is dimmed.
 fn bracket(painter: &Painter, axis: &TimeAxis, strip: Rect, span: [f64; 2], palette: &Palette) {
-    let [from, to] = span.map(|t| axis.x(t).clamp(strip.left(), strip.right()));
+    let [from, to] = span.map(|t| within(strip, axis.x(t)));
     let bar = Rect::from_min_max(pos2(from, strip.top()), pos2(to, strip.top() + 3.0));
     painter.rect_filled(bar, 1.0, palette.theta);
     for (a, b) in [(strip.left(), from), (to, strip.right())] {

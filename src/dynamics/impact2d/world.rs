@@ -8,7 +8,7 @@ use crate::contact::Frame;
 use crate::dynamics::Model;
 use crate::dynamics::free_flight::flight::FreeMotion;
 use crate::dynamics::impact2d::closing::planar_gap::PlanarSite;
-use crate::dynamics::impact2d::constants::{KEPT_TOUCH, TOUCH};
+use crate::dynamics::impact2d::constants::{IMPACT_SPEED_ROUNDING, KEPT_TOUCH, LEAST_NORMAL_DRIFT, TOUCH};
 use crate::dynamics::impact2d::delassus::ContactPoint;
 use crate::dynamics::impact2d::lasting::lasting_contact::LastingContact;
 use crate::dynamics::impact2d::tracks::{BodyTrack, PairTrack, SiteTrack, Trajectory};
@@ -206,6 +206,11 @@ impl World {
     /// Whether all of these declared contacts, by their numbers in the model, are in lasting contact.
     pub(in crate::dynamics::impact2d) fn are_kept(&self, sites: &[usize]) -> bool {
         sites.iter().all(|&number| self.site(number).is_some_and(|site| self.sites[site].kept))
+    }
+
+    /// Normal speed that a kept point may gather from the error of the integrator, at an instant with this round-off of speeds \[m/s\].
+    pub(in crate::dynamics::impact2d) fn normal_drift(&self, speed_noise: f64) -> f64 {
+        self.model.tolerance.max(LEAST_NORMAL_DRIFT) / IMPACT_SPEED_ROUNDING * speed_noise
     }
 }
 

@@ -108,7 +108,7 @@ pub(super) fn reach(history: &History, body: usize, radius: f64) -> Reach {
             let (mut t, mut reach) = (from, Reach::of(0.0, 0.0, radius));
             while t < end {
                 let bounds = in_flight(history, body, number, t);
-                let chord = 2.0 * (0.5 * bounds.turn.min(PI)).sin();
+                let chord = if bounds.turn == 0.0 { 0.0 } else { 2.0 * (0.5 * bounds.turn.min(PI)).sin() };
                 reach = reach.most(Reach::of(bounds.reach, chord, radius));
                 // A window may be shorter than the spacing of times.
                 t = (t + bounds.window).max(t.next_up());

@@ -6,9 +6,7 @@
 use glam::DVec2;
 
 use crate::dynamics::impact2d::GirderState;
-use crate::dynamics::impact2d::constants::{
-    HITS_WITH_RESTITUTION, IMPACT_SPEED_ROUNDING, NORMAL_DRIFT, SEQUENTIAL_HITS,
-};
+use crate::dynamics::impact2d::constants::{HITS_WITH_RESTITUTION, SEQUENTIAL_HITS};
 use crate::dynamics::impact2d::impulse::collision::{Collision, ContactManifold, ImpactLaw, collide};
 use crate::dynamics::impact2d::impulse::simultaneous;
 use crate::dynamics::impact2d::instant::ImpactInstant;
@@ -37,7 +35,7 @@ pub(in crate::dynamics::impact2d) fn impulses(
             break;
         }
         let manifold = instant.manifolds[number].clone();
-        let drift = NORMAL_DRIFT * instant.speed_noise / IMPACT_SPEED_ROUNDING;
+        let drift = world.normal_drift(instant.speed_noise);
         if count == 0 && speed >= -drift && world.are_kept(&manifold.sites) && !new_contact_approaches(world, instant) {
             // The error of the integrator, no hit.
             break;

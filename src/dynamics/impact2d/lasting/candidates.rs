@@ -1,6 +1,6 @@
 //! Pairs that may stay in contact after the impulses of an instant: touching points without normal speed.
 
-use crate::dynamics::impact2d::constants::{IMPACT_SPEED_ROUNDING, NORMAL_DRIFT, REST_ROUNDINGS};
+use crate::dynamics::impact2d::constants::REST_ROUNDINGS;
 use crate::dynamics::impact2d::delassus::{Cluster, ContactPoint, centre};
 use crate::dynamics::impact2d::impulse::collision::ContactManifold;
 use crate::dynamics::impact2d::instant::{ImpactInstant, manifolds};
@@ -18,8 +18,7 @@ pub(in crate::dynamics::impact2d) fn all_separate(world: &World, instant: &Impac
 
 /// Normal speed that counts as none \[m/s\].
 fn rest_speed(world: &World, manifold: &ContactManifold, speed_noise: f64) -> f64 {
-    let factor = if world.are_kept(&manifold.sites) { NORMAL_DRIFT / IMPACT_SPEED_ROUNDING } else { REST_ROUNDINGS };
-    factor * speed_noise
+    if world.are_kept(&manifold.sites) { world.normal_drift(speed_noise) } else { REST_ROUNDINGS * speed_noise }
 }
 
 /// Candidates of an instant; `ending` is what has ended a lasting contact then.

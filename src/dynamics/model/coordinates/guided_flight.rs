@@ -45,11 +45,15 @@ impl GuidedFlight {
     }
 
     /// `u, u̇` at `t`.
-    fn at(&self, FlightParameters { start, numbers }: FlightParameters<'_>, t: f64) -> [f64; 2] {
-        let Some(FlightNumbers { spring, own, states_at_samples }) = FlightNumbers::of(numbers) else {
-            return [f64::NAN; 2];
-        };
-        let (first, target) = (self.ground.piece_number(start), self.ground.piece_number(t));
+    fn at(&self, flight: FlightParameters<'_>, t: f64) -> [f64; 2] {
+        FlightNumbers::of(flight.numbers).map_or([f64::NAN; 2], |numbers| self.within(flight.start, &numbers, t).state)
+    }
+
+    /// State at `t`, with the piece of the ground's motion that holds it.
+    fn within(&self, start: f64, numbers: &FlightNumbers<'_>, t: f64) -> StateInPiece {
+        let &FlightNumbers { spring, own, states_at_samples } = numbers;
+        let first = self.ground.piece_number(start);
+        let target = if t == start { first } else { self.ground.piece_number(t) };
         let known = target.saturating_sub(first).min(states_at_samples.len());
         let (mut number, mut at, mut state) = match known.checked_sub(1) {
             Some(last) => (first + known, self.ground.piece_start(first + known), states_at_samples[last]),
@@ -60,8 +64,20 @@ impl GuidedFlight {
             state = self.advance(spring, &piece, at, state, piece.until - at);
             (number, at) = (number + 1, piece.until);
         }
-        if t == at { state } else { self.advance(spring, &self.ground.piece(number), at, state, t - at) }
+        let piece = self.ground.piece(number);
+        if t != at {
+            state = self.advance(spring, &piece, at, state, t - at);
+        }
+        StateInPiece { number, piece, state }
     }
+}
+
+/// A state of a flight, and the piece of the ground's motion, of this number, in which it is.
+struct StateInPiece {
+    number: usize,
+    piece: LinearPiece,
+    /// `u, u̇`.
+    state: [f64; 2],
 }
 
 /// A flight's parameters, by name.
@@ -153,9 +169,9 @@ impl ClosedForm for GuidedFlight {
     }
 
     fn range(&self, flight: FlightParameters<'_>, [from, until]: [f64; 2]) -> Option<[f64; 2]> {
-        let FlightNumbers { spring, .. } = FlightNumbers::of(flight.numbers)?;
-        let piece = self.ground.piece(self.ground.piece_number(from));
-        let state = self.at(flight, from);
+        let numbers = FlightNumbers::of(flight.numbers)?;
+        let StateInPiece { piece, state, .. } = self.within(flight.start, &numbers, from);
+        let spring = numbers.spring;
         Some(Extremes::of(spring.stiffness, state, self.force(spring, &piece, from), until - from).range)
     }
 
@@ -169,12 +185,12 @@ impl ClosedForm for GuidedFlight {
 
     fn bounds(&self, flight: FlightParameters<'_>, t: f64, horizon: f64) -> MotionBounds {
         let (mut bounds, end) = (MotionBounds::still(horizon), t + horizon);
-        let Some(FlightNumbers { spring, .. }) = FlightNumbers::of(flight.numbers) else {
+        let Some(numbers) = FlightNumbers::of(flight.numbers) else {
             return MotionBounds { window: 0.0, ..bounds };
         };
-        let (mut number, mut at, mut state) = (self.ground.piece_number(t), t, self.at(flight, t));
+        let StateInPiece { mut number, mut piece, mut state } = self.within(flight.start, &numbers, t);
+        let (spring, mut at) = (numbers.spring, t);
         for _ in 0..AHEAD {
-            let piece = self.ground.piece(number);
             let tau = piece.until.min(end) - at;
             let extremes = Extremes::of(spring.stiffness, state, self.force(spring, &piece, at), tau);
             bounds.reach = extremes.range.into_iter().fold(bounds.reach, |reach, u| reach.max(u.abs()));
@@ -185,6 +201,7 @@ impl ClosedForm for GuidedFlight {
             }
             state = self.advance(spring, &piece, at, state, tau);
             (number, at) = (number + 1, piece.until);
+            piece = self.ground.piece(number);
         }
         MotionBounds { window: at - t, ..bounds }
     }
