@@ -58,7 +58,7 @@ pub(in crate::dynamics) fn search(world: &mut World, pair: usize, t: f64) -> Opt
         let until = horizon(world, world.pairs[pair].slots, t);
         let (found, evaluations) = collinear.in_flight([t, until], resolution);
         let closing = if let FirstZero::Crossing(at) = found { Some(at) } else { None };
-        (NextClosing::of(found, until, world.model.duration, evaluations), closing)
+        (NextClosing::of(found, world.model.duration, evaluations), closing)
     };
     for contact in contacts {
         world.contacts[contact].found = GapClosing { closing, rearmed_at: None };

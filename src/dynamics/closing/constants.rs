@@ -10,8 +10,6 @@ pub(in crate::dynamics) const CLOSING_INTERVAL: f64 = 100.0;
 /// Samples of a gap at equal intervals of a planned step, both ends included, with which the subdivision begins; the
 /// bound on the gap's second derivative decides where it is refined. Tuned.
 pub(in crate::dynamics) const STEP_SAMPLES: usize = 5;
-/// Contribution to a run's work of a search that ended at its bound of advances before its horizon. Tuned.
-pub(in crate::dynamics) const CUT_SEARCH_WORK: usize = 5_000;
 /// Horizon of one search in flight of a body on springs whose phases end, in sampling intervals \[–\]. Tuned: another phase of the
 /// same body often ends before.
 pub(in crate::dynamics) const PHASE_END_SAMPLES: f64 = 4.0;

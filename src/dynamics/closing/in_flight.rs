@@ -81,7 +81,7 @@ pub(in crate::dynamics) fn search(world: &mut World, pair: usize, t: f64, shared
     for (contact, at) in closing {
         world.contacts[contact].found.closing = Some(at);
     }
-    NextClosing::of(found, until, duration, evaluations)
+    NextClosing::of(found, duration, evaluations)
 }
 
 /// The open corners of a pair (edge nodes are of spatial girders, which have no flight in closed form); a disarmed one whose gap is positive is armed again.

@@ -63,7 +63,7 @@ fn in_flight(world: &mut World, link: usize, t: f64) -> NextClosing {
     if let FirstZero::Crossing(at) = found {
         world.links[link].ends = Some((at, Switch::Closing));
     }
-    NextClosing::of(found, until, duration, evaluations)
+    NextClosing::of(found, duration, evaluations)
 }
 
 /// Gap of a device in flight at `t` with a bound on its second derivative, valid up to `until` at most.

@@ -68,11 +68,11 @@ fn first_of(world: &mut World, at: LinkOnBody, functions: &[(Switch, LinearSwitc
         evaluations += 1;
         if let Some((end, event)) = within(world, at, &likely, [from, to]) {
             world.links[link].ends = Some((end, event));
-            return NextClosing::of(FirstZero::Crossing(end), until, duration, evaluations);
+            return NextClosing::of(FirstZero::Crossing(end), duration, evaluations);
         }
         from = to;
     }
-    NextClosing::of(FirstZero::NoneUntil(until), until, duration, evaluations)
+    NextClosing::of(FirstZero::NoneUntil(until), duration, evaluations)
 }
 
 /// A function of the one coordinate u of a body, or of its rate, from where that is at the beginning of a search: `start + slope (u − u₀)` \[m\]

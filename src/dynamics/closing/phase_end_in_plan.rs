@@ -39,11 +39,11 @@ pub(super) fn search(world: &mut World, leader: usize, t: f64) -> NextClosing {
         let (to, likely) = stretch(world, slot, &links, [from, until]);
         if let Some((at, (link, number))) = first_in(world, slot, &likely, [from, to]) {
             world.links[link].ends = Some((at, Switch::Function(number)));
-            return NextClosing { due: if link == leader { at } else { f64::INFINITY }, evaluations, work: 0 };
+            return NextClosing { due: if link == leader { at } else { f64::INFINITY }, evaluations };
         }
         from = to;
     }
-    NextClosing::of(FirstZero::NoneUntil(until), until, duration, evaluations)
+    NextClosing::of(FirstZero::NoneUntil(until), duration, evaluations)
 }
 
 /// Motion of a link's point of the girder against the ground.

@@ -67,9 +67,7 @@ impl ClosingSearch<'_> {
 
     /// Enters the result of a search in the queue and counts its work.
     fn enter(&mut self, source: EventSource, found: NextClosing) {
-        self.schedule.effort.searches += 1;
-        self.schedule.effort.looks += found.evaluations;
-        self.schedule.work += found.work;
+        self.schedule.count_search(found.evaluations);
         self.due(source, found.due);
     }
 

@@ -1,8 +1,13 @@
 //! Bounds that end a run under either model: unit, effect, and derivation or the word "tuned".
 
-/// Handled events, and what searches add that ended at their bound of advances, per body; more end the run. Tuned: ten times the
+/// Handled events, and what [long searches](LONG_SEARCH) add, per body; more end the run. Tuned: ten times the
 /// million steps of an hour of a stiff contact, within the memory of a desktop computer.
 pub(super) const WORK_BOUND_PER_BODY: usize = 10_000_000;
+/// Evaluations above which a search adds to the work of a run; inside the domain none takes as many (`tests/core/cost`). Tuned.
+pub(super) const LONG_SEARCH: u64 = 1_000;
+/// Evaluations of a long search that count as one handled event: a run stops after 2e8 of them a body. Tuned: 20 take about as long as an
+/// event.
+pub(super) const EVALUATIONS_PER_EVENT: u64 = 20;
 /// Work between two looks at the bounds; the look itself costs a few sums.
 pub(super) const WORK_BETWEEN_LOOKS: usize = 4096;
 /// Divisor of a run's memory: a group of bodies may take at least 1/8 of it, as most groups of a large scene take little \[–\]. Tuned.

@@ -1,5 +1,6 @@
 //! Progress of a run: queue of events, counted work, and the reason of an early stop.
 
+use crate::dynamics::event_loop::constants::{EVALUATIONS_PER_EVENT, LONG_SEARCH};
 use crate::dynamics::event_loop::effort::Effort;
 use crate::dynamics::event_loop::event_queue::EventQueue;
 use crate::dynamics::record::event::{Cause, Stop};
@@ -12,7 +13,7 @@ pub struct Schedule {
     pub queue: EventQueue,
     /// Time of the last handled event \[s\].
     pub now: f64,
-    /// Handled events plus the contributions of searches that ended at their bound; compared with the bound on work.
+    /// Handled events plus the contributions of long searches; compared with the bound on work.
     pub work: usize,
     /// Counts of the work of the run.
     pub effort: Effort,
@@ -29,6 +30,15 @@ impl Schedule {
     /// Time that the run has reached: its `duration`, or that of the last handled event \[s\].
     pub fn reached(&self, duration: f64) -> f64 {
         if self.stop.is_none() && self.queue.first_time() > duration { duration } else { self.now }
+    }
+
+    /// Counts a search that took this number of evaluations.
+    pub fn count_search(&mut self, evaluations: u64) {
+        self.effort.searches += 1;
+        self.effort.looks += evaluations;
+        if evaluations > LONG_SEARCH {
+            self.work += usize::try_from(evaluations / EVALUATIONS_PER_EVENT).unwrap_or(usize::MAX);
+        }
     }
 
     /// Stops the run at `t`, where the computation comes to its bounds; the first of several reasons is kept.
@@ -53,6 +63,15 @@ impl Schedule {
 mod tests {
     use super::*;
     use crate::dynamics::event_loop::event_queue::Source;
+
+    #[test]
+    fn a_long_search_counts_as_work_in_proportion_to_its_evaluations() {
+        let mut schedule = Schedule::default();
+        (0..1000).for_each(|_| schedule.count_search(LONG_SEARCH));
+        assert_eq!((schedule.work, schedule.effort.looks), (0, 1000 * LONG_SEARCH), "as searches are");
+        schedule.count_search(100_000);
+        assert_eq!((schedule.work, schedule.effort.searches), (5000, 1001), "as 5000 events");
+    }
 
     #[test]
     fn a_stopped_run_has_nothing_due_and_keeps_its_first_reason() {

@@ -120,9 +120,6 @@ pub(super) const SHARED_BOUNDS: u32 = 4;
 
 // Progress of a run.
 
-/// Work of a search that was cut short, after 100,000 advances, against the bound on a run's work \[–\]: the run then stops after 2e8
-/// advances per body and not after 1e12. Tuned, as in the contact model.
-pub(super) const CUT_SHORT_WORK: usize = 5_000;
 /// Events at one instant after which a run stops, besides four for each pair and two for each body that may all act in it.
 pub(super) const EVENTS_AT_ONE_INSTANT: usize = 200;
 /// Events at one instant after which a lasting contact is kept for [`LEAST_DURATION`]: reactions at round-off level may change

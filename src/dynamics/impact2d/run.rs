@@ -8,7 +8,7 @@ use crate::dynamics::event_loop::work_bounds::{Spent, WorkBounds};
 use crate::dynamics::free_flight::body_flight::{BodyFlight, FlightInPlan};
 use crate::dynamics::impact2d::closing::next_impact::next_impact;
 use crate::dynamics::impact2d::constants::{
-    CONSISTENCY_HALVINGS, CUT_SHORT_WORK, EVENTS_BEFORE_LEAST_DURATION, LEAST_DURATION, LEAST_SCALE, SWITCHING_SAMPLES,
+    CONSISTENCY_HALVINGS, EVENTS_BEFORE_LEAST_DURATION, LEAST_DURATION, LEAST_SCALE, SWITCHING_SAMPLES,
 };
 use crate::dynamics::impact2d::event_source::EventSource;
 use crate::dynamics::impact2d::lasting::painleve;
@@ -16,7 +16,6 @@ use crate::dynamics::impact2d::lasting::switch::Ending;
 use crate::dynamics::impact2d::record::{LastingInterval, Record};
 use crate::dynamics::impact2d::tracks::Trajectory;
 use crate::dynamics::impact2d::world::World;
-use crate::dynamics::locate::constants::MAX_ADVANCES;
 use crate::dynamics::trajectory::segment::{Segment, SegmentMotion};
 
 /// The run of one group of bodies under the impact model.
@@ -59,11 +58,7 @@ impl ImpactRun {
             self.world.sites[site].in_front_at = None;
         }
         let found = next_impact(&mut self.world, pair, t);
-        self.schedule.effort.searches += 1;
-        self.schedule.effort.looks += found.looks;
-        if found.looks > u64::from(MAX_ADVANCES) {
-            self.schedule.work += CUT_SHORT_WORK;
-        }
+        self.schedule.count_search(found.looks);
         self.world.pairs[pair].impact_due = found.impact;
         if found.due.is_finite() {
             self.schedule.queue.set(EventSource::Pair(pair).into(), found.due);
@@ -274,6 +269,6 @@ mod tests {
         assert!(work == 0 && looks < 1000, "{looks} looks");
         // 100,000 looks reach 2e-8 s (601 searches came to 1.1e-5 s in 57 s): 3e6 such searches would take days.
         let (work, looks) = first_search(1e13);
-        assert!(work == CUT_SHORT_WORK && looks > u64::from(MAX_ADVANCES), "{work} for {looks} looks");
+        assert!(work == 5000 && looks > 100_000, "{work} for {looks} looks");
     }
 }
