@@ -164,13 +164,13 @@ fn within(
     let mut earliest = EarliestRise::none();
     for &(event, function) in functions {
         let length = |state: &[f64; 2]| function.at(*state).abs();
-        let SwitchRoundoff { zero, band } = match function.unit {
+        let SwitchRoundoff { zero, band, noise } = match function.unit {
             SwitchUnit::Length => length_roundoff(link, moved, states.iter().map(length).fold(0.0, f64::max)),
             SwitchUnit::Speed => speed_roundoff(link, moved, speed, track.omega),
         };
         let values = states.map(|state| function.at(state) - band);
         let value_at = |t: f64| function.at(state_at(t)) - band;
-        let resolution = Resolution { zero, rise: 0.0 };
+        let resolution = Resolution { zero, rise: 0.0, noise };
         let rise = first_rise([&times[..], &values[..]], resolution, false, earliest.known(), value_at);
         earliest.offer(rise, event);
     }

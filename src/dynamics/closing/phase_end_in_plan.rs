@@ -108,11 +108,12 @@ fn first_in(world: &World, slot: usize, functions: &[Function], [from, to]: [f64
         let track = &world.links[number];
         let link = &world.model.links[track.link];
         let motions = frames.each_ref().map(|frame| motion(world, number, frame));
-        let SwitchRoundoff { zero, band } = switch_roundoff(link, (function, &track.phase), &motions, track.omega);
+        let SwitchRoundoff { zero, band, noise } =
+            switch_roundoff(link, (function, &track.phase), &motions, track.omega);
         let value = |motion: &Separation| link.device.switch(function, &track.phase, motion) - band;
         let values = motions.map(|motion| value(&motion));
         let value_at = |t: f64| value(&motion(world, number, &world.frame(slot, 0, t)));
-        let resolution = Resolution { zero, rise: 0.0 };
+        let resolution = Resolution { zero, rise: 0.0, noise };
         let rise = first_rise([&times[..], &values[..]], resolution, false, earliest.known(), value_at);
         earliest.offer(rise, (number, function));
     }

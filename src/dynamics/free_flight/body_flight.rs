@@ -188,6 +188,12 @@ impl BodyFlight {
         own.form.range(own.flight(), span)
     }
 
+    /// [`ClosedForm::displacement_bound`]; nothing of a rigid girder in plan \[m\].
+    pub fn displacement_bound(&self, until: f64) -> Option<f64> {
+        let Self::Custom(own) = self else { return None };
+        own.form.displacement_bound(own.flight(), until)
+    }
+
     /// [`ClosedForm::works`]; `None` of a rigid girder in plan.
     pub fn works(&self, span: [f64; 2]) -> Option<[f64; 4]> {
         let Self::Custom(own) = self else { return None };

@@ -15,7 +15,7 @@ pub(super) const RUN_SPEED_ROUNDING: f64 = 1e-14;
 /// row of Tables 4–7 is met by states on the border between two rows (`tests/core/impact/tables.rs`).
 pub(super) const IMPACT_FORCE_ROUNDING: f64 = 1e-10;
 /// Normal speed that a kept point may gather from the error of the integrator, in parts of the largest speed of the run: a step errs by
-/// the scene's tolerance, and at a finer one than this, the default, an error that many steps add up counts as none.
+/// the scene's tolerance, and below this number the errors of many steps add up to more than that of one. Tuned.
 pub(super) const LEAST_NORMAL_DRIFT: f64 = 1e-8;
 /// Normal speed of a point that is not kept and still counts as at rest, in units of the speed round-off. An impulse sums two
 /// terms for each of two sides: 4 roundings.

@@ -2,10 +2,10 @@
 //!
 //! The function is given at a few instants of a step and can be evaluated in between. A rise is bracketed by a change of sign
 //! between neighbouring samples, by a dip below zero after a start at zero, or by a parabola through three negative samples
-//! that comes near zero between them; the bracket is then closed by [`root_between`].
+//! that comes near zero between them; the bracket is then closed by [`root_within_noise`].
 
 use crate::dynamics::locate::constants::{DIP_HALVINGS, EXCURSION_MARGIN, EXCURSION_REDUCTIONS, RISE_LOOKS};
-use crate::dynamics::locate::root::{root, root_between};
+use crate::dynamics::locate::root::{root, root_within_noise};
 
 /// Thresholds of a switching function for a zero at its start and for a rise, in the function's unit.
 #[derive(Clone, Copy, Debug)]
@@ -15,12 +15,14 @@ pub(in crate::dynamics) struct Resolution {
     /// Value above which a function that starts at 0 and is below 0 at the next sample rises in between: what the step errs by. A smaller
     /// rise is one of the dense output alone, and the phase that begins with it would end at once.
     pub rise: f64,
+    /// Round-off of the function: a rise is located as far as the function is known.
+    pub noise: f64,
 }
 
 impl Resolution {
     /// Of a function whose rise from 0 within a sample is no event of its own.
     pub(in crate::dynamics) fn at_start(zero: f64) -> Self {
-        Self { zero, rise: f64::INFINITY }
+        Self { zero, rise: f64::INFINITY, noise: 0.0 }
     }
 }
 
@@ -28,7 +30,7 @@ impl Resolution {
 /// that is `passing` must fall below 0 first, and its start is none.
 pub(in crate::dynamics) fn first_rise(
     [times, values]: [&[f64]; 2],
-    Resolution { zero, rise }: Resolution,
+    Resolution { zero, rise, noise }: Resolution,
     passing: bool,
     first: EarliestEvent,
     mut function: impl FnMut(f64) -> f64,
@@ -47,7 +49,7 @@ pub(in crate::dynamics) fn first_rise(
             return match left {
                 Some(left) => {
                     let start = if left == times[i - 1] { values[i - 1] } else { function(left) };
-                    Some(first.rise([left, times[i]], [start, values[i]], &mut function))
+                    Some(first.rise([left, times[i]], [start, values[i]], noise, &mut function))
                 }
                 // Never below 0 in between: the function is at 0 up to this sample.
                 None if below => Some(times[i]),
@@ -110,20 +112,26 @@ impl EarliestEvent {
 
     /// Zero of a function that rises through 0 between `left` and `right`: the root where it is before the earliest event; else only
     /// whether both are simultaneous, by two evaluations, since contacts of a flush face change at one instant.
-    fn rise(self, [left, right]: [f64; 2], [start, end]: [f64; 2], function: &mut impl FnMut(f64) -> f64) -> f64 {
+    fn rise(
+        self,
+        [left, right]: [f64; 2],
+        [start, end]: [f64; 2],
+        noise: f64,
+        function: &mut impl FnMut(f64) -> f64,
+    ) -> f64 {
         let (at, with) = (self.at, self.at + self.together);
         let below = |t: f64, function: &mut dyn FnMut(f64) -> f64| t <= left || (t < right && function(t) <= 0.0);
         if !at.is_finite() {
-            root_between(function, [left, right], [start, end])
+            root_within_noise(function, [left, right], [start, end], noise)
         } else if below(with, function) {
             right.max(with.next_up())
         } else if below(at, function) {
             at
         } else if at < right {
             let value = function(at);
-            root_between(function, [left, at], [start, value])
+            root_within_noise(function, [left, at], [start, value], noise)
         } else {
-            root_between(function, [left, right], [start, end])
+            root_within_noise(function, [left, right], [start, end], noise)
         }
     }
 }
@@ -192,7 +200,7 @@ mod tests {
         first_rise([times, &values], RESOLUTION, passing, EarliestEvent::UNKNOWN, f)
     }
 
-    const RESOLUTION: Resolution = Resolution { zero: 1e-12, rise: 1e-9 };
+    const RESOLUTION: Resolution = Resolution { zero: 1e-12, rise: 1e-9, noise: 0.0 };
 
     const TIMES: [f64; 3] = [0.0, 1.0, 2.0];
 

@@ -12,14 +12,20 @@ pub fn root(mut f: impl FnMut(f64) -> f64, a: f64, b: f64) -> f64 {
     root_between(f, [a, b], [fa, fb])
 }
 
-/// Root in `[a, b]` where the values at both ends are known: secants, weighted by Anderson and Björck where one end is kept,
+/// Root in `[a, b]` where the values at both ends are known: [`root_within_noise`] of a function without round-off.
+pub(in crate::dynamics) fn root_between(f: impl FnMut(f64) -> f64, ends: [f64; 2], values: [f64; 2]) -> f64 {
+    root_within_noise(f, ends, values, 0.0)
+}
+
+/// Root in `[a, b]` where the values at both ends are known, of a function that rounds by `noise`: an argument at which it is 0 or more
+/// and at most `noise`, or the upper end of the last bracket; by secants, weighted by Anderson and Björck where one end is kept,
 /// and [`ROUND`] bisections where as many secants have reduced the bracket by less.
-pub(in crate::dynamics) fn root_between(
+pub(in crate::dynamics) fn root_within_noise(
     mut f: impl FnMut(f64) -> f64,
     [mut a, mut b]: [f64; 2],
-    [fa, fb]: [f64; 2],
+    [mut fa, mut fb]: [f64; 2],
+    noise: f64,
 ) -> f64 {
-    let (mut fa, mut fb) = (fa, fb);
     if fa >= 0.0 {
         return a;
     }
@@ -27,7 +33,8 @@ pub(in crate::dynamics) fn root_between(
         return b;
     }
     let (mut last_side, mut width, mut slow) = (0, b - a, false);
-    let mut margin = f64::EPSILON * a.abs().max(b.abs());
+    // Within the noise, by the slope of the bracket, a step across it is as good as any.
+    let mut margin = (f64::EPSILON * a.abs().max(b.abs())).max(0.5 * noise * ((b - a) / (fb - fa)).abs());
     for count in 1..MAX_ROOT_EVALUATIONS {
         let middle = f64::midpoint(a, b);
         if middle <= a || middle >= b {
@@ -43,7 +50,7 @@ pub(in crate::dynamics) fn root_between(
             x
         };
         let fx = f(x);
-        if fx == 0.0 {
+        if (0.0..=noise).contains(&fx) {
             return x;
         }
         if fx < 0.0 {
@@ -153,6 +160,28 @@ mod tests {
         // No slope leads out of the interval, nor past the root of one that lies.
         let wrong = root_with_slope(|t| [t * t - 2.0, -1.0], [0.0, 2.0], [[-2.0, 1e9], [2.0, -1e9]]);
         assert!((wrong - std::f64::consts::SQRT_2).abs() <= 2.0 * f64::EPSILON, "{wrong}");
+    }
+
+    #[test]
+    fn a_function_is_followed_no_further_than_it_is_known() {
+        let evaluations = |noise: f64| {
+            let mut count = 0;
+            let exact = |t: f64| (t - 20.0).exp() - 1.3;
+            let ends = [20.0, 20.5];
+            let at = root_within_noise(
+                |t| {
+                    count += 1;
+                    exact(t)
+                },
+                ends,
+                ends.map(exact),
+                noise,
+            );
+            assert!((-1e-15..=noise.max(1e-14)).contains(&exact(at)), "{:e} at {noise:e}", exact(at));
+            count
+        };
+        let [fine, known] = [0.0, 1e-12].map(evaluations);
+        assert!(known < fine, "{known} evaluations against {fine}");
     }
 
     #[test]

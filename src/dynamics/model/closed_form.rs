@@ -42,6 +42,12 @@ pub trait ClosedForm: Debug + Send + Sync {
         None
     }
 
+    /// Bound of the displacement from where the body was placed, up to `until`, at less cost than [`bounds`](Self::bounds) and less
+    /// sharp \[m\]; `None` without one.
+    fn displacement_bound(&self, _flight: FlightParameters<'_>, _until: f64) -> Option<f64> {
+        None
+    }
+
     /// Numbers of the rest of a flight, from `t` on with this state.
     fn resume(&self, flight: FlightParameters<'_>, _state: &[f64]) -> Vec<f64> {
         flight.numbers.to_vec()

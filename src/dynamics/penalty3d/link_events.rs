@@ -40,7 +40,7 @@ pub(in crate::dynamics) fn first_phase_end(model: &Model, island: &Island) -> Op
         let motions: Vec<_> =
             frames.chunks_exact(sections).map(|f| active.motion(model, &island.system.bases, f).0).collect();
         for number in likely {
-            let SwitchRoundoff { zero, band } =
+            let SwitchRoundoff { zero, band, noise } =
                 switch_roundoff(link, (number, &active.phase), &motions, island.omega());
             let switch =
                 |motion: &Separation, t: f64| link.device.switch(number, &island.phase_at(index, t), motion) - band;
@@ -53,7 +53,7 @@ pub(in crate::dynamics) fn first_phase_end(model: &Model, island: &Island) -> Op
                 SwitchUnit::Length => island.step.allowed.displacement,
                 SwitchUnit::Speed => island.step.allowed.speed,
             };
-            let resolution = Resolution { zero, rise };
+            let resolution = Resolution { zero, rise, noise };
             let rise = first_rise([&times, &values], resolution, false, earliest.known(), value_at);
             earliest.offer(rise, LinkDue { index, switch: number });
         }
@@ -87,6 +87,8 @@ pub(in crate::dynamics) struct SwitchRoundoff {
     /// Value that is taken off the function: a phase that begins at a zero of the next one's function, with its rate 0 as well, is
     /// not ended by round-off.
     pub band: f64,
+    /// Value that round-off alone may give.
+    pub noise: f64,
 }
 
 /// Round-off of a switching function of a phase over a stretch with these motions. `omega` is the fastest circular frequency \[rad/s\].
@@ -108,11 +110,11 @@ pub(in crate::dynamics) fn switch_roundoff(
 /// Of a length, where the link's points are displaced by up to `moved` and its gap is up to `length` \[m\].
 pub(in crate::dynamics) fn length_roundoff(link: &Link, moved: f64, length: f64) -> SwitchRoundoff {
     let band = POSITION_ROUNDING * (link.size() + moved + length);
-    SwitchRoundoff { zero: ZERO_BAND * length + band, band }
+    SwitchRoundoff { zero: ZERO_BAND * length + band, band, noise: band }
 }
 
 /// Of a speed, where they are displaced by up to `moved` \[m\] at up to `speed` \[m/s\].
 pub(in crate::dynamics) fn speed_roundoff(link: &Link, moved: f64, speed: f64, omega: f64) -> SwitchRoundoff {
     let rounding = POSITION_ROUNDING * (link.size() + moved) * omega;
-    SwitchRoundoff { zero: ZERO_BAND * speed + rounding, band: 0.0 }
+    SwitchRoundoff { zero: ZERO_BAND * speed + rounding, band: 0.0, noise: rounding }
 }

@@ -62,6 +62,14 @@ pub const SIZE: Limit = Limit {
     beyond: [Some(UNCHECKED), Some(Text::new("domain-above-size"))],
     remedy: Text::new("domain-mend-size"),
 };
+/// Each coordinate of a girder's G. Gaps are differences of places as placed: at 1e6 m these round by 1.2e-10 m, at 1e15 m by 0.1 m.
+pub const PLACE: Limit = Limit {
+    quantity: Text::new("domain-place"),
+    unit: "m",
+    range: [0.0, 1e6],
+    beyond: [NOTHING, Some(Text::new("domain-above-place"))],
+    remedy: Text::new("domain-mend-place"),
+};
 /// The ends of nearly parallel girders reach as far as the skew makes them, b / sin β: 11 widths at 5°.
 pub const SKEW: Limit = Limit {
     quantity: Text::new("domain-skew"),
@@ -163,6 +171,7 @@ pub const LIMITS: &[Limit] = &[
     TOLERANCE,
     MASS,
     SIZE,
+    PLACE,
     SKEW,
     BEARING_PLACE,
     DEVICE_PLACE,
@@ -296,6 +305,8 @@ fn look_at_girder(scene: &Scene, girder: &Girder, found: &mut Departures) {
     for (key, size) in [("length_m", girder.length), ("width_m", girder.width), ("thickness_m", girder.thickness)] {
         found.look(at(key), size, SIZE);
     }
+    let farthest = girder.position.into_iter().map(f64::abs).fold(0.0, f64::max);
+    found.look(at("position_m"), farthest, PLACE);
     found.look(at("skew_deg"), girder.skew_deg, SKEW);
     found.look(at("mass_kg"), girder.mass, MASS);
     found.look(at("bearings"), measures::bearing_place(girder, scene.setting()), BEARING_PLACE);

@@ -48,11 +48,12 @@ fn both_ends_of_a_range_are_inside() {
 #[test]
 fn each_quantity_of_a_girder_is_named_by_its_key() {
     type Change = fn(&mut Girder);
-    let cases: [(&str, Limit, Change); 10] = [
+    let cases: [(&str, Limit, Change); 11] = [
         ("mass_kg", MASS, |g| g.mass = 1.1e8),
         ("length_m", SIZE, |g| g.length = 1.1e3),
         ("width_m", SIZE, |g| g.width = 0.9e-3),
         ("thickness_m", SIZE, |g| g.thickness = 0.9e-3),
+        ("position_m", PLACE, |g| g.position = [0.0, -1.1e6, 0.0]),
         ("skew_deg", SKEW, |g| g.skew_deg = 4.0),
         ("bearings", BEARING_PLACE, |g| {
             let Some(Bearings::Shared(bearings)) = &mut g.bearings else { return };

@@ -89,6 +89,7 @@ pub(super) fn reach(history: &History, body: usize, radius: f64) -> Reach {
     let (path, own) = (history.trajectories.path(body), &history.model().bodies[body]);
     let of_frame = |frame: &Frame| Reach::of(frame.shift.length(), frame.chord(), radius);
     let at = |t: f64| of_frame(&history.frame(body, t));
+    let turns = turns(own);
     let within = |number: usize| match path.motion_of(number) {
         (from, StoredMotion::Step(piece)) => {
             let (start, way) = (at(from), |range| piece.displacement_bound(range));
@@ -96,7 +97,7 @@ pub(super) fn reach(history: &History, body: usize, radius: f64) -> Reach {
             Reach { place: start.place + place, corner: start.corner + corner }
         }
         // Their ways together, below; of their rotation what is known is that at their beginnings.
-        (_, StoredMotion::Recomputed(_)) if turns(own) => Reach { place: 0.0, corner: f64::INFINITY },
+        (_, StoredMotion::Recomputed(_)) if turns => Reach { place: 0.0, corner: f64::INFINITY },
         (_, StoredMotion::Recomputed(_)) => Reach::of(0.0, 0.0, radius),
         (from, StoredMotion::Slide(slide)) => {
             let (end, step) = (end_of(history, body, number), slide.sight / LOOKS_PER_REVERSAL);
@@ -105,10 +106,17 @@ pub(super) fn reach(history: &History, body: usize, radius: f64) -> Reach {
         }
         (from, StoredMotion::Start(_) | StoredMotion::Flight(_)) => {
             let end = end_of(history, body, number);
+            let known = match path.motion_of(number) {
+                (_, StoredMotion::Flight(flight)) if !turns => flight.displacement_bound(end),
+                _ => None,
+            };
+            if let Some(way) = known {
+                return Reach::of(way, 0.0, radius);
+            }
             let (mut t, mut reach) = (from, Reach::of(0.0, 0.0, radius));
             while t < end {
                 let bounds = in_flight(history, body, number, t);
-                let chord = if bounds.turn == 0.0 { 0.0 } else { 2.0 * (0.5 * bounds.turn.min(PI)).sin() };
+                let chord = 2.0 * (0.5 * bounds.turn.min(PI)).sin();
                 reach = reach.most(Reach::of(bounds.reach, chord, radius));
                 // A window may be shorter than the spacing of times.
                 t = (t + bounds.window).max(t.next_up());

@@ -175,6 +175,14 @@ impl ClosedForm for GuidedFlight {
         Some(Extremes::of(spring.stiffness, state, self.force(spring, &piece, from), until - from).range)
     }
 
+    /// By the growth of `√(u̇² + ω² u²)`, which is at most the greatest force per unit mass.
+    fn displacement_bound(&self, flight: FlightParameters<'_>, until: f64) -> Option<f64> {
+        let FlightNumbers { spring, own: [u, v], .. } = FlightNumbers::of(flight.numbers)?;
+        let (force, tau) = (spring.load.abs() + self.ground.peak(), until - flight.start);
+        let speed = (v * v + spring.stiffness * u * u).sqrt() + force * tau;
+        Some(u.abs() + speed * tau)
+    }
+
     fn resume(&self, flight: FlightParameters<'_>, state: &[f64]) -> Vec<f64> {
         flight.numbers.iter().take(HEAD - 2).chain(state).copied().collect()
     }
@@ -269,6 +277,10 @@ mod tests {
                 let [u, v] = form.at(flight, 0.004 + 1e-4 * f64::from(i));
                 assert!(u.abs() <= bounds.reach && v.abs() <= bounds.speed, "{u} m, {v} m/s: {bounds:?}");
             }
+            let farthest = form.displacement_bound(flight, 0.012).expect("one coordinate");
+            let ways = (0..=90).map(|i| form.at(flight, 0.003 + 1e-4 * f64::from(i))[0].abs());
+            let most = ways.fold(0.0, f64::max);
+            assert!(most <= farthest && farthest < 5.0 * most, "{omega2} 1/s²: {farthest} for {most} m");
             let (mut t, mut kinks) = (start, 0);
             while t < 0.0399 {
                 let end = form.window_end(flight, t);
