@@ -183,6 +183,7 @@ pub enum Mark {
         align: Vec2,
         /// Height of the font.
         size: f32,
+        /// Its text.
         text: String,
         /// Its colour.
         color: Rgba,
