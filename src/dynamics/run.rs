@@ -34,7 +34,7 @@ pub struct Finished {
     /// Events in order of time (contact model).
     pub events: Vec<Event>,
     /// Hits, transitions and lasting contacts (impact model).
-    pub record: Option<impact2d::Record>,
+    pub record: Option<impact2d::ImpactRecord>,
     /// Counts of evaluations, steps and events.
     pub effort: Effort,
 }
