@@ -23,8 +23,8 @@ pub struct Finished {
     pub end: f64,
     /// Why it stopped early.
     pub stop: Option<Stop>,
-    /// Number, path and free motion of every body.
-    pub bodies: Vec<(usize, StoredPath, Option<BodyMotion>)>,
+    /// Motion of every body.
+    pub bodies: Vec<FinishedBody>,
     /// Steps that are kept by their starts.
     pub recomputed: RecomputedSteps,
     /// Number and states of every contact (contact model).
@@ -34,9 +34,20 @@ pub struct Finished {
     /// Events in order of time (contact model).
     pub events: Vec<Event>,
     /// Hits, transitions and lasting contacts (impact model).
-    pub record: Option<impact2d::Record>,
+    pub record: Option<impact2d::ImpactRecord>,
     /// Counts of evaluations, steps and events.
     pub effort: Effort,
+}
+
+/// Motion of a body in a run.
+#[derive(Debug)]
+pub struct FinishedBody {
+    /// Number in the model.
+    pub body: usize,
+    /// Path.
+    pub path: StoredPath,
+    /// Free motion; `None` of a body without a closed form.
+    pub free_motion: Option<BodyMotion>,
 }
 
 /// A run of one group of bodies.
@@ -75,7 +86,11 @@ impl Run for ContactRun {
         Finished {
             end,
             stop: schedule.stop().cloned(),
-            bodies: world.bodies.into_iter().map(|track| (track.body, track.path, track.free_motion)).collect(),
+            bodies: world
+                .bodies
+                .into_iter()
+                .map(|track| FinishedBody { body: track.body, path: track.path, free_motion: track.free_motion })
+                .collect(),
             recomputed: store.recomputed,
             contacts: world.contacts.into_iter().map(|track| (track.site, track.log)).collect(),
             links: world.links.into_iter().map(|track| (track.link, track.log)).collect(),
@@ -99,9 +114,10 @@ impl Run for impact2d::run::ImpactRun {
             stop: schedule.stop().cloned(),
             bodies: bodies
                 .into_iter()
-                .map(|track| {
-                    let motion = BodyMotion::InPlan(track.free_motion);
-                    (track.body, track.segments.into_iter().collect(), Some(motion))
+                .map(|track| FinishedBody {
+                    body: track.body,
+                    path: track.segments.into_iter().collect(),
+                    free_motion: Some(BodyMotion::InPlan(track.free_motion)),
                 })
                 .collect(),
             recomputed: RecomputedSteps::default(),

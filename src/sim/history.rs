@@ -12,7 +12,7 @@ use super::{Event, Motion, Stop, Touch, Upright};
 use crate::contact::Frame;
 use crate::dynamics::Model;
 use crate::dynamics::event_loop::effort::Effort;
-use crate::dynamics::impact2d::Record;
+use crate::dynamics::impact2d::ImpactRecord;
 use crate::dynamics::model::coordinates::BodyState;
 use crate::dynamics::record::event::Cause;
 use crate::dynamics::run::Finished;
@@ -36,7 +36,7 @@ pub struct History {
     stop: Option<Stop>,
     pub(super) trajectories: Trajectories,
     events: Vec<Event>,
-    record: Option<Record>,
+    record: Option<ImpactRecord>,
     /// Answer of the scene by the other model.
     beside: Option<Arc<Self>>,
     effort: Effort,
@@ -73,7 +73,7 @@ impl History {
             }
         }
         events.retain(|event| event.t <= end);
-        let record = (!records.is_empty()).then(|| Record::together(records, end));
+        let record = (!records.is_empty()).then(|| ImpactRecord::together(records, end));
         if let Some(record) = &record {
             events = events::of(record, trajectories.model());
         }
@@ -97,7 +97,7 @@ impl History {
     }
 
     /// Record of the impact model; `None` where the contact model computed the run.
-    pub fn impact(&self) -> Option<&Record> {
+    pub fn impact(&self) -> Option<&ImpactRecord> {
         self.record.as_ref()
     }
 
@@ -152,7 +152,7 @@ impl History {
     fn shorten(&mut self, t: f64) {
         self.trajectories.shorten(t);
         self.events.retain(|event| event.t <= t);
-        self.record = self.record.take().map(|record| Record::together(vec![record], t));
+        self.record = self.record.take().map(|record| ImpactRecord::together(vec![record], t));
         self.found = Found::default();
     }
 

@@ -58,4 +58,4 @@ pub use session::{Reached, Session};
 pub use summary::{ContactTimes, Summary};
 pub use unit::Unit;
 
-pub use crate::dynamics::impact2d::{GirderState, Hit, LastingInterval, Record, Row, Transition};
+pub use crate::dynamics::impact2d::{GirderState, Hit, ImpactRecord, LastingInterval, Row, Transition};

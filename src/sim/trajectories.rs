@@ -12,7 +12,7 @@ use crate::dynamics::model::reference_pose::ReferencePose;
 use crate::dynamics::record::contact_log::ContactLog;
 use crate::dynamics::record::link_log::LinkLog;
 use crate::dynamics::record::recomputed_steps::{Past, RecomputedSteps};
-use crate::dynamics::run::Finished;
+use crate::dynamics::run::{Finished, FinishedBody};
 use crate::dynamics::trajectory::heading::StepHeading;
 use crate::dynamics::trajectory::step_polynomial::StepPolynomial;
 use crate::dynamics::trajectory::stored_path::{StoredMotion, StoredPath};
@@ -60,7 +60,7 @@ impl Trajectories {
     pub(super) fn take_in(&mut self, group: &mut Finished) {
         let number = self.recomputed.len();
         self.recomputed.push(std::mem::take(&mut group.recomputed));
-        for (body, path, free_motion) in group.bodies.drain(..) {
+        for FinishedBody { body, path, free_motion } in group.bodies.drain(..) {
             (self.paths[body], self.free_motions[body], self.group_of[body]) = (path, free_motion, number);
         }
         for (contact, log) in group.contacts.drain(..) {
@@ -81,7 +81,7 @@ impl Trajectories {
         &self.model
     }
 
-    /// How far they reach \[s\].
+    /// Time that they reach \[s\].
     pub(super) fn end(&self) -> f64 {
         self.end
     }

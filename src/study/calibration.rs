@@ -19,7 +19,7 @@ use crate::sim::History;
 
 /// Multiples of a start that are tried, key by key.
 const MULTIPLES: [f64; 10] = [0.5, 0.6, 0.7, 0.8, 0.9, 1.1, 1.2, 1.35, 1.5, 2.0];
-/// How often every key is tried: the second time with the others where the first left them.
+/// Number of passes over the keys: the second with the others as the first left them.
 const PASSES: u32 = 2;
 /// Share of a value by which it is moved for a derivative: large beside the error of a run (1e-12), small beside what moves an event
 /// past another.
@@ -54,7 +54,7 @@ pub struct Calibration {
     pub keys: Vec<Fitted>,
     /// Root mean square of the residuals \[m\].
     pub rms: f64,
-    /// The same as a share of that of the measured, less its mean.
+    /// That as a share of the root mean square of the measured, less its mean \[–\].
     pub unexplained: f64,
     /// Order of the autoregression of the residuals.
     pub order: usize,
@@ -91,7 +91,7 @@ impl Calibration {
     }
 }
 
-/// Why nothing was found, with a remedy.
+/// Reasons of a failed calibration, with remedies.
 #[derive(Clone, Debug, PartialEq, Eq, thiserror::Error)]
 pub enum NotCalibrated {
     /// The scene cannot be run with the starts.

@@ -1,4 +1,4 @@
-//! How long something takes: the least CPU time of several runs after a warm-up.
+//! Computing time: the least CPU time of several runs after a warm-up.
 //!
 //! CPU time of the process, all its threads together, and not the clock on the wall: a machine that others work on too
 //! gives the same figure, and a run on several threads is charged for all of them.

@@ -38,7 +38,7 @@ pub struct Difference {
     pub at: f64,
 }
 
-/// How a body differs from a run.
+/// Differences of a body's motion from a run.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Differences {
     /// Along x and y \[mm\].

@@ -101,7 +101,7 @@ pub fn hit_span(history: &History, girder: usize) -> Option<[f64; 2]> {
     Some([(hit.t - BEFORE * transit).max(0.0), end])
 }
 
-/// When the force of the hardest hit of a girder that bends is largest \[s\]; `None` where nothing hits it.
+/// Time at which the force of the hardest hit of an elastic girder is largest \[s\]; `None` without a hit.
 pub fn hit_peak(history: &History, girder: usize) -> Option<f64> {
     let hit = history.sections().elastic_hit(girder)?;
     let own = history.poundings().iter().filter(|of| history.model().pairs[of.pair].bodies.contains(&Some(girder)));

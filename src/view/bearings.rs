@@ -54,7 +54,7 @@ pub(super) fn pads(
     .collect()
 }
 
-/// Where a girder's bearings are attached, in its own frame in plan \[m\].
+/// Points of a girder at its bearings, in its own frame in plan \[m\].
 fn places(girder: &Girder) -> Vec<[f64; 2]> {
     match &girder.bearings {
         None => Vec::new(),
@@ -64,7 +64,7 @@ fn places(girder: &Girder) -> Vec<[f64; 2]> {
     }
 }
 
-/// How many bearings of a girder do not carry it, beside the first of them.
+/// Number of a girder's bearings that do not carry it, beside the first of them.
 pub(super) fn labels(input: &ViewInput<'_>, moment: &Moment, palette: &Palette, placer: &mut Placer) -> Vec<Mark> {
     let ppp = input.pixels_per_point;
     let label = |(number, girder): (usize, &Girder)| {

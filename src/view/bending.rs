@@ -1,4 +1,4 @@
-//! How girders that bend are drawn: how much larger than it is their deformation, relative to what.
+//! Drawing of elastic girders: magnification of their deformation, and the motion that it is relative to.
 //!
 //! An end that faces something is drawn where it is, so that no gap seems to close that is open: what is drawn larger is the
 //! deformation relative to such ends.
@@ -17,19 +17,19 @@ const LOOKS: usize = 200;
 /// Stations at which they are looked for.
 const STATIONS: usize = 17;
 
-/// How girders that bend are drawn.
+/// Drawing of elastic girders.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Bent {
-    /// How many times larger than it is the deformation is drawn.
+    /// Magnification of the deformation \[–\].
     pub factor: f64,
     /// Section force that colours them, and its value at the ends of the colours, SI.
     pub colored: Option<(OfSection, f64)>,
 }
 
-/// How they are asked to be drawn.
+/// Settings for the drawing of elastic girders.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
 pub struct Bending {
-    /// How many times larger than it is; by none, the largest deflection is 3 % of the girder's length.
+    /// Magnification \[–\]; by none, the largest deflection is 3 % of the girder's length.
     pub factor: Option<f64>,
     /// Section force that colours them.
     pub force: Option<OfSection>,
@@ -86,7 +86,7 @@ fn largest_part(history: &History, girder: usize) -> f64 {
     most / (DRAWN * length)
 }
 
-/// Which ends face something: −x, +x.
+/// Whether each end faces something: −x, +x.
 pub(super) fn ends_that_face(history: &History, girder: usize) -> [bool; 2] {
     let faces = |end: End| {
         history

@@ -35,7 +35,7 @@ impl Block {
         })
     }
 
-    /// How far along a ray (in lengths of `along`) it enters the block, 0 from inside; `None` where it passes by.
+    /// Distance along a ray to its entry into the block, in lengths of `along`, 0 from inside; `None` where it misses.
     pub fn entry(&self, from: DVec3, along: DVec3) -> Option<f64> {
         let (mut enter, mut leave) = (0.0f64, f64::INFINITY);
         for (normal, point) in self.sides() {

@@ -31,7 +31,7 @@ pub(super) struct Bodies {
     pub(super) outline: Vec<Line>,
 }
 
-/// How high the ground lies: at the foot of the abutments and of the piers, and below every girder \[m\].
+/// Level of the ground: at the foot of the abutments and of the piers, and below every girder \[m\].
 pub(super) fn ground_level(scene: &Scene) -> f64 {
     let walls = scene.abutments.iter().filter_map(|a| abutment_block(scene, a)).flat_map(|b| b.corners());
     let girders = scene.girders.iter().map(|g| g.position[2] - g.thickness * (0.5 + PAD_HEIGHT));

@@ -6,7 +6,7 @@ use super::block::{abutment_block, girder_block};
 use super::piers::foot;
 use crate::scene::Scene;
 
-/// How much of a long backwall counts, beside the girders, as a share of their extent.
+/// Part of a long backwall that counts, beside the girders, as a share of their extent \[–\].
 const WALL_MARGIN: f64 = 0.12;
 
 /// An axis-aligned box in the world \[m\].

@@ -1,4 +1,4 @@
-//! Where the picture is taken from: an orbiting camera about a target, in f64.
+//! Camera of the picture: orbiting about a target, in f64.
 
 use glam::{DMat4, DVec3, DVec4, dcamera::rh::proj::directx};
 
@@ -17,7 +17,7 @@ const CONTACT_ABOUT: f64 = 0.6;
 /// The least room, in radii of the scene: a contact that has just closed has no cone yet.
 const CONTACT_LEAST: f64 = 0.05;
 
-/// How depth becomes size.
+/// Projection by distance.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub enum Projection {
     /// Far things are smaller.
@@ -40,7 +40,7 @@ pub struct Camera {
     pub pitch: f64,
     /// From the target to the eye \[m\].
     pub distance: f64,
-    /// How depth becomes size.
+    /// Projection by distance.
     pub projection: Projection,
 }
 
@@ -72,7 +72,7 @@ impl Camera {
 
     /// Frames the hardest contact that is closed at `t` with its force, or else that of the hardest touch at its peak.
     ///
-    /// Where nothing ever touches, the whole scene.
+    /// The whole scene where nothing ever touches.
     pub fn contact(history: &History, t: f64, aspect: f64) -> Self {
         let mut contacts = history.contacts(t);
         if contacts.is_empty() {
@@ -124,7 +124,7 @@ impl Camera {
         Basis { right, up: back.cross(right), back }
     }
 
-    /// Where the eye is \[m\].
+    /// Position of the eye \[m\].
     pub fn eye(&self) -> DVec3 {
         self.target + self.basis().back * self.distance
     }

@@ -36,8 +36,7 @@ impl Crowd {
         self.areas.push(area);
     }
 
-    /// How much of an area is taken, counted once for each that lies there; `None` if it is more than `most`
-    /// \[pixels²\].
+    /// Part of an area that is taken, counted once for each label there \[pixels²\]; `None` if it is more than `most`.
     pub(super) fn covered(&self, area: &Area, most: f32) -> Option<f32> {
         let [columns, rows] = self.touched(area);
         let mut overlaps: Vec<(usize, f32)> = Vec::new();

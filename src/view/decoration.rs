@@ -154,7 +154,7 @@ pub(super) fn abutment(whole: &Block) -> Abutment {
     }
 }
 
-/// The same block with its face turned round.
+/// The block with its face turned round.
 fn outwards(block: &Block) -> Block {
     let [a, b, c, d] = block.face;
     Block { face: [d, c, b, a], ..*block }

@@ -1,4 +1,4 @@
-//! How much of a scene a camera sees: what tells whether a view has lost it.
+//! Visible part of a scene, by which a view that has lost it is noticed.
 
 use glam::DVec3;
 
@@ -10,7 +10,7 @@ use crate::scene::Scene;
 /// Girders that are smaller than this share of the picture's side, all of them together, are a dot.
 const DOT: f64 = 0.06;
 
-/// How much of the girders of a scene, as placed, is in the picture.
+/// Part of the girders of a scene, as placed, that is in the picture.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord)]
 pub enum InView {
     /// Nothing, or a dot, or the eye is inside of one.
@@ -21,7 +21,7 @@ pub enum InView {
     Whole,
 }
 
-/// How much of a scene's girders a camera sees in a picture of this width over height.
+/// Part of a scene's girders that is in a picture of this width over height.
 pub fn in_view(scene: &Scene, camera: &Camera, aspect: f64) -> InView {
     let lens = Lens::of(camera, aspect);
     let (mut low, mut high, mut whole) = ([f64::INFINITY; 2], [f64::NEG_INFINITY; 2], true);

@@ -98,7 +98,7 @@ fn free_place(input: &ViewInput<'_>, moment: &Moment, taken: &[Area]) -> Area {
     areas.into_iter().filter(is_free).min_by_key(over).unwrap_or(areas[0])
 }
 
-/// How many of the points of a raster over an area show a girder.
+/// Number of points of a raster over an area that show a girder.
 fn covered(input: &ViewInput<'_>, girders: &[Block], area: &Area) -> usize {
     let size = Vec2::from(input.size.map(|s| s.max(1) as f32));
     let seen = |at: Vec2| {
@@ -134,7 +134,7 @@ fn friction_circle(
     Some((marks, area))
 }
 
-/// Where a circle stands \[pixels\], and pixels to a point.
+/// Centre of a circle \[pixels\], and pixels per point.
 #[derive(Clone, Copy)]
 struct Round {
     middle: Vec2,
@@ -150,7 +150,7 @@ fn tangential(contact: &ContactNow) -> Vec2 {
     Vec2::new(force.dot(right) as f32, -force.dot(up) as f32)
 }
 
-/// Where the tip has been since the touch began, at most [`PATH`] points of it.
+/// Path of the tip since the touch began, at most [`PATH`] points of it.
 fn path(input: &ViewInput<'_>, number: usize, round: Round, palette: &Palette) -> Vec<Mark> {
     let Some(history) = input.history else { return Vec::new() };
     let mut touches = history.touches().iter();
@@ -200,7 +200,7 @@ fn arrow(share: Vec2, contact: &ContactNow, Round { middle, radius, ppp }: Round
     ]
 }
 
-/// Which contact it is of: the node, above the circle.
+/// Name of its contact: the node, above the circle.
 fn name(
     input: &ViewInput<'_>,
     contact: &ContactNow,

@@ -24,7 +24,7 @@ pub struct GapNow {
     pub gap: f64,
     /// Middle of the end's upper edge \[m\].
     pub from: DVec3,
-    /// Where the axis through it meets the facing plane \[m\].
+    /// Intersection of the axis through it with the facing plane \[m\].
     pub to: DVec3,
 }
 

@@ -4,7 +4,7 @@ use super::scale;
 use crate::language::{Text, values};
 use crate::scene::{Component, Heading, Motion, RecordMotion, STANDARD_GRAVITY, Scene};
 
-/// How the ground moves, in a line: every component with its direction, how it travels, which grounds supports have of their own.
+/// Caption of the ground motion, in a line: every component with its direction, the wave, the grounds of single supports.
 pub(super) fn ground_caption(scene: &Scene) -> String {
     let caption = motion_caption(&scene.motion);
     let caption = match &scene.wave {

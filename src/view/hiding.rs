@@ -12,7 +12,7 @@ const TURNS: [f64; 2] = [0.3, 0.7];
 /// Alpha of a wall that has faded, as a share of its own (chosen).
 const GLASS: f64 = 0.2;
 
-/// How solid a wall is drawn, from 1 down to a fifth, for what it hides of the girder that it hides most.
+/// Opacity of a wall, from 1 down to a fifth, by the part that it hides of the girder that it hides most.
 ///
 /// It depends continuously on the camera, so that nothing jumps while orbiting.
 pub(super) fn solidity(wall: &Block, girders: &[Block], camera: &Camera) -> f64 {
@@ -21,7 +21,7 @@ pub(super) fn solidity(wall: &Block, girders: &[Block], camera: &Camera) -> f64 
     1.0 - (1.0 - GLASS) * t * t * (3.0 - 2.0 * t)
 }
 
-/// Which share of a girder lies behind the wall.
+/// Share of a girder that lies behind the wall.
 fn hidden_share(wall: &Block, girder: &Block, camera: &Camera) -> f64 {
     let eye = camera.homogeneous_eye();
     let points = samples(girder);

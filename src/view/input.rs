@@ -32,17 +32,17 @@ pub struct ViewInput<'a> {
     pub history: Option<&'a History>,
     /// The instant \[s\].
     pub t: f64,
-    /// Where it is seen from.
+    /// Camera.
     pub camera: &'a Camera,
-    /// Which layers.
+    /// Layers.
     pub overlays: Overlays,
     /// Force scale of the arrows \[N per m\]; from the scene's settings or the run's peak when absent.
     pub force_scale: Option<f64>,
     /// Selected bodies, contacts and devices.
     pub selected: &'a [Target],
-    /// How many times larger than they are displacements and rotations are shown; 1 is as they are.
+    /// Magnification of displacements and rotations; 1 for the true ones \[–\].
     pub exaggeration: f64,
-    /// How girders that bend are drawn; as rigid ones when absent.
+    /// Drawing of elastic girders; as rigid ones when absent.
     pub bent: Option<Bent>,
     /// Other runs, seen as ghosts at the same instant, each with its number among [`MOST_KEPT`].
     pub kept: &'a [(&'a History, usize)],
@@ -81,7 +81,7 @@ impl ViewInput<'_> {
     }
 }
 
-/// Where a point of the scene is in the picture \[pixels\]; nothing behind the camera.
+/// Pixel of a point of the scene \[pixels\]; `None` behind the camera.
 pub(super) fn pixel(input: &ViewInput<'_>, at: DVec3) -> Option<Vec2> {
     let [x, y] = input.camera.project(at, input.size.map(f64::from))?;
     (x.is_finite() && y.is_finite()).then(|| Vec2::new(x as f32, y as f32))

@@ -29,7 +29,7 @@ pub(super) fn text_size(text: &str, size: f32) -> Vec2 {
 pub(super) struct Label {
     /// Place that it names \[pixels\].
     pub(super) at: Vec2,
-    /// How far from it the text may start \[pixels\].
+    /// Distance from it at which the text may start \[pixels\].
     pub(super) clear: f32,
     pub(super) text: String,
     pub(super) size: f32,

@@ -10,7 +10,7 @@ use glam::{Mat4, Vec2, Vec3, Vec4};
 pub struct Rgba(pub [u8; 4]);
 
 impl Rgba {
-    /// Nothing at all.
+    /// Fully transparent.
     pub const CLEAR: Self = Self([0; 4]);
 
     /// With alpha.
@@ -23,14 +23,14 @@ impl Rgba {
         Self([r, g, b, 0xff])
     }
 
-    /// The same colour with a share of its alpha, from 0 to 1.
+    /// The colour with a share of its alpha, from 0 to 1.
     #[must_use]
     #[expect(clippy::cast_sign_loss, reason = "the share is held within 0 and 1")]
     pub fn fainter(self, share: f64) -> Self {
         self.with_alpha((f64::from(self.0[3]) * share.clamp(0.0, 1.0)).round() as u8)
     }
 
-    /// The same colour with another alpha.
+    /// The colour with another alpha.
     #[must_use]
     pub const fn with_alpha(self, alpha: u8) -> Self {
         Self([self.0[0], self.0[1], self.0[2], alpha])
@@ -51,14 +51,14 @@ pub enum Background {
     Dark,
 }
 
-/// Where the picture is taken from and how it is lit.
+/// Camera and light of the picture.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Frame {
     /// Clip space (z in `[0, 1]`, y up) from the world.
     pub clip_from_world: Mat4,
     /// The eye, homogeneous: a point in perspective, a direction (w = 0) in orthographic views.
     pub eye: Vec4,
-    /// How far lines are lifted towards the eye, off the bodies that they lie on \[m\].
+    /// Distance by which lines are lifted towards the eye, off the bodies that they lie on \[m\].
     pub lift: f32,
     /// Unit vector towards the light.
     pub towards_light: Vec3,
@@ -68,7 +68,7 @@ pub struct Frame {
     pub light_width: f32,
     /// Middle of the scene \[m\]; what lies farther from it in plan than `fade` begins fades out until it ends.
     pub middle: Vec2,
-    /// Where fading begins and ends \[m\].
+    /// Distances at which fading begins and ends \[m\].
     pub fade: [f32; 2],
     /// Top of the background.
     pub sky: Rgba,
@@ -183,7 +183,7 @@ pub enum Mark {
         align: Vec2,
         /// Height of the font.
         size: f32,
-        /// Its letters.
+        /// Its text.
         text: String,
         /// Its colour.
         color: Rgba,
@@ -229,7 +229,7 @@ pub enum Mark {
     },
     /// Straight strokes through points.
     Stroke {
-        /// Where it goes.
+        /// Its points.
         points: Vec<Vec2>,
         /// Its width.
         width: f32,

@@ -35,7 +35,7 @@ pub struct Place {
 }
 
 impl Place {
-    /// Where it is in the world \[m\].
+    /// Position in the world \[m\].
     fn world(&self, motions: &[Motion]) -> DVec3 {
         self.girder.map_or(self.at, |n| motions[n].place + motions[n].attitude * self.at)
     }
@@ -97,7 +97,7 @@ pub fn camera(history: &History, instants: &[f64], aspect: f64) -> Camera {
     Camera::preset(ViewPreset::Top, Bounds::of_points(instants.iter().flat_map(of_instant)), aspect)
 }
 
-/// Where the marks are in a picture of this size at an instant: to the right and down from its top left \[pixels\].
+/// Places of the marks in a picture of this size at an instant: to the right and down from its top left \[pixels\].
 pub fn pixels(history: &History, t: f64, camera: &Camera, size: [u32; 2]) -> Vec<[f64; 2]> {
     let motions = motions(history, t);
     let project = |place: &Place| camera.project(place.world(&motions), size.map(f64::from));

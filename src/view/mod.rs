@@ -62,7 +62,7 @@ use area::Area;
 use labels::Placer;
 use palette::Palette;
 
-/// Where what is far from the scene begins and ends to fade, in radii of the scene: long backwalls, in the main.
+/// Distances at which bodies far from the scene, mainly long backwalls, begin and end to fade, in radii of the scene \[–\].
 const FADE: [f64; 2] = [1.1, 2.1];
 
 /// Everything that the picture shows.

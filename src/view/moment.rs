@@ -29,14 +29,14 @@ pub struct Facing {
 pub struct Opened {
     /// Its number.
     pub contact: usize,
-    /// Where it parted \[m\].
+    /// Point at which it parted \[m\].
     pub point: DVec3,
 }
 
 /// A hit of the impact model that fades.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Impulse {
-    /// Where it acted \[m\].
+    /// Point of action \[m\].
     pub point: DVec3,
     /// All of it, on the first side's girder \[N·s\].
     pub impulse: DVec3,
@@ -51,9 +51,9 @@ pub struct Impulse {
 pub struct OverlapNow {
     /// The two bodies.
     pub bodies: [SolidId; 2],
-    /// How deep they are inside each other, the shortest way out \[m\].
+    /// Depth of the overlap, along the shortest way out \[m\].
     pub depth: f64,
-    /// Where the overlap was deepest \[m\].
+    /// Place of the greatest depth \[m\].
     pub place: DVec3,
 }
 
@@ -256,7 +256,7 @@ fn seats(history: &History, t: f64) -> Vec<SeatNow> {
     .collect()
 }
 
-/// Where a place as placed is at `t`, carried by a body that turns in plan alone.
+/// Position at `t` of a place as placed, carried by a body that turns in plan alone \[m\].
 fn carried(history: &History, body: usize, place: DVec3, t: f64) -> DVec3 {
     let (home, motion) = (history.model().bodies[body].home, history.motion(body, t));
     home + motion.displacement + DMat3::from_rotation_z(motion.theta) * (place - home)

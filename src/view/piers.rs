@@ -61,7 +61,7 @@ impl Pier {
         upright([length, width], top - DVec3::Z * depth, axes, depth)
     }
 
-    /// Where a place in the world as placed is after its cap has moved \[m\].
+    /// Position of a place in the world as placed after its cap has moved \[m\].
     pub(super) fn moved(&self, place: DVec3) -> DVec3 {
         let home = self.resolved.top;
         home + self.displacement + DMat3::from_rotation_z(self.theta) * (place - home)

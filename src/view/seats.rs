@@ -7,7 +7,7 @@ use super::{ViewInput, decoration, piers};
 use crate::geometry::End;
 use crate::scene::{Girder, Scene, placed};
 
-/// How far a seat without a length reaches beyond its bearings towards the span, in deck depths.
+/// Reach of a seat without a length beyond its bearings towards the span, in deck depths \[–\].
 const LEDGE: f64 = 0.6;
 
 /// A seat under an end of a girder, along its axis before skewing, outwards from the middle.

@@ -107,8 +107,7 @@ const MOST_SOUGHT: usize = 16;
 /// Cells of an upper side along and across, whose middles are looked for in the picture.
 const TRIED: u32 = 64;
 
-/// Where a name stands on a block \[pixels\]: the middle of its upper side, or where that is out of the picture the middle of what is seen
-/// of it.
+/// Place of a name on a block \[pixels\]: the middle of its upper side, or where that is out of the picture the middle of its visible part.
 fn name_place(input: &ViewInput<'_>, block: &Block) -> Option<Vec2> {
     let middle = top_of(block);
     let margin = Vec2::splat(MARGIN * input.pixels_per_point);

@@ -69,7 +69,7 @@ fn parted(whole: &Block, displacement: DVec3, soil: &Soil) -> [Block; 2] {
     [front, Block { face: whole.face.map(|corner| corner + soil), sweep: whole.sweep - soil }]
 }
 
-/// Where soil behind a wall would fail, as lines on the sides and the top of its block.
+/// Failure surface of soil behind a wall, as lines on the sides and the top of its block.
 pub(super) fn failure_lines(input: &ViewInput<'_>, soil: &Block, palette: &Palette) -> Vec<Line> {
     let [a, b, c, d] = soil.face;
     let inward = soil.sweep.normalize_or_zero();

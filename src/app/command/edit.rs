@@ -9,6 +9,7 @@ use crate::view::Target;
 pub enum EditCommand {
     /// Change the scene. Edits with the same gesture, one after the other, are undone together.
     Change {
+        /// The change.
         edit: Edit,
         /// Number of the gesture, such as a drag of a slider; none for a click.
         gesture: Option<u64>,

@@ -14,6 +14,7 @@ pub enum AppError {
     /// The window was open, and cannot go on.
     #[error("{}", ended(.why, *.kept))]
     Ended {
+        /// Cause.
         why: String,
         /// Whether there was unsaved work; it is on the disk.
         kept: bool,

@@ -11,7 +11,7 @@ use crate::dynamics::penalty3d::island::Island;
 use crate::dynamics::record::recomputed_steps::{LoggedState, RecomputedSteps, StepBody};
 use crate::dynamics::trajectory::packed_states::PackedStates;
 use crate::dynamics::trajectory::segment::{Segment, SegmentMotion};
-use crate::dynamics::trajectory::stored_path::Swept;
+use crate::dynamics::trajectory::stored_path::{StoredFlight, Swept};
 use crate::dynamics::world::World;
 use crate::dynamics::world::tracks::{Trajectory, flown};
 
@@ -133,7 +133,8 @@ impl StepStore {
         t: f64,
     ) -> Option<u32> {
         let track = &world.bodies[slot];
-        let ((number, from, start), free_motion) = (track.path.flown_until(t)?, track.free_motion.as_ref()?);
+        let StoredFlight { number, from, start } = track.path.flown_until(t)?;
+        let free_motion = track.free_motion.as_ref()?;
         let mut there = free_motion.girder_state(from, start, t)?;
         let other = world.model.bodies[track.body].rebase(&mut there);
         let place = |base: &ReferencePose| base.planar().to_array().map(f64::to_bits);

@@ -14,7 +14,7 @@ use crate::dynamics::impact2d::event_source::EventSource;
 use crate::dynamics::impact2d::impulse::sequential::impulses;
 use crate::dynamics::impact2d::instant::ImpactInstant;
 use crate::dynamics::impact2d::lasting::switch::Ending;
-use crate::dynamics::impact2d::record::Record;
+use crate::dynamics::impact2d::record::ImpactRecord;
 use crate::dynamics::impact2d::run::ImpactRun;
 use crate::dynamics::impact2d::tracks::BodyTrack;
 use crate::dynamics::impact2d::world::World;
@@ -120,7 +120,7 @@ impl ImpactRun {
     }
 
     /// Bodies with their paths, log, and progress.
-    pub(in crate::dynamics) fn into_parts(self) -> (Vec<BodyTrack>, Record, Schedule) {
+    pub(in crate::dynamics) fn into_parts(self) -> (Vec<BodyTrack>, ImpactRecord, Schedule) {
         let Self { world, mut record, schedule, .. } = self;
         let end = schedule.reached(world.model.duration);
         for site in world.sites {
@@ -269,7 +269,7 @@ mod tests {
         Box::new(run).finish()
     }
 
-    fn record(finished: &Finished) -> &Record {
+    fn record(finished: &Finished) -> &ImpactRecord {
         finished.record.as_ref().expect("the log of the impact model")
     }
 

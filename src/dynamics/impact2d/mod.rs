@@ -36,7 +36,7 @@ pub mod tables;
 mod tracks;
 mod world;
 
-pub use record::{Hit, LastingInterval, Record, Transition};
+pub use record::{Hit, ImpactRecord, LastingInterval, Transition};
 pub use state::GirderState;
 pub use tables::Row;
 

@@ -13,8 +13,21 @@ use crate::dynamics::impact2d::world::World;
 use crate::dynamics::integrator::dense_lu::solve_regularised;
 use crate::dynamics::model::coordinates::planar::POSITIONS;
 
-/// A constraint: point, direction, and the distance to remove \[m\].
-type Row = (ContactPoint, DVec2, f64);
+/// A kinematic constraint of a contact point.
+struct Constraint {
+    point: ContactPoint,
+    /// Unit vector along which the point is held.
+    direction: DVec2,
+    /// Error along it that is removed \[m\].
+    distance: f64,
+}
+
+impl Constraint {
+    /// Of the gap of a point.
+    fn of_gap(point: &ContactPoint) -> Self {
+        Self { point: *point, direction: point.n, distance: point.gap }
+    }
+}
 
 /// Projects the states of an instant; returns whether there was any constraint.
 pub(in crate::dynamics::impact2d) fn project(
@@ -29,12 +42,13 @@ pub(in crate::dynamics::impact2d) fn project(
         return false;
     }
     let cluster = &instant.kinematics.cluster;
-    let entry = |r: usize, c: usize| cluster.mobility(&rows[r].0, rows[r].1, &rows[c].0, rows[c].1);
-    let speed = |r: usize| -cluster.speed(&rows[r].0, rows[r].1);
+    let entry =
+        |r: usize, c: usize| cluster.mobility(&rows[r].point, rows[r].direction, &rows[c].point, rows[c].direction);
+    let speed = |r: usize| -cluster.speed(&rows[r].point, rows[r].direction);
     let speeds = solve_regularised(kept, entry, speed, SINGULAR_PIVOT);
-    let shifts = solve_regularised(rows.len(), entry, |r| -rows[r].2, SINGULAR_PIVOT);
+    let shifts = solve_regularised(rows.len(), entry, |r| -rows[r].distance, SINGULAR_PIVOT);
     for (solution, from) in [(shifts, 0), (speeds, 3)] {
-        for ((point, direction, _), size) in rows.iter().zip(solution.unwrap_or_default()) {
+        for (Constraint { point, direction, .. }, size) in rows.iter().zip(solution.unwrap_or_default()) {
             for (body, row) in point.row(*direction * size) {
                 if let Some(b) = body {
                     let change = instant.kinematics.cluster.inverse[b] * row;
@@ -49,28 +63,28 @@ pub(in crate::dynamics::impact2d) fn project(
     true
 }
 
-fn kept_rows(world: &World, instant: &ImpactInstant, modes: &[ContactMode]) -> Vec<Row> {
+fn kept_rows(world: &World, instant: &ImpactInstant, modes: &[ContactMode]) -> Vec<Constraint> {
     let mut rows = Vec::new();
     for mode in modes {
         let points = mode.points(&world.model, &instant.kinematics);
-        rows.extend(points.iter().map(|p| (*p, p.n, p.gap)));
+        rows.extend(points.iter().map(Constraint::of_gap));
         if mode.friction.sticks() {
             let centre = centre(&points);
-            rows.push((centre, centre.s, 0.0));
+            rows.push(Constraint { point: centre, direction: centre.s, distance: 0.0 });
         }
     }
     rows
 }
 
 /// Penetration of points that touch and are not kept, where it is more than round-off.
-fn separating_rows(world: &World, instant: &ImpactInstant, modes: &[ContactMode]) -> Vec<Row> {
+fn separating_rows(world: &World, instant: &ImpactInstant, modes: &[ContactMode]) -> Vec<Constraint> {
     let mut rows = Vec::new();
     for manifold in &instant.manifolds {
         let separates = |site: &usize| !modes.iter().any(|mode| mode.sites.contains(site));
         let round_off = PLACE_ROUNDING * world.pair(manifold.pair).map_or(0.0, |pair| world.radius(pair));
         let points = manifold.sites.iter().zip(&manifold.points);
         let behind = points.filter(|(site, p)| separates(site) && p.gap < -round_off);
-        rows.extend(behind.map(|(_, p)| (*p, p.n, p.gap)));
+        rows.extend(behind.map(|(_, p)| Constraint::of_gap(p)));
     }
     rows
 }

@@ -71,7 +71,7 @@ pub struct LastingInterval {
 
 /// Log of one run.
 #[derive(Clone, Debug, Default, PartialEq)]
-pub struct Record {
+pub struct ImpactRecord {
     /// Hits in order of time.
     pub hits: Vec<Hit>,
     /// Changes of state in order of time; each girder's first is its state at the start.
@@ -98,7 +98,7 @@ impl PartialEq for Index {
     }
 }
 
-impl Record {
+impl ImpactRecord {
     /// Memory of its lists \[bytes\], each hit and each interval with what a pair of contacts takes besides.
     pub fn bytes(&self) -> usize {
         let hits = self.hits.len() * (size_of::<Hit>() + 2 * size_of::<usize>());
@@ -187,7 +187,7 @@ mod tests {
             change(1.0, 0, GirderState::Resting),
             change(2.0, 1, GirderState::Sliding),
         ];
-        let record = Record { transitions, end: 3.0, ..Record::default() };
+        let record = ImpactRecord { transitions, end: 3.0, ..ImpactRecord::default() };
         assert_eq!(record.state(0, 0.5), GirderState::Free, "before the change");
         assert_eq!(record.state(0, 1.0), GirderState::Resting, "at the change");
         assert_eq!(record.state(0, 2.5), GirderState::Resting, "another girder's change");
@@ -195,20 +195,21 @@ mod tests {
 
     #[test]
     fn intervals_are_half_open_but_for_the_end_of_the_run() {
-        let record = Record { lasting: vec![interval(0.0, 1.0), interval(1.0, 2.0)], end: 2.0, ..Record::default() };
+        let record =
+            ImpactRecord { lasting: vec![interval(0.0, 1.0), interval(1.0, 2.0)], end: 2.0, ..ImpactRecord::default() };
         let count = |t: f64| record.lasting_at(t).count();
         assert_eq!([count(0.5), count(1.0), count(2.0), count(-0.1)], [1, 1, 1, 0], "one at a time");
     }
 
     #[test]
     fn logs_of_groups_are_merged_in_order_and_cut_at_the_end() {
-        let one = Record { lasting: vec![interval(0.5, 3.0), interval(2.5, 3.0)], ..Record::default() };
-        let other = Record {
+        let one = ImpactRecord { lasting: vec![interval(0.5, 3.0), interval(2.5, 3.0)], ..ImpactRecord::default() };
+        let other = ImpactRecord {
             transitions: vec![change(0.0, 1, GirderState::Free), change(2.1, 1, GirderState::Free)],
             lasting: vec![interval(0.1, 0.2)],
-            ..Record::default()
+            ..ImpactRecord::default()
         };
-        let all = Record::together(vec![one, other], 2.0);
+        let all = ImpactRecord::together(vec![one, other], 2.0);
         assert_eq!(all.transitions.len(), 1, "a change after the end");
         let spans: Vec<_> = all.lasting.iter().map(|i| (i.from, i.until)).collect();
         assert_eq!(spans, [(0.1, 0.2), (0.5, 2.0)], "sorted and cut");

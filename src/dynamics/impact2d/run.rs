@@ -13,7 +13,7 @@ use crate::dynamics::impact2d::constants::{
 use crate::dynamics::impact2d::event_source::EventSource;
 use crate::dynamics::impact2d::lasting::painleve;
 use crate::dynamics::impact2d::lasting::switch::Ending;
-use crate::dynamics::impact2d::record::{LastingInterval, Record};
+use crate::dynamics::impact2d::record::{ImpactRecord, LastingInterval};
 use crate::dynamics::impact2d::tracks::Trajectory;
 use crate::dynamics::impact2d::world::World;
 use crate::dynamics::trajectory::segment::{Segment, SegmentMotion};
@@ -26,7 +26,7 @@ pub struct ImpactRun {
     /// Queue of events, counted work and early stop.
     pub(in crate::dynamics::impact2d) schedule: Schedule,
     /// Hits, transitions and lasting contacts so far.
-    pub(in crate::dynamics::impact2d) record: Record,
+    pub(in crate::dynamics::impact2d) record: ImpactRecord,
     /// Bounds that end the run.
     pub(in crate::dynamics::impact2d) bounds: WorkBounds,
     /// Last instant with an event \[s\].
@@ -43,7 +43,7 @@ impl ImpactRun {
         Self {
             world,
             schedule: Schedule::default(),
-            record: Record::default(),
+            record: ImpactRecord::default(),
             bounds: WorkBounds::default(),
             last_instant: -1.0,
             events_at_instant: 0,

@@ -24,20 +24,21 @@ pub struct Driven {
     by_ground: [Vec<Complex>; 2],
     /// Rates of the drifts' speeds by the constant load, and by the ground along x and y.
     drifts: Vec<[f64; 3]>,
-    ground: Way,
+    ground: GroundResponse,
 }
 
+/// Response of the coefficients to the ground.
 #[derive(Clone, Debug)]
-enum Way {
+enum GroundResponse {
     Still,
-    /// Of a sine: coefficients of `e^{iψ}` and `e^{−iψ}`, ψ the ground's phase.
+    /// To a sine: coefficients of `e^{iψ}` and `e^{−iψ}`, ψ the ground's phase.
     Steady {
         gains: Vec<[Complex; 2]>,
         omega: f64,
         phase: f64,
         path: GroundPath,
     },
-    /// Of a record: coefficients at every [`SAMPLES_PER_ENTRY`]-th sample, one after the other, and the factors that carry them over one
+    /// To a record: coefficients at every [`SAMPLES_PER_ENTRY`]-th sample, one after the other, and the factors that carry them over one
     /// interval.
     Record {
         ground: Ground,
@@ -63,14 +64,14 @@ impl Driven {
         };
         let constant = rates(load).into_iter().zip(&spectrum.exponents).map(constant).collect::<Option<Vec<_>>>()?;
         let drifts = spectrum.drifts.iter().map(|&i| [load[i], by_ground[0][i], by_ground[1][i]]).collect();
-        let mut driven = Self { constant, by_ground: by_ground.map(rates), drifts, ground: Way::Still };
-        driven.ground = driven.way(spectrum, (ground, duration))?;
+        let mut driven = Self { constant, by_ground: by_ground.map(rates), drifts, ground: GroundResponse::Still };
+        driven.ground = driven.response(spectrum, (ground, duration))?;
         Some(driven)
     }
 
-    fn way(&self, spectrum: &Spectrum, (ground, duration): (&Ground, f64)) -> Option<Way> {
+    fn response(&self, spectrum: &Spectrum, (ground, duration): (&Ground, f64)) -> Option<GroundResponse> {
         match ground {
-            Ground::Still => Some(Way::Still),
+            Ground::Still => Some(GroundResponse::Still),
             Ground::Sine { amplitude, omega, phase, .. } => {
                 let (amplitude, drive) = (amplitude.truncate(), Complex::new(0.0, *omega));
                 let gain = |k: usize| {
@@ -85,7 +86,12 @@ impl Driven {
                     (!near).then(|| [share / apart[0], -share / apart[1]])
                 };
                 let gains = (0..self.constant.len()).map(gain).collect::<Option<Vec<_>>>()?;
-                Some(Way::Steady { gains, omega: *omega, phase: *phase, path: GroundPath::of(ground.clone()) })
+                Some(GroundResponse::Steady {
+                    gains,
+                    omega: *omega,
+                    phase: *phase,
+                    path: GroundPath::of(ground.clone()),
+                })
             }
             Ground::Record { dt, .. } => {
                 let moved = |k: usize| self.by_ground.iter().any(|by| by[k] != Complex::from(0.0));
@@ -96,7 +102,7 @@ impl Driven {
     }
 
     /// The driven motion of a record from rest at t = 0.
-    fn record(&self, spectrum: &Spectrum, ground: &Ground, dt: f64) -> Way {
+    fn record(&self, spectrum: &Spectrum, ground: &Ground, dt: f64) -> GroundResponse {
         let factors: Vec<[Complex; 3]> = spectrum.exponents.iter().map(|exponent| interval(*exponent, dt)).collect();
         let (mut now, mut integrals) = (vec![Complex::from(0.0); factors.len()], vec![[DVec2::ZERO; 2]]);
         let (mut kept, mut sums) = (now.clone(), [DVec2::ZERO; 2]);
@@ -114,7 +120,7 @@ impl Driven {
                 integrals.push(sums);
             }
         }
-        Way::Record { ground: ground.clone(), kept, integrals, factors }
+        GroundResponse::Record { ground: ground.clone(), kept, integrals, factors }
     }
 
     /// Rate of a coefficient by an acceleration of the ground.
@@ -132,13 +138,13 @@ impl Driven {
     /// Coefficients at `t`.
     pub fn coefficients(&self, spectrum: &Spectrum, t: f64, out: &mut [Complex]) {
         match &self.ground {
-            Way::Still => out.fill(0.0.into()),
-            Way::Steady { gains, omega, phase, .. } => {
+            GroundResponse::Still => out.fill(0.0.into()),
+            GroundResponse::Steady { gains, omega, phase, .. } => {
                 let turn = Complex::from_polar(1.0, omega * t + phase);
                 out.iter_mut().zip(gains).for_each(|(c, [up, down])| *c = *up * turn + *down * turn.conj());
             }
-            Way::Record { ground, kept, factors, .. } => {
-                let (number, nearest) = nearest(ground, t);
+            GroundResponse::Record { ground, kept, factors, .. } => {
+                let RecordEntry { interval: number, entry: nearest } = RecordEntry::before(ground, t);
                 let count = out.len();
                 out.copy_from_slice(&kept[nearest * count..][..count]);
                 for before in nearest * SAMPLES_PER_ENTRY..number {
@@ -167,10 +173,10 @@ impl Driven {
     /// First and second integral of the ground's acceleration from t = 0.
     fn integrals(&self, t: f64) -> [DVec2; 2] {
         match &self.ground {
-            Way::Still => [DVec2::ZERO; 2],
-            Way::Steady { path, .. } => path.at(t).map(DVec3::truncate),
-            Way::Record { ground, integrals, .. } => {
-                let (number, nearest) = nearest(ground, t);
+            GroundResponse::Still => [DVec2::ZERO; 2],
+            GroundResponse::Steady { path, .. } => path.at(t).map(DVec3::truncate),
+            GroundResponse::Record { ground, integrals, .. } => {
+                let RecordEntry { interval: number, entry: nearest } = RecordEntry::before(ground, t);
                 let mut sums = integrals[nearest];
                 for before in nearest * SAMPLES_PER_ENTRY..number {
                     let piece = ground.piece(before);
@@ -185,15 +191,15 @@ impl Driven {
     /// Amplitude of the ground's part of a coefficient and its frequency, where it is steady.
     pub fn steady(&self, k: usize) -> Option<[f64; 2]> {
         match &self.ground {
-            Way::Still => Some([0.0; 2]),
-            Way::Steady { gains, omega, .. } => Some([gains[k][0].norm() + gains[k][1].norm(), *omega]),
-            Way::Record { .. } => None,
+            GroundResponse::Still => Some([0.0; 2]),
+            GroundResponse::Steady { gains, omega, .. } => Some([gains[k][0].norm() + gains[k][1].norm(), *omega]),
+            GroundResponse::Record { .. } => None,
         }
     }
 
     /// Whether the driven motion is steady, or none.
     pub fn is_steady(&self) -> bool {
-        !matches!(self.ground, Way::Record { .. })
+        !matches!(self.ground, GroundResponse::Record { .. })
     }
 
     /// Greatest rate of a coefficient by the ground \[1/s\].
@@ -203,7 +209,7 @@ impl Driven {
 
     /// By how much the slope of the ground's acceleration jumps within a stretch, in all \[m/s³\].
     pub(super) fn kinks(&self, [from, until]: [f64; 2]) -> f64 {
-        let Way::Record { ground, .. } = &self.ground else { return 0.0 };
+        let GroundResponse::Record { ground, .. } = &self.ground else { return 0.0 };
         let slope = |number: usize| ground.piece(number).rate().truncate();
         let numbers = ground.piece_number(from)..=ground.piece_number(until);
         numbers.clone().skip(1).map(|number| (slope(number) - slope(number - 1)).length()).sum()
@@ -230,13 +236,13 @@ impl Driven {
     /// each coefficient, of a record a constant and a part that grows with time.
     pub(super) fn forced(&self, spectrum: &Spectrum, t: f64) -> Forced {
         match &self.ground {
-            Way::Still => Forced::None,
-            Way::Steady { gains, omega, phase, .. } => {
+            GroundResponse::Still => Forced::None,
+            GroundResponse::Steady { gains, omega, phase, .. } => {
                 let turn = Complex::from_polar(1.0, omega * t + phase);
                 let at = |[up, down]: &[Complex; 2]| [*up * turn, *down * turn.conj()];
                 Forced::Steady { omega: *omega, parts: gains.iter().map(at).collect() }
             }
-            Way::Record { ground, .. } => {
+            GroundResponse::Record { ground, .. } => {
                 let piece = ground.piece(ground.piece_number(t));
                 let (value, slope) = (piece.acceleration(t).truncate(), piece.rate().truncate());
                 let line = |k: usize| {
@@ -285,10 +291,19 @@ fn is_slow(exponent: Complex, duration: f64) -> bool {
     exponent.norm() * duration < TOO_SLOW
 }
 
-/// The interval of a record that holds `t`, and the number of what is kept before it.
-fn nearest(ground: &Ground, t: f64) -> (usize, usize) {
-    let number = ground.piece_number(t);
-    (number, number / SAMPLES_PER_ENTRY)
+/// Stored entry from which a time of a record is computed.
+struct RecordEntry {
+    /// Number of the record's interval that holds the time.
+    interval: usize,
+    /// Number of the last entry before it.
+    entry: usize,
+}
+
+impl RecordEntry {
+    fn before(ground: &Ground, t: f64) -> Self {
+        let interval = ground.piece_number(t);
+        Self { interval, entry: interval / SAMPLES_PER_ENTRY }
+    }
 }
 
 /// First and second integral after τ of a piece, in plan.

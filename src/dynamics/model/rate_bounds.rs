@@ -57,7 +57,7 @@ mod tests {
 
     use crate::dynamics::Model;
     use crate::dynamics::model::body::Body;
-    use crate::dynamics::model::rigid_body::response;
+    use crate::dynamics::model::rigid_body::{RigidAcceleration, response};
     use crate::scene::presets;
 
     /// Spectral radius of `M⁻¹ K` by the power method, `M = diag(m, m, m i²)`.
@@ -90,8 +90,8 @@ mod tests {
             for corner in body.prism.corners() {
                 let arm = body.axes * corner;
                 for along in [DVec3::X, DVec3::Y, (DVec3::X + DVec3::Y).normalize_or_zero()] {
-                    let (linear, turning) = response(body, &body.axes, along, arm);
-                    let mobility = (linear + turning.cross(arm)).dot(along);
+                    let RigidAcceleration { linear, angular } = response(body, &body.axes, along, arm);
+                    let mobility = (linear + angular.cross(arm)).dot(along);
                     let bound = body.rate_bounds.mobility;
                     assert!(mobility <= bound * (1.0 + 1e-12), "{name}: {mobility} above {bound}");
                 }

@@ -63,11 +63,18 @@ fn in_axes(body: &Body, turned: &DMat3, [shift, velocity, spin]: [DVec3; 3]) -> 
     sum
 }
 
-/// Motion of every bearing's point in the girder's axes as placed, and its arm from G in the world.
-pub fn bearing_motions<'a>(
-    body: &'a Body,
-    here: &'a Frame,
-) -> impl Iterator<Item = (&'a Bearing, Separation, DVec3)> + 'a {
+/// Motion of the point at which a bearing acts.
+pub struct BearingMotion<'a> {
+    /// The bearing.
+    pub bearing: &'a Bearing,
+    /// Motion relative to its foot, in the girder's axes as placed.
+    pub motion: Separation,
+    /// From G to the point, world axes \[m\].
+    pub arm: DVec3,
+}
+
+/// Motion of every bearing of a girder.
+pub fn bearing_motions<'a>(body: &'a Body, here: &'a Frame) -> impl Iterator<Item = BearingMotion<'a>> + 'a {
     let into_axes = body.axes.transpose();
     body.bearings.iter().map(move |b| {
         let placed = body.axes * b.place;
@@ -75,20 +82,28 @@ pub fn bearing_motions<'a>(
         let arm = placed + swung;
         let moved = into_axes * (here.shift + swung);
         let rate = into_axes * here.velocity_at(arm);
-        (b, Separation { moved, rate, ..Separation::default() }, arm)
+        BearingMotion { bearing: b, motion: Separation { moved, rate, ..Separation::default() }, arm }
     })
 }
 
-/// Acceleration of G and rate of spin of a body by a force that acts at `arm` from G.
-pub fn response(body: &Body, rotation: &DMat3, force: DVec3, arm: DVec3) -> (DVec3, DVec3) {
+/// Acceleration of a rigid body, world axes.
+pub struct RigidAcceleration {
+    /// Of G \[m/s²\].
+    pub linear: DVec3,
+    /// Rate of spin \[rad/s²\].
+    pub angular: DVec3,
+}
+
+/// Acceleration of a body by a force that acts at `arm` from G.
+pub fn response(body: &Body, rotation: &DMat3, force: DVec3, arm: DVec3) -> RigidAcceleration {
     let free = DVec3::from_array(std::array::from_fn(|i| f64::from(u8::from(body.free[i]))));
-    (force * free / body.mass, free_inverse(body, rotation, arm.cross(force)))
+    RigidAcceleration { linear: force * free / body.mass, angular: free_inverse(body, rotation, arm.cross(force)) }
 }
 
 /// Acceleration of a point by a force that acts there \[m/s²\].
 pub(in crate::dynamics) fn acceleration(body: &Body, point: &Point<'_>, force: DVec3) -> DVec3 {
-    let (linear, turning) = response(body, &point.frame.rotation(&body.axes), force, point.arm);
-    linear + turning.cross(point.arm)
+    let RigidAcceleration { linear, angular } = response(body, &point.frame.rotation(&body.axes), force, point.arm);
+    linear + angular.cross(point.arm)
 }
 
 /// `I ω̇ = M − ω × I ω`, solved in the directions that the body is free to turn in.
@@ -138,7 +153,7 @@ pub(in crate::dynamics) fn kinetic_energy(body: &Body, here: &Frame) -> f64 {
 
 /// Strain energy of the bearings \[J\]. The preloads are constant vertical forces, whose work is taken off; `weight` is in \[N\].
 pub(in crate::dynamics) fn strain_energy(body: &Body, here: &Frame, weight: f64) -> f64 {
-    let stored: f64 = bearing_motions(body, here).map(|(b, motion, _)| b.stored_energy(&(), &motion)).sum();
+    let stored: f64 = bearing_motions(body, here).map(|of| of.bearing.stored_energy(&(), &of.motion)).sum();
     stored - preload_work(body, here, weight)
 }
 
@@ -150,7 +165,7 @@ pub(in crate::dynamics) fn preload_work(body: &Body, here: &Frame, weight: f64) 
 
 /// Power lost in the bearings \[W\].
 pub(in crate::dynamics) fn bearing_loss(body: &Body, here: &Frame) -> f64 {
-    bearing_motions(body, here).map(|(b, motion, _)| b.dissipated_power(&(), &motion)).sum()
+    bearing_motions(body, here).map(|of| of.bearing.dissipated_power(&(), &of.motion)).sum()
 }
 
 /// Inertia about G in world axes \[kg·m²\].

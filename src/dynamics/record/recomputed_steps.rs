@@ -167,12 +167,12 @@ impl RecomputedSteps {
 
     /// Recomputes step `number`, which begins at `from` \[s\]: the dense output of each of its bodies.
     pub fn step(&self, number: u32, from: f64, past: &Past<'_>) -> Vec<StepPolynomial> {
-        let (dense, layout, bases) = self.dense(number, from, past);
+        let RecomputedStep { dense, layout, bases } = self.dense(number, from, past);
         let polynomial = |(place, base)| StepPolynomial::of(&dense, layout.range(place), Some(base));
         bases.iter().enumerate().map(polynomial).collect()
     }
 
-    fn dense(&self, number: u32, from: f64, past: &Past<'_>) -> (DenseOutput, StateLayout, Vec<ReferencePose>) {
+    fn dense(&self, number: u32, from: f64, past: &Past<'_>) -> RecomputedStep {
         let Step { length, sequence, start } = self.steps[number as usize];
         let (members, logged_states) = self.of(sequence as usize);
         let bodies: Vec<usize> = members.iter().map(|member| member.body as usize).collect();
@@ -214,7 +214,7 @@ impl RecomputedSteps {
             workspace: &mut Workspace::of(&system.active),
         };
         let dense = recompute_step(&mut equations, from, &mut y, length);
-        (dense, system.layout, system.bases)
+        RecomputedStep { dense, layout: system.layout, bases: system.bases }
     }
 
     /// Memory of the steps \[bytes\].
@@ -234,6 +234,15 @@ impl RecomputedSteps {
         self.steps.shrink_to_fit();
         self.starts.shrink();
     }
+}
+
+/// A step of the bodies of an island, recomputed.
+struct RecomputedStep {
+    dense: DenseOutput,
+    /// Layout of its components.
+    layout: StateLayout,
+    /// Reference poses of the bodies.
+    bases: Vec<ReferencePose>,
 }
 
 /// The explicit step of this length from `y` at `from`.

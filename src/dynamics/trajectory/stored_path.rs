@@ -42,6 +42,16 @@ pub struct Swept {
     pub chord: f64,
 }
 
+/// A flight that is stored by its initial state.
+pub struct StoredFlight {
+    /// Number of the segment.
+    pub number: u32,
+    /// Beginning \[s\].
+    pub from: f64,
+    /// Initial state.
+    pub start: PlanarState,
+}
+
 /// Interval and kind of one segment.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct TimeSpan {
@@ -130,11 +140,15 @@ impl StoredPath {
         self.starts.push(state)
     }
 
-    /// Number, beginning \[s\] and initial state of the flight with which the path ends at `t`; `None` without one.
-    pub fn flown_until(&self, t: f64) -> Option<(u32, f64, PlanarState)> {
+    /// Flight with which the path ends at `t`; `None` without one.
+    pub fn flown_until(&self, t: f64) -> Option<StoredFlight> {
         let (code, from) = (*self.codes.last()?, *self.from.last()?);
         let flown = code.kind() == SegmentKind::Start && self.until == t;
-        flown.then(|| (u32::try_from(self.codes.len() - 1).unwrap_or(u32::MAX), from, self.starts.get(code.number())))
+        flown.then(|| StoredFlight {
+            number: u32::try_from(self.codes.len() - 1).unwrap_or(u32::MAX),
+            from,
+            start: self.starts.get(code.number()),
+        })
     }
 
     /// Beginning \[s\] and representation of segment `number`.
@@ -300,6 +314,6 @@ mod tests {
         assert!(matches!(path.motion_of(4), (4.0, StoredMotion::Slide(s)) if s.from == 4.0), "a sliding face");
         let closed: Vec<bool> = path.spans().map(|span| span.flies).collect();
         assert_eq!(closed, [true, true, false, false, true], "closed forms");
-        assert_eq!(path.flown_until(5.0), None, "the last one is no flight");
+        assert!(path.flown_until(5.0).is_none(), "the last one is no flight");
     }
 }

@@ -1,12 +1,12 @@
 //! Hits and lasting contacts as events, and the stretches of lasting contacts.
 
 use crate::dynamics::Model;
-use crate::dynamics::impact2d::Record;
+use crate::dynamics::impact2d::ImpactRecord;
 use crate::dynamics::impact2d::lasting::constrained_motion::{ContactMode, FrictionMode};
 use crate::sim::{ContactState, Event, EventKind};
 
 /// Hits, and what happened to lasting contacts.
-pub(in crate::sim) fn of(record: &Record, model: &Model) -> Vec<Event> {
+pub(in crate::sim) fn of(record: &ImpactRecord, model: &Model) -> Vec<Event> {
     let mut all: Vec<Event> = Vec::new();
     for hit in &record.hits {
         let contact = hit.sites.first().copied().unwrap_or(model.pairs[hit.pair].sites.start);
@@ -35,7 +35,7 @@ pub(in crate::sim) fn of(record: &Record, model: &Model) -> Vec<Event> {
 pub(super) type Span = (f64, f64, ContactState);
 
 /// Per declared contact that lasts: its pair, its number, its stretches in order of time.
-pub(super) fn spans(record: &Record) -> Vec<(usize, usize, Vec<Span>)> {
+pub(super) fn spans(record: &ImpactRecord) -> Vec<(usize, usize, Vec<Span>)> {
     let mut all: std::collections::BTreeMap<usize, (usize, Vec<Span>)> = std::collections::BTreeMap::new();
     for interval in &record.lasting {
         for mode in &interval.modes {

@@ -7,7 +7,7 @@ use crate::dynamics::impact2d::delassus::centre;
 use crate::dynamics::impact2d::kinematics::{BodyKinematics, ground_acceleration};
 use crate::dynamics::impact2d::lasting::constrained_motion::{ContactMode, Reaction};
 use crate::dynamics::impact2d::lasting::indeterminate::solve_reactions;
-use crate::dynamics::impact2d::{LastingInterval, Record};
+use crate::dynamics::impact2d::{ImpactRecord, LastingInterval};
 use crate::dynamics::model::coordinates::planar::PlanarState;
 use crate::sim::{ContactNow, History};
 
@@ -30,7 +30,7 @@ fn reactions(history: &History, interval: &LastingInterval, t: f64) -> Option<(B
 }
 
 /// Forces of all lasting contacts at `t`, on the body that owns the node.
-pub(in crate::sim) fn contacts(history: &History, record: &Record, t: f64) -> Vec<ContactNow> {
+pub(in crate::sim) fn contacts(history: &History, record: &ImpactRecord, t: f64) -> Vec<ContactNow> {
     let mut all = Vec::new();
     for interval in record.lasting_at(t) {
         let Some((kinematics, reactions)) = reactions(history, interval, t) else { continue };

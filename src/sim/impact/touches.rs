@@ -1,7 +1,7 @@
 //! Touches: hits, which have no length, and lasting contacts.
 
 use super::events::spans;
-use crate::dynamics::impact2d::Record;
+use crate::dynamics::impact2d::ImpactRecord;
 use crate::sim::peaks;
 use crate::sim::{ContactState, History, Touch};
 
@@ -15,7 +15,7 @@ pub(in crate::sim) fn looks(from: f64, until: f64) -> impl Iterator<Item = f64> 
 }
 
 /// Every hit, without length, and every lasting contact.
-pub(in crate::sim) fn of(history: &History, record: &Record) -> Vec<Touch> {
+pub(in crate::sim) fn of(history: &History, record: &ImpactRecord) -> Vec<Touch> {
     let mut all: Vec<Touch> = Vec::new();
     for hit in &record.hits {
         let [normal, tangential] = hit.impulses.total();

@@ -24,7 +24,7 @@ impl Instants {
     }
 }
 
-/// Where one body is at one instant: displacement x, y, z \[m\] and rotation about the vertical \[rad\].
+/// Position of a body at one instant: displacement x, y, z \[m\] and rotation about the vertical \[rad\].
 pub type Place = [f64; 4];
 
 /// A run as a method sees it.
@@ -42,7 +42,7 @@ pub struct Answer {
     pub note: String,
 }
 
-/// How far an answer is from the reference, up to the instant where the comparison ends.
+/// Errors of an answer against the reference, up to the instant where the comparison ends.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
 pub struct Errors {
     /// Largest difference in displacement \[m\].

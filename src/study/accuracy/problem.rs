@@ -3,19 +3,19 @@
 use super::scenes;
 use crate::scene::{Scene, SceneErrors, presets};
 
-/// Where the answer that errors are measured against comes from.
+/// Source of the reference.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub enum Source {
     /// A damped oscillator in closed form.
     FreeDecay,
-    /// The same under a sine, from rest.
+    /// The damped oscillator under a sine, from rest.
     HarmonicResponse,
     /// One degree of freedom, piecewise linear: Taylor series in double-double arithmetic, events as roots.
     Bouncer {
         /// `e_n` of the dashpot; 1 is none.
         restitution: f64,
     },
-    /// The same with a rigid wall.
+    /// One degree of freedom with a rigid wall.
     Rigid {
         /// `e_n`.
         restitution: f64,
@@ -37,7 +37,7 @@ pub struct Problem {
     pub name: &'static str,
     /// One line on what it is.
     pub summary: &'static str,
-    /// Where its reference comes from.
+    /// Source of its reference.
     pub source: Source,
     /// Whether anything touches in it.
     pub contact: bool,

@@ -36,7 +36,7 @@ pub(super) fn free_decay() -> Result<Scene, SceneErrors> {
     Ok(scene)
 }
 
-/// The same from rest under a sine at 30° to the axis.
+/// From rest under a sine at 30° to the axis.
 pub(super) fn harmonic_response() -> Result<Scene, SceneErrors> {
     let mut scene = alone("harmonic-response")?;
     scene.motion = sine(AMPLITUDE, 2.0, 30.0);

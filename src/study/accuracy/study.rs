@@ -10,7 +10,7 @@ use crate::study::clock::fastest;
 
 /// A sweep of steps ends with the first run that takes longer than this \[s\].
 const LONGEST: f64 = 1.0;
-/// The same in a quick study \[s\].
+/// That limit in a quick study \[s\].
 const LONGEST_QUICK: f64 = 0.05;
 /// Most steps to an interval of comparison, as a power of two.
 const FINEST: u32 = 12;
@@ -54,7 +54,7 @@ pub struct Part {
     pub problem: &'static Problem,
     /// Reference of the errors.
     pub reference: Reference,
-    /// How long the run is, and until when it is compared \[s\].
+    /// Duration of the run, and end of its comparison \[s\].
     pub until: (f64, f64),
     /// Girders in it.
     pub girders: usize,

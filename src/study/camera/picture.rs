@@ -46,7 +46,7 @@ impl Camera {
         middle
     }
 
-    /// Where a place is seen, from G as placed \[mm\], to the right and down \[pixels\].
+    /// Pixel of a place, from G as placed \[mm\], to the right and down \[pixels\].
     pub(super) fn pixel(&self, [x, y]: [f64; 2]) -> [f64; 2] {
         [0.5 * self.size[0] + x / self.mm_per_pixel, 0.45 * self.size[1] - y / self.mm_per_pixel]
     }

@@ -56,7 +56,7 @@ impl Earthquake {
         })
     }
 
-    /// How long it is run \[s\].
+    /// Duration of its runs \[s\].
     pub fn duration(&self) -> f64 {
         (self.dt * self.samples.len() as f64).min(LONGEST)
     }

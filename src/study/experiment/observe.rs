@@ -19,9 +19,9 @@ const INTERVALS: u32 = 48;
 /// Observations on a run.
 #[derive(Clone, Debug, Default, PartialEq, Serialize, Deserialize)]
 pub struct Observed {
-    /// How far it was computed \[s\].
+    /// Time reached \[s\].
     pub end: f64,
-    /// Why it ended before its time.
+    /// Reason of an early end.
     pub stopped: Option<String>,
     /// Hits, in order of time.
     pub hits: Vec<HitSeen>,

@@ -13,7 +13,7 @@ pub use rows::{colliding, few_touch};
 
 /// Girders in a row.
 pub const SIZES: [usize; 5] = [1, 3, 10, 100, 1000];
-/// The same in a quick study.
+/// Sizes in a quick study.
 pub const SIZES_QUICK: [usize; 4] = [1, 3, 10, 100];
 
 /// One measurement.

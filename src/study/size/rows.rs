@@ -15,7 +15,7 @@ pub fn colliding(girders: usize) -> Scene {
     row(girders, |_| GAP, |i| 2.4 + 0.7 * ((i % 3) as f64))
 }
 
-/// The same row with wide gaps everywhere but between three girders in its middle.
+/// The row with wide gaps everywhere but between three girders in its middle.
 pub fn few_touch(girders: usize) -> Scene {
     let middle = girders / 2;
     row(girders, |i| if i + 1 == middle || i == middle { GAP } else { FAR }, |i| 2.4 + 0.7 * ((i % 3) as f64))

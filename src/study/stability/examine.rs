@@ -25,7 +25,7 @@ pub struct Examined {
     pub outcome: Outcome,
     /// Measured values.
     pub figures: Figures,
-    /// How long the examined scene lasts: as it is, or until as many events have come up, or steps were taken, as were asked for \[s\].
+    /// Duration of the examined scene: its own, or the time at which the limit of events or steps was reached \[s\].
     pub until: f64,
 }
 

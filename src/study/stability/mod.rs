@@ -29,11 +29,11 @@ use crate::scene::{Kind, Scene};
 pub struct Asked {
     /// First seed.
     pub from: u64,
-    /// How many.
+    /// Number of seeds.
     pub seeds: u64,
     /// Whether to pass over seeds whose scenes lie outside the domain.
     pub inside: bool,
-    /// How many at once.
+    /// Number of threads.
     pub threads: usize,
     /// Limits of the runs of one seed.
     pub limits: Limits,
@@ -48,9 +48,9 @@ pub struct Verdict {
     pub family: &'static str,
     /// Planar or spatial.
     pub kind: Kind,
-    /// How many girders.
+    /// Number of girders.
     pub girders: usize,
-    /// How long its scene lasts \[s\]; what was examined of it is shorter where very many events come up.
+    /// Duration of its scene \[s\]; the examined part is shorter where very many events occur.
     pub duration: f64,
     /// Its tolerance.
     pub tolerance: f64,
@@ -58,7 +58,7 @@ pub struct Verdict {
     pub inside: bool,
     /// Outcome and figures.
     pub examined: Examined,
-    /// Where it failed: a small scene that fails in the same check.
+    /// A small scene that fails in the same check, of a seed that failed.
     pub small: Option<Scene>,
     /// Time of its runs and checks, without shrinking \[s\].
     pub seconds: f64,
@@ -108,7 +108,7 @@ pub fn seeds(asked: &Asked) -> Vec<u64> {
     all.filter(|&seed| !asked.inside || is_inside(&family::scene(seed).1)).take(wanted).collect()
 }
 
-/// The same for any seeds.
+/// Examines any seeds.
 pub fn run_seeds(
     seeds: &[u64],
     threads: usize,

@@ -96,7 +96,7 @@ pub(super) fn stand(random: &mut Random, scene: &mut Scene, frequency_hz: f64) {
     }
 }
 
-/// The same bearings one by one, each stiffer or softer than the others.
+/// Makes a girder's bearings single ones, each stiffer or softer than the others.
 fn uneven(random: &mut Random, girder: &mut Girder, kind: Kind) {
     let Some(bearings) = &girder.bearings else { return };
     let setting = Setting { kind, gravity: STANDARD_GRAVITY };

@@ -26,7 +26,7 @@ impl Limits {
 /// Portions of a run, each [`GROWTH`] times the one before it: whatever its pace, few more events come up than are
 /// asked for. [`Session::advance`] asks 200 times in each.
 const PORTIONS: i32 = 100;
-/// How fast portions grow: the first is 1e-8 of the run.
+/// Growth of the portions \[–\]: the first is 1e-8 of the run.
 const GROWTH: f64 = 1.2;
 
 /// A clock and the end of the time limit.
@@ -42,7 +42,7 @@ impl std::fmt::Debug for Watch<'_> {
     }
 }
 
-/// Why a run has no whole answer.
+/// Reasons why a run has no whole answer.
 #[derive(Clone, Debug, PartialEq)]
 pub enum NoAnswer {
     /// Validation refused the scene.

@@ -117,7 +117,8 @@ struct Grid {
 /// A part as a grid; none where no two numbers stand about `..`, as in a path.
 ///
 /// # Errors
-/// How to write a grid that was meant.
+///
+/// The spelling of a grid that was meant.
 fn grid(part: &str) -> Result<Option<Grid>, String> {
     let Some((low, rest)) = part.split_once("..") else { return Ok(None) };
     let mut rest = rest.split(':');

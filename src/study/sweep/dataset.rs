@@ -30,7 +30,7 @@ pub enum Column<'a> {
     Key(usize, &'a Axis),
     /// A measure, and its place among them.
     Measure(usize, &'static Measure),
-    /// How the run ended.
+    /// End of the run.
     Status,
     /// Why, where not at its end.
     Reason,

@@ -25,7 +25,7 @@ impl Drawn<'_> {
         if self.axis.is_log { value.signum() * value.abs().log10() } else { value }
     }
 
-    /// Where a value is, in steps from the first; none outside.
+    /// Place of a value, in steps from the first; `None` outside.
     fn step_of(&self, value: f64) -> Option<f64> {
         if self.axis.is_log && value * self.values[0].0 <= 0.0 {
             return None;
@@ -44,7 +44,8 @@ impl Dataset<'_> {
     /// Names and SVG documents of its pictures, one a measure that any run has; none where no key is a number.
     ///
     /// # Errors
-    /// Why there are none, in words.
+    ///
+    /// The reason why there are none, in words.
     pub fn pictures(&self) -> Result<Vec<(String, String)>, String> {
         let drawn: Vec<Drawn<'_>> = self.plan.axes.iter().enumerate().filter_map(drawn).take(2).collect();
         if drawn.is_empty() {

@@ -60,12 +60,12 @@ impl Plan {
         Ok(plan)
     }
 
-    /// How many runs there are.
+    /// Number of runs.
     pub fn runs(&self) -> usize {
         self.axes.iter().map(|axis| axis.values.len()).product()
     }
 
-    /// Which value of each axis a run has.
+    /// Number of a run's value on each axis.
     pub fn choice(&self, run: usize) -> Vec<usize> {
         let mut rest = run;
         let mut choice: Vec<usize> = self

@@ -3,12 +3,12 @@
 use super::plan::Plan;
 use crate::sim::{Cause, History, Stop};
 
-/// How a run ended.
+/// End of a run.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Status {
     /// At the scene's duration.
     Complete,
-    /// Where the model of its scene ends: a vertical support is lost, or bodies meet where there is no contact.
+    /// At the end of its scene's model: a vertical support is lost, or bodies meet where there is no contact.
     Ended,
     /// Before its time: a step or a count came to its bound.
     GaveUp,
@@ -37,12 +37,12 @@ impl Status {
 pub struct Row {
     /// Number of the run in its [`Plan`].
     pub run: usize,
-    /// How it ended.
+    /// End of the run.
     pub status: Status,
     /// One a measure, in its unit; none where the run has no such thing, and of a run that gave up. Of one that ended where its model
     /// ends, until then.
     pub values: Vec<Option<f64>>,
-    /// Why it did not reach its end; empty where it did.
+    /// Reason of an early end; empty without one.
     pub reason: String,
 }
 

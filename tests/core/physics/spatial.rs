@@ -4,7 +4,7 @@ use crate::support::{run, scene, within};
 use girderbench::dynamics::Model;
 use girderbench::dynamics::connection::Connection as _;
 use girderbench::dynamics::model::coordinates::spatial;
-use girderbench::dynamics::model::rigid_body;
+use girderbench::dynamics::model::rigid_body::{self, BearingMotion};
 use girderbench::dynamics::model::wrench::Wrench;
 use girderbench::scene::{Bearings, Direction, FrictionLaw, Kind, Motion, Scene, presets};
 use girderbench::sim::EventKind;
@@ -146,7 +146,7 @@ fn bearings_and_weight_act_as_all_their_forces_together() {
         let mut slope = [0.0; spatial::WIDTH];
         spatial::slope(body, &here, &state, &Wrench::default(), DVec3::ZERO, &mut slope);
         let (mut force, mut moment) = (DVec3::NEG_Z * (body.mass * model.gravity), DVec3::ZERO);
-        for (bearing, motion, arm) in rigid_body::bearing_motions(body, &here) {
+        for BearingMotion { bearing, motion, arm } in rigid_body::bearing_motions(body, &here) {
             let part = bearing.preload + body.axes * bearing.force(&(), &motion);
             (force, moment) = (force + part, moment + arm.cross(part));
         }

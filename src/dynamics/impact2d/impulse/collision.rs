@@ -165,7 +165,7 @@ fn face(cluster: &mut Cluster, ends: &Ends, from: GirderState, law: &ImpactLaw<'
     let approach = cluster.speeds(&point);
     let coefficients = law.face();
     let (first, mut work) = first_impulse(cluster, &point, &coefficients);
-    let (turns, slides) = turns_and_slides(cluster, ends, law.speed_noise);
+    let FaceMotion { turns, slides } = face_motion(cluster, ends, law.speed_noise);
     let end = fastest_end(cluster, ends);
     let (again, outcome) = outcome(cluster, &ends[end], &law.corner(), law.speed_noise);
     work += again.map_or(0.0, |s| s.work);
@@ -214,7 +214,7 @@ fn two_corner_face(cluster: &mut Cluster, ends: &Ends, from: GirderState, law: &
     let middle = ends[0].towards(&ends[1], 0.5);
     let approach = cluster.speeds(&middle);
     let impulse = two_corner(cluster, ends, &coefficients);
-    let (turns, slides) = turns_and_slides(cluster, ends, law.speed_noise);
+    let FaceMotion { turns, slides } = face_motion(cluster, ends, law.speed_noise);
     let worst = ends[fastest_end(cluster, ends)];
     let separates = cluster.speed(&worst, worst.n) > law.speed_noise;
     let outcome = if separates { Outcome::Separates } else { Outcome::Contact { at_rest: !slides } };
@@ -229,11 +229,18 @@ fn two_corner_face(cluster: &mut Cluster, ends: &Ends, from: GirderState, law: &
     }
 }
 
-/// Whether the face turns, and whether its middle moves along the other face.
-fn turns_and_slides(cluster: &Cluster, ends: &Ends, speed_noise: f64) -> (bool, bool) {
+/// Motion of a face after its first impulse.
+struct FaceMotion {
+    /// Whether it turns relative to the other face.
+    turns: bool,
+    /// Whether its middle moves along the other face.
+    slides: bool,
+}
+
+fn face_motion(cluster: &Cluster, ends: &Ends, speed_noise: f64) -> FaceMotion {
     let [v0, v1] = [0, 1].map(|i| cluster.speed(&ends[i], ends[i].n));
     let middle = ends[0].towards(&ends[1], 0.5);
-    ((v1 - v0).abs() > speed_noise, cluster.speed(&middle, middle.s).abs() > speed_noise)
+    FaceMotion { turns: (v1 - v0).abs() > speed_noise, slides: cluster.speed(&middle, middle.s).abs() > speed_noise }
 }
 
 #[cfg(test)]

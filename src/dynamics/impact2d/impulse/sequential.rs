@@ -10,7 +10,7 @@ use crate::dynamics::impact2d::constants::{HITS_WITH_RESTITUTION, SEQUENTIAL_HIT
 use crate::dynamics::impact2d::impulse::collision::{Collision, ContactManifold, ImpactLaw, collide};
 use crate::dynamics::impact2d::impulse::simultaneous;
 use crate::dynamics::impact2d::instant::ImpactInstant;
-use crate::dynamics::impact2d::record::{Hit, Record, Transition};
+use crate::dynamics::impact2d::record::{Hit, ImpactRecord, Transition};
 use crate::dynamics::impact2d::tables::{Outcome, Row};
 use crate::dynamics::impact2d::world::World;
 
@@ -18,7 +18,7 @@ use crate::dynamics::impact2d::world::World;
 /// those that the hits lead to.
 pub(in crate::dynamics::impact2d) fn impulses(
     world: &World,
-    record: &mut Record,
+    record: &mut ImpactRecord,
     instant: &mut ImpactInstant,
     to: &mut [GirderState],
 ) -> f64 {
@@ -60,7 +60,7 @@ fn new_contact_approaches(world: &World, instant: &ImpactInstant) -> bool {
 /// One hit of one pair; returns the energy lost \[J\].
 fn hit(
     world: &World,
-    record: &mut Record,
+    record: &mut ImpactRecord,
     instant: &mut ImpactInstant,
     manifold: &ContactManifold,
     to: &mut [GirderState],
@@ -132,7 +132,7 @@ mod tests {
         for (v_x, count) in [(0.5, 1), (-0.5, 0)] {
             let (world, mut instant) = at_wall([v_x, 0.0]);
             let before = instant.kinematics.cluster.kinetic_energy();
-            let (mut record, mut to) = (Record::default(), [GirderState::Free]);
+            let (mut record, mut to) = (ImpactRecord::default(), [GirderState::Free]);
             let lost = impulses(&world, &mut record, &mut instant, &mut to);
             assert_eq!(record.hits.len(), count, "{v_x} m/s");
             let after = instant.kinematics.cluster.kinetic_energy();
@@ -150,7 +150,7 @@ mod tests {
         for site in &mut world.sites {
             site.kept = true;
         }
-        let mut record = Record::default();
+        let mut record = ImpactRecord::default();
         let lost = impulses(&world, &mut record, &mut instant, &mut [GirderState::Resting]);
         assert_eq!((record.hits.len(), lost), (0, 0.0), "1e-12 m/s by the integrator");
     }
@@ -158,7 +158,7 @@ mod tests {
     #[test]
     fn an_oblique_hit_without_friction_keeps_its_tangential_velocity() {
         let (world, mut instant) = at_wall([0.5, 0.3]);
-        let (mut record, mut to) = (Record::default(), [GirderState::Free]);
+        let (mut record, mut to) = (ImpactRecord::default(), [GirderState::Free]);
         impulses(&world, &mut record, &mut instant, &mut to);
         let v = instant.kinematics.cluster.velocity[0];
         let e_n = world.model.impact.restitution_normal;

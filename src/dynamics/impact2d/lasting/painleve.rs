@@ -76,8 +76,8 @@ pub(in crate::dynamics::impact2d) fn consistent_modes(
     let mut count = 0;
     while count < slipping.len() {
         count += 1;
-        let stopped: Vec<ContactPoint> = slipping[..count].iter().map(|slip| slip.2).collect();
-        let pairs: Vec<usize> = slipping[..count].iter().map(|slip| slip.1).collect();
+        let stopped: Vec<ContactPoint> = slipping[..count].iter().map(|slip| slip.centre).collect();
+        let pairs: Vec<usize> = slipping[..count].iter().map(|slip| slip.pair).collect();
         instant.kinematics.cluster = before.clone();
         simultaneous::stop(&mut instant.kinematics.cluster, &instant.manifolds, &stopped);
         all = anew_after_impulses(world, instant, stops, ground, &pairs);
@@ -94,12 +94,25 @@ pub(in crate::dynamics::impact2d) fn consistent_modes(
     (all, modes)
 }
 
-/// Candidates that slip, with speed, pair and middle, the slowest first.
-fn slips(cluster: &Cluster, all: &[Candidate]) -> Vec<(f64, usize, ContactPoint)> {
+/// A slip that is stopped by an impulse.
+struct Slip {
+    /// `|v_s|` \[m/s\].
+    speed: f64,
+    pair: usize,
+    /// Middle of the contact.
+    centre: ContactPoint,
+}
+
+/// Slips of the candidates, the slowest first.
+fn slips(cluster: &Cluster, all: &[Candidate]) -> Vec<Slip> {
     let slips = all.iter().filter(|candidate| candidate.slip != 0.0);
-    let mut slips: Vec<_> =
-        slips.map(|c| (tangential_speed(cluster, &c.points).abs(), c.pair, centre(&c.points))).collect();
-    slips.sort_by(|a, b| a.0.total_cmp(&b.0));
+    let slip = |c: &Candidate| Slip {
+        speed: tangential_speed(cluster, &c.points).abs(),
+        pair: c.pair,
+        centre: centre(&c.points),
+    };
+    let mut slips: Vec<_> = slips.map(slip).collect();
+    slips.sort_by(|a, b| a.speed.total_cmp(&b.speed));
     slips
 }
 

@@ -12,7 +12,7 @@ use crate::dynamics::model::ground_now::GroundNow;
 use crate::dynamics::model::linear_block::part::{LinearPart, SectionShape};
 use crate::dynamics::model::motion_bounds::MotionBounds;
 use crate::dynamics::model::reference_pose::ReferencePose;
-use crate::dynamics::model::rigid_body;
+use crate::dynamics::model::rigid_body::{self, RigidAcceleration};
 use crate::dynamics::model::wrench::Wrench;
 
 /// Components of a state.
@@ -241,8 +241,9 @@ impl Coordinates for Planar {
     }
 
     fn port(&self, body: &Body, point: Point<'_>, force: DVec3, [response, load]: [&mut [f64]; 2]) {
-        let (linear, turning) = rigid_body::response(body, &point.frame.rotation(&body.axes), force, point.arm);
-        response[POSITIONS..].copy_from_slice(&[linear.x, linear.y, turning.z]);
+        let RigidAcceleration { linear, angular } =
+            rigid_body::response(body, &point.frame.rotation(&body.axes), force, point.arm);
+        response[POSITIONS..].copy_from_slice(&[linear.x, linear.y, angular.z]);
         load[POSITIONS..].copy_from_slice(&[force.x, force.y, point.arm.cross(force).z]);
     }
 

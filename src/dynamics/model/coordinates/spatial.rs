@@ -10,7 +10,7 @@ use crate::dynamics::model::body::{Body, BodyEnergies, BodyPowers, Coordinates, 
 use crate::dynamics::model::ground_now::GroundNow;
 use crate::dynamics::model::motion_bounds::MotionBounds;
 use crate::dynamics::model::reference_pose::ReferencePose;
-use crate::dynamics::model::rigid_body;
+use crate::dynamics::model::rigid_body::{self, RigidAcceleration};
 use crate::dynamics::model::rotation;
 use crate::dynamics::model::wrench::Wrench;
 
@@ -238,9 +238,10 @@ impl Coordinates for Spatial {
     }
 
     fn port(&self, body: &Body, point: Point<'_>, force: DVec3, [response, load]: [&mut [f64]; 2]) {
-        let (linear, turning) = rigid_body::response(body, &point.frame.rotation(&body.axes), force, point.arm);
+        let RigidAcceleration { linear, angular } =
+            rigid_body::response(body, &point.frame.rotation(&body.axes), force, point.arm);
         response[VELOCITY].copy_from_slice(&linear.to_array());
-        response[SPIN].copy_from_slice(&turning.to_array());
+        response[SPIN].copy_from_slice(&angular.to_array());
         load[VELOCITY].copy_from_slice(&force.to_array());
         load[SPIN].copy_from_slice(&point.arm.cross(force).to_array());
     }

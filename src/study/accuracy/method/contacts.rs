@@ -15,7 +15,7 @@ use crate::scene::Sharing;
 #[derive(Debug)]
 pub(super) struct Contacts {
     states: Vec<Contact>,
-    /// Where a slipping node's anchor was at the end of the last step, in the face's axes \[m\].
+    /// Anchors of slipping nodes at the end of the last step, in the face's axes \[m\].
     anchors: Vec<DVec2>,
     /// Nodes that share the numbers of a pair while it is closed; 0 while it is open.
     sharers: Vec<usize>,

@@ -18,7 +18,7 @@ pub enum SettingKind {
 pub struct Job<'a> {
     /// The scene.
     pub scene: &'a Scene,
-    /// When it is asked.
+    /// Instants of comparison.
     pub instants: Instants,
     /// The setting: steps to an interval, or a tolerance.
     pub setting: f64,
@@ -59,6 +59,7 @@ pub trait Method: Sync {
     /// The work that is timed: from the scene to what can be asked for its motion.
     ///
     /// # Errors
-    /// Why there is no answer, in words for the table.
+    ///
+    /// The reason of a missing answer, in words for the table.
     fn work(&self, job: &Job<'_>) -> Result<Work, String>;
 }

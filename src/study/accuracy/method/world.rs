@@ -99,7 +99,7 @@ impl World {
         self.contacts.settle(&self.model, &self.frames)
     }
 
-    /// Where the bodies are in a state.
+    /// Positions of the bodies in a state.
     pub(super) fn places(&self, y: &[f64]) -> Vec<Place> {
         let place = |(i, body): (usize, &Body)| {
             let state = &y[i * self.width..(i + 1) * self.width];
@@ -114,7 +114,7 @@ impl World {
         self.model.bodies.iter().enumerate().map(place).collect()
     }
 
-    /// Where accelerations stand in a body's part of a slope, and their number.
+    /// Range of the accelerations in a body's part of a slope.
     pub(super) fn rates(&self) -> std::ops::Range<usize> {
         match self.model.kind {
             Kind::Planar => 3..6,

@@ -37,7 +37,7 @@ pub struct Reference {
 }
 
 impl Reference {
-    /// How far the reference itself may be from the truth: no error below this is quoted \[m\].
+    /// Uncertainty of the reference itself: no error below this is quoted \[m\].
     pub fn known_to(&self) -> f64 {
         if self.exact { 0.0 } else { self.agreement.displacement }
     }

@@ -10,7 +10,7 @@ const CYCLES: usize = 10;
 const ALMOST_NONE: f64 = 0.1;
 /// Largest change of a displacement that is hardly a change: a fifth.
 const HARDLY: f64 = 0.2;
-/// How many times as much is "much more".
+/// Ratio that counts as "much more" \[–\].
 const MUCH: f64 = 2.0;
 /// Largest jump of a velocity that is not seen, of the largest velocity: a tenth.
 const UNSEEN: f64 = 0.1;

@@ -1,6 +1,6 @@
 //! Whether a finding comes out: a list of checks, each with its number and the rule that decides it.
 
-/// How a finding stands to a model.
+/// Agreement of a finding with a model.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Outcome {
     /// Every check holds.

@@ -13,7 +13,7 @@ use super::results::ScanResult;
 use crate::scene::{ModelKind, Scene, SceneErrors, Sharing};
 use crate::sim::History;
 
-/// Which model makes a map.
+/// Model of a map.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub struct Variant {
     /// Above the map.

@@ -180,7 +180,7 @@ impl Run {
 /// The reference with perturbed starts, ground motion and friction.
 struct PerturbedRuns {
     starts: Vec<Run>,
-    /// How far from the reference they may come \[m\].
+    /// Allowed distances from the reference \[m\].
     limits: Vec<f64>,
     /// Weight of each body's distance from it \[–\].
     weights: Vec<f64>,
@@ -249,8 +249,8 @@ fn perturbed(scene: &Scene, share: f64, extent: f64) -> Scene {
     scene
 }
 
-/// When the runs are compared for the time of that number \[s\]: closer to one another towards the start, where what chatters
-/// from the first instant on can be trusted for no more than moments.
+/// Times of comparison by their number \[s\]: closer to one another towards the start, where runs that chatter from the first instant on
+/// can be trusted for no more than moments.
 fn instant(i: usize, end: f64) -> f64 {
     end * (i as f64 / COMPARED as f64).powi(4)
 }

@@ -86,12 +86,13 @@ pub struct Figures {
     pub cone: f64,
     /// Largest shrinking of a loss, of the largest energy in play.
     pub creates: f64,
-    /// The same of all that contacts lost between two instants without contact; return mapping may give back.
+    /// Largest decrease of a sum of all contact losses between two instants without contact, of the largest energy in play \[–\]; return
+    /// mapping may give back.
     pub gives_back: f64,
     /// Error at the scene's tolerance \[m\].
     pub error: f64,
     /// Error at a hundredth of it \[m\].
     pub finer_error: f64,
-    /// How far the comparison of the two means anything \[s\].
+    /// Time up to which the two runs are comparable \[s\].
     pub trusted: f64,
 }

@@ -1,4 +1,4 @@
-//! When a check looks at an answer, and the length that it measures against.
+//! Times at which a check reads an answer, and the length that it measures against.
 
 use crate::sim::History;
 
@@ -26,7 +26,7 @@ pub(super) fn looks(history: &History) -> Vec<f64> {
 /// Events closer than this part of the contact's radian are one (`docs/physics.md#simultaneous-events`).
 const TOGETHER: f64 = 1e-9;
 
-/// How far a node of a pair may come early or late by events that are one, at this velocity along the normal \[m\].
+/// Allowed shift of a node of a pair along the normal by events that count as one, at this velocity \[m\].
 pub(super) fn early_or_late(history: &History, pair: usize, velocity: f64) -> f64 {
     let model = history.model();
     let pair = &model.pairs[pair];

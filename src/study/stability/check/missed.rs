@@ -48,7 +48,7 @@ pub(super) fn check(history: &History, times: &[f64], figures: &mut Figures, com
     }
 }
 
-/// When a contact's node is deepest in its face while open, and how deep.
+/// Time at which a contact's node is deepest in its face while open, and that depth \[s, m\].
 fn deepest(history: &History, contact: usize, times: &[f64], frames: &[Vec<Frame>]) -> Option<(f64, f64)> {
     let site = &history.model().sites[contact];
     let side = |body: Option<usize>, all: &[Frame]| body.map_or(Frame::fixed(site.fixed), |b| all[b]);

@@ -6,7 +6,7 @@ use crate::sim::{History, Motion};
 pub(super) const CLAIM: &str = "every number is finite; a quaternion's length differs from 1 by 1e-12 at most; a held \
                                 direction stays exactly where it was placed";
 
-/// How far a quaternion's length may be from 1.
+/// Allowed difference of a quaternion's length from 1 \[–\].
 const LENGTH: f64 = 1e-12;
 
 pub(super) fn check(history: &History, times: &[f64], complaints: &mut Vec<Complaint>) {

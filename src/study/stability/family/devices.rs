@@ -17,7 +17,7 @@ struct Sizes {
     hertz: f64,
     /// Mass of the first girder \[kg\].
     mass: f64,
-    /// How far the ground's amplitude, as a constant force, would push it on those \[m\].
+    /// Displacement on those by a constant force as large as the ground's amplitude \[m\].
     way: f64,
 }
 
@@ -60,7 +60,7 @@ pub(super) fn devices(random: &mut Random) -> Scene {
     settings.iter().fold(scene, |scene, setting| overrides::apply(&scene, setting).unwrap_or(scene))
 }
 
-/// The same under a wave that crosses a girder in up to half a period, or with supports of their own motion.
+/// Those scenes under a wave that crosses a girder in up to half a period, or with supports of their own motion.
 pub(super) fn waves(random: &mut Random) -> Scene {
     let mut scene = devices(random);
     let Some(girder) = scene.girders.first() else { return scene };

@@ -37,14 +37,14 @@ const FAMILIES: &[(&str, Maker)] = &[
 pub const HOURS: &str = "hour";
 /// One seed in this many shakes for an hour: ten in ten thousand.
 const HOUR_EVERY: u64 = 1000;
-/// Which of them.
+/// Its number among these.
 const HOUR: u64 = 7;
 
 /// Girders thrown at one another.
 pub const THROWN: &str = "thrown";
 /// The seeds from this one on throw girders at one another; those below stay what they have always been.
 pub const FIRST_THROWN: u64 = 1_000_000;
-/// The same in space.
+/// Girders thrown at one another in space.
 pub const THROWN_IN_SPACE: &str = "thrown-in-space";
 /// The seeds from this one on do so in space.
 pub const FIRST_THROWN_IN_SPACE: u64 = 3_000_000;
@@ -54,7 +54,7 @@ pub const DEVICES: &str = "devices";
 /// The seeds from this one on.
 pub const FIRST_DEVICES: u64 = 2_000_000;
 
-/// The same on supports whose ground moves later or more than that of the others.
+/// Scenes with devices on supports whose ground moves later or more than that of the others.
 pub const WAVES: &str = "waves";
 /// The seeds from this one on.
 pub const FIRST_WAVES: u64 = 4_000_000;

@@ -14,7 +14,7 @@ pub(super) fn wide(random: &mut Random) -> Scene {
     any(random, kind)
 }
 
-/// The same with six degrees of freedom.
+/// Shaken girders with six degrees of freedom.
 pub(super) fn spatial(random: &mut Random) -> Scene {
     any(random, Kind::Spatial)
 }

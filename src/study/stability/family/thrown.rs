@@ -24,7 +24,7 @@ const SPIN: f64 = 200.0;
 /// From where they are thrown, about the origin \[m\].
 const FROM: [f64; 2] = [1.3, 1.8];
 
-/// The same in space, thicker, in any attitude and turning about any axis, without weight.
+/// Girders thrown in space, thicker, in any attitude and turning about any axis, without weight.
 pub(super) fn thrown_in_space(random: &mut Random) -> Scene {
     let mut scene = thrown(random);
     (scene.kind, scene.gravity) = (Kind::Spatial, 0.0);

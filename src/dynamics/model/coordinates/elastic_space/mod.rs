@@ -22,7 +22,7 @@ use crate::dynamics::model::coordinates::spatial::{self, Spatial};
 use crate::dynamics::model::ground_now::GroundNow;
 use crate::dynamics::model::motion_bounds::MotionBounds;
 use crate::dynamics::model::reference_pose::ReferencePose;
-use crate::dynamics::model::rigid_body;
+use crate::dynamics::model::rigid_body::{self, RigidAcceleration};
 use crate::dynamics::model::section_bounds::SectionBounds;
 use crate::dynamics::model::wrench::Wrench;
 use crate::geometry::End;
@@ -273,9 +273,10 @@ impl Coordinates for SpatialElasticGirder {
     fn port(&self, body: &Body, point: Point<'_>, force: DVec3, [response, load]: [&mut [f64]; 2]) {
         let (response, load) = (&mut response[self.places()..], &mut load[self.places()..]);
         let moment = point.arm.cross(force);
-        let (linear, turning) = rigid_body::response(body, &point.frame.rotation(&body.axes), force, point.arm);
+        let RigidAcceleration { linear, angular } =
+            rigid_body::response(body, &point.frame.rotation(&body.axes), force, point.arm);
         response[..3].copy_from_slice(&linear.to_array());
-        response[3..RATES].copy_from_slice(&turning.to_array());
+        response[3..RATES].copy_from_slice(&angular.to_array());
         load[..3].copy_from_slice(&force.to_array());
         load[3..RATES].copy_from_slice(&moment.to_array());
         load[RATES..].fill(0.0);

@@ -23,7 +23,7 @@ pub(super) struct Numbers {
     mu_s: f64,
     mu_k: f64,
     paper: bool,
-    /// Where the slip turns: the length that eases it near opening, as the solver states it \[m\].
+    /// Regularisation length of a slip that turns, near opening, as the solver states it \[m\].
     ease: f64,
 }
 
@@ -43,7 +43,7 @@ impl Numbers {
         self.hertz.map_or(1.0, |k_h| 1.5 * k_h * depth.abs().sqrt() / self.k)
     }
 
-    /// Where the reaction acts: at what holds the node, or, where the springs differ, at the node.
+    /// Point of action of the reaction: the point that holds the node, or, where the springs differ, the node.
     fn at(&self, held: DVec3, node: DVec3) -> DVec3 {
         if self.hertz.is_some() { node } else { held }
     }

@@ -212,7 +212,7 @@ impl<'a> Run<'a> {
         all.into_iter().find(|(c, k, _)| (*c, *k) == (contact, kind)).map_or(0.0, |(_, _, f)| f)
     }
 
-    /// When an event's function crosses 0 within a step of `h`: the Illinois rule on steps taken again.
+    /// Time at which an event's function crosses 0 within a step of `h` \[s\]: the Illinois rule on steps taken again.
     fn root(&mut self, event: (usize, Kind), h: f64) -> f64 {
         let (mut a, mut b) = (0.0, h);
         let (mut fa, mut fb) = (self.value(event, a), self.value(event, b));
