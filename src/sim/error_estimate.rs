@@ -1,4 +1,5 @@
-//! The estimated error of a run: its difference from a run at a hundredth of the tolerance.
+//! The estimated error of a run: its difference from a run at a hundredth of the tolerance whose steps are at most half the intervals of a
+//! record. Steps end at every sample; where the tolerance asks for none that is shorter, both runs would have the same steps.
 
 use super::readings::Extreme;
 use super::{Cause, History, RunDifference, Session};
@@ -57,7 +58,7 @@ impl History {
             finer.solver.tolerance = COARSER * FINEST_TOLERANCE;
         }
         // The scene has been run before: it has no complaint.
-        let Ok(session) = Session::with_met(&finer, self.model().bodies_met()) else {
+        let Ok(session) = Session::for_comparison(&finer, self.model().bodies_met()) else {
             return ErrorEstimate::UNKNOWN;
         };
         let finer = session.complete();

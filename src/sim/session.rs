@@ -54,12 +54,13 @@ impl Session {
         Ok(session)
     }
 
-    /// A run with contact between all faces of these bodies from the beginning: those of another run of like scenes.
+    /// A run that another one of like scenes is compared with: contact between all faces of the bodies that met in that from the beginning,
+    /// and steps that end midway between the samples of a record, too.
     ///
     /// # Errors
     /// Every complaint about the scene.
-    pub(super) fn with_met(scene: &Scene, met: Vec<[SolidId; 2]>) -> Result<Self, SceneErrors> {
-        let model = model(scene, &met)?;
+    pub(super) fn for_comparison(scene: &Scene, met: Vec<[SolidId; 2]>) -> Result<Self, SceneErrors> {
+        let model = Model { halves_intervals: true, ..model(scene, &met)? };
         Ok(Self { met, ..Self::of_model(scene, model) })
     }
 
@@ -121,7 +122,8 @@ impl Session {
         }
         // The scene has been compiled before.
         if let Some(Ok(model)) = (self.met.len() > known).then(|| model(&self.scene, &self.met)) {
-            let again = Self::of_model(&self.scene, model);
+            let halves_intervals = self.model.halves_intervals;
+            let again = Self::of_model(&self.scene, Model { halves_intervals, ..model });
             (self.model, self.groups, self.asked) = (again.model, again.groups, 0.0);
             true
         } else {

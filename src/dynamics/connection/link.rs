@@ -79,8 +79,11 @@ impl Link {
         [shift, velocity]: [DVec3; 2],
         [turn, spin]: [f64; 2],
     ) -> Separation {
-        let across = DVec3::Z.cross(self.arms[0]);
-        let [moved, rate] = [shift + across * turn, velocity + across * spin].map(|v| self.axes.mul_transpose_vec3(v));
+        let (arm, along, across) = (self.arms[0], self.axes.x_axis, self.axes.y_axis);
+        let [moved, rate] = [(shift, turn), (velocity, spin)].map(|(of_g, turned)| {
+            let (x, y) = (of_g.x - arm.y * turned, of_g.y + arm.x * turned);
+            DVec3::new(along.x * x + along.y * y, across.x * x + across.y * y, 0.0)
+        });
         Separation { placed, moved, rate }
     }
 

@@ -27,7 +27,7 @@ pub(in crate::dynamics) fn plan(world: &mut World, schedule: &mut Schedule, numb
         world.islands[number] = Some(island);
         return;
     }
-    let cap = model.duration.min(model.next_kink(from));
+    let cap = model.duration.min(island.latest_end(&model));
     schedule.effort.steps += 1;
     let controller = island.controller_state();
     let going_on = controller.stiff && controller.step > 0.0;

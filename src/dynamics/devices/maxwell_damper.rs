@@ -1,11 +1,14 @@
 //! A viscous damper with a brace in series: `Ḟ = K_b (v − sgn F (|F|/c)^(1/α))` with the rate v of its length. With α = 1 and a
 //! large c it is a lock-up device of the relaxation time `c/K_b`.
+//!
+//! With α < 1 the law is smooth only while F keeps its sign: a zero of F ends a phase.
 
 use glam::DVec3;
 
 use super::line::Line;
 use crate::dynamics::connection::{
-    Activity, Connection, Device, DeviceReadings, Evolution, Phase, Separation, SeparationBounds, acts_or_open,
+    Activity, Connection, Device, DeviceReadings, Evolution, Excursion, Phase, Separation, SeparationBounds, Switch,
+    acts_or_open,
 };
 use crate::language::Text;
 
@@ -19,6 +22,10 @@ pub struct MaxwellDamper {
     /// `K_b` of the brace \[N/m\].
     pub stiffness: f64,
 }
+
+/// Branches: F in tension, and in compression.
+const TENSION: u32 = 0;
+const COMPRESSION: u32 = 1;
 
 impl MaxwellDamper {
     /// Rate of the dashpot's length under a force \[m/s\].
@@ -74,6 +81,29 @@ impl Device for MaxwellDamper {
         true
     }
 
+    fn switches(&self, _: &Phase) -> usize {
+        usize::from(self.exponent < 1.0)
+    }
+
+    /// Force against the sign of its branch, as a length of the brace \[m\].
+    fn switch(&self, _: usize, phase: &Phase, _: &Separation) -> f64 {
+        let length = phase.memory[0] / self.stiffness;
+        if phase.branch == TENSION { -length } else { length }
+    }
+
+    /// The dashpot only takes force off: the brace's length changes by no more than the points are displaced.
+    fn stays_below(&self, number: usize, phase: &Phase, motion: &Separation, within: Excursion) -> bool {
+        self.switch(number, phase, motion) + within.way < 0.0
+    }
+
+    fn next(&self, event: Switch, phase: &Phase, _: &Separation) -> (Phase, f64) {
+        let branch = match event {
+            Switch::Closing => phase.branch,
+            Switch::Function(_) => COMPRESSION - phase.branch,
+        };
+        (Phase { branch, ..*phase }, 0.0)
+    }
+
     fn evolution(&self, phase: &Phase, motion: &Separation) -> Evolution {
         let (line, force) = (Line::of(motion), phase.memory[0]);
         let slope = (force.abs() / self.coefficient).powf(1.0 / self.exponent - 1.0);
@@ -93,5 +123,32 @@ impl DeviceReadings for MaxwellDamper {
 
     fn distance_left(&self, phase: &Phase, motion: &Separation) -> f64 {
         self.gap(phase, motion)[0]
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    const DAMPER: MaxwellDamper = MaxwellDamper { coefficient: 2e6, exponent: 0.7, stiffness: 8.5e6 };
+
+    fn under(force: f64, branch: u32) -> Phase {
+        Phase { branch, memory: [force, 0.0, 0.0] }
+    }
+
+    #[test]
+    fn a_zero_of_the_force_ends_a_phase_where_the_law_has_a_kink() {
+        let motion = Separation::default();
+        assert_eq!(MaxwellDamper { exponent: 1.0, ..DAMPER }.switches(&under(1.0, TENSION)), 0, "linear");
+        for (branch, sign) in [(TENSION, 1.0), (COMPRESSION, -1.0)] {
+            let (lasts, over) = (under(sign * 850.0, branch), under(-sign * 850.0, branch));
+            assert!((DAMPER.switch(0, &lasts, &motion) + 1e-4).abs() < 1e-18, "0.1 mm of the brace");
+            assert!(DAMPER.switch(0, &over, &motion) > 0.0);
+            let within = |way: f64| Excursion { way, rate: f64::INFINITY };
+            assert!(DAMPER.stays_below(0, &lasts, &motion, within(0.9e-4)));
+            assert!(!DAMPER.stays_below(0, &lasts, &motion, within(1.1e-4)));
+            let (next, released) = DAMPER.next(Switch::Function(0), &under(0.0, branch), &motion);
+            assert_eq!((next.branch, released), (COMPRESSION - branch, 0.0), "the other sign, no energy");
+        }
     }
 }

@@ -84,6 +84,8 @@ pub(in crate::dynamics) struct StepController {
     /// Workspace of an implicit method that is not in use.
     spare: Option<Box<Radau>>,
     state: ControllerState,
+    /// Error of the last accepted step, in units of the tolerance.
+    error: f64,
     /// Successive steps that favour the other method.
     doubts: u32,
     /// Steps with the method in use that do not end at a kink, and explicit ones after which the implicit method is tried.
@@ -133,6 +135,11 @@ impl StepController {
         self.state
     }
 
+    /// Error of the last accepted step, in units of the tolerance.
+    pub(in crate::dynamics) fn error(&self) -> f64 {
+        self.error
+    }
+
     /// Takes a step from `(t, y)` and returns its dense output and its end \[s\]; `y` becomes the state there.
     ///
     /// # Errors
@@ -157,6 +164,7 @@ impl StepController {
             }
             let Attempt { error, factor } = self.attempt(system, t, y, taken);
             if error <= 1.0 {
+                self.error = error;
                 let cut = end == limits.cap || reach < h;
                 self.state.step = if cut { h.max(taken * factor) } else { taken * factor }.min(limits.longest);
                 return Ok((

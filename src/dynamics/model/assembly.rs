@@ -80,6 +80,7 @@ impl Model {
             tolerance: scene.solver.tolerance,
             impact: scene.impact,
             polynomial_bytes: POLYNOMIALS,
+            halves_intervals: false,
             memory_bytes: MEMORY,
             gravity: if scene.kind == Kind::Spatial { scene.gravity } else { 0.0 },
             ground,

@@ -52,6 +52,9 @@ pub struct Model {
     pub duration: f64,
     /// Local error per step, relative; less per step in runs of many thousands, whose errors add up.
     pub tolerance: f64,
+    /// Whether steps end midway between two kinks of the ground's motion, too: of a run that another one is compared with, whose steps
+    /// may be as long as the intervals of a record at every tolerance.
+    pub halves_intervals: bool,
     /// Numbers of the impact model.
     pub impact: ImpactSettings,
     /// Memory of a run for steps as polynomials, beyond which steps are kept by their initial states \[bytes\].

@@ -80,6 +80,10 @@ pub(in crate::dynamics) const GROUND_PHASE_FREE: f64 = 2.0;
 /// An event nearer to either end of a step than this part of it starts from the dense output \[–\]; otherwise the
 /// explicit step is retaken to end at the event. Tuned.
 pub(in crate::dynamics) const RETAKE_MARGIN: f64 = 0.03;
+/// Error of an explicit step, in units of the tolerance, up to which its dense output is as exact as the tolerance asks for: within a step
+/// the error is 50 times that of its end at most, at the decay at which estimates cease to be true
+/// (`dynamics::integrator::dop853`, test of a follower) \[–\].
+pub(in crate::dynamics) const RETAKE_ERROR: f64 = 1e-3;
 /// Distance beyond the event, per length, at which a retaken step ends \[–\]. Tuned: past the error of the event's
 /// time.
 pub(in crate::dynamics) const RETAKE_OVERSHOOT: f64 = 1e-3;

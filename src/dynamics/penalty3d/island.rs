@@ -34,6 +34,8 @@ pub(in crate::dynamics) struct Island {
     pub step: PlannedStep,
     /// Number of its sequence among the recomputed steps; `None` while no step is stored by its initial state.
     pub sequence: Option<u32>,
+    /// Beginning of the island, or the last kink of the ground's motion that ended a step \[s\].
+    since: f64,
     /// Time \[s\] and interval of the ground motion at which the slope at the start of the next step was evaluated.
     pub(super) slope_at: (f64, usize),
     /// For bodies with quaternions: the states before normalisation at which the slopes at the start of the planned
@@ -85,6 +87,7 @@ impl Island {
             contacts,
             step: PlannedStep::none_yet(t),
             sequence: None,
+            since: t,
             slope_at: (t, 0),
             unnormalised: Vec::new(),
             next_unnormalised: Vec::new(),
@@ -102,7 +105,7 @@ impl Island {
 
     /// Evaluates the slope at the start of the next step, for a first step and after a kink of the ground motion.
     pub(in crate::dynamics) fn rewind(&mut self, model: &Model, t: f64) {
-        self.slope_at = (t, model.ground.piece_number(t));
+        (self.since, self.slope_at) = (t, (t, model.ground.piece_number(t)));
         let piece = model.ground.piece(self.slope_at.1);
         let (mut controller, y) = (std::mem::take(&mut self.controller), std::mem::take(&mut self.y));
         controller.start(&mut self.equations(model, (piece, t), ErrorScale::default()), t, &y);
@@ -174,6 +177,14 @@ impl Island {
         self.slope_at = (t + dense.step, number);
         (self.step.dense, self.step.until) = (Some(dense), end);
         Ok(())
+    }
+
+    /// Latest end of the next step by the kinks of the ground's motion: the next of them or, in a run that halves their intervals, the
+    /// middle before it \[s\].
+    pub(in crate::dynamics) fn latest_end(&self, model: &Model) -> f64 {
+        let (from, kink) = (self.step.until, model.next_kink(self.step.until));
+        let middle = self.since.midpoint(kink);
+        if model.halves_intervals && from < middle { middle } else { kink }
     }
 
     /// Next kink of the ground that limits steps rather than a method \[s\]: between bodies joined by devices that change their law, whose

@@ -4,7 +4,7 @@
 
 use crate::dynamics::Model;
 use crate::dynamics::integrator::dense_output::DenseOutput;
-use crate::dynamics::penalty3d::constants::{RETAKE_MARGIN, RETAKE_OVERSHOOT};
+use crate::dynamics::penalty3d::constants::{RETAKE_ERROR, RETAKE_MARGIN, RETAKE_OVERSHOOT};
 use crate::dynamics::penalty3d::equations_of_motion::ErrorScale;
 use crate::dynamics::penalty3d::island::{Island, normalise};
 
@@ -14,7 +14,8 @@ impl Island {
         let retakable = |dense: &&DenseOutput| self.step.explicit && dense.from == self.step.from;
         let Some(dense) = self.step.dense.as_ref().filter(retakable) else { return false };
         let part = (t - self.step.from) / dense.step;
-        if !(RETAKE_MARGIN..1.0 - RETAKE_MARGIN).contains(&part) {
+        // Of a step that ends at a kink the error may be far below the tolerance.
+        if self.controller.error() <= RETAKE_ERROR || !(RETAKE_MARGIN..1.0 - RETAKE_MARGIN).contains(&part) {
             return false;
         }
         let mut y: Vec<f64> = dense.coefficients().iter().map(|c| c[0]).collect();
