@@ -13,7 +13,7 @@
 //! steps, which resolve the contact's motion. Of a node that is not watched d is the separation from the other body.
 
 use super::motion::{bound, speed};
-use super::solid::{Joined, Solids};
+use super::solid::{Joined, NodeInPlan, Solids};
 use super::unwatched::{self, Interval, Turned, Unwatched, united};
 use crate::contact::locate;
 use crate::dynamics::penalty3d::constants::UNCARRIED;
@@ -70,6 +70,8 @@ struct Sample {
     carried: bool,
     /// Whether a node is in front of its face again, and watched.
     watched: bool,
+    /// Whether a node is beyond the back of the body of its face: a girder that reaches through a wall has no node in it.
+    beyond: bool,
 }
 
 /// Bound on how fast two bodies come nearer.
@@ -119,6 +121,16 @@ pub(super) fn first(
     Some(meeting.overlap(intervals, &deepest))
 }
 
+/// The intervals of two searches, and the deeper of them.
+fn deeper(one: Option<Found>, other: Option<Found>) -> Option<Found> {
+    let (Some(mut one), Some(mut other)) = (one.clone(), other.clone()) else { return one.or(other) };
+    if other.deepest.value > one.deepest.value {
+        std::mem::swap(&mut one, &mut other);
+    }
+    one.intervals.extend(other.intervals);
+    Some(one)
+}
+
 impl Meeting<'_> {
     /// Bodies or nodes of facing pair `number` to search, and their intervals.
     fn left_by(&self, number: usize, turned: &Turned) -> Vec<(Followed, Vec<Interval>)> {
@@ -147,7 +159,7 @@ impl Meeting<'_> {
             if self.counts(&before) {
                 seen(&mut found, &before);
             }
-            if before.t >= until || before.watched {
+            if before.t >= until || before.watched || before.beyond {
                 break;
             }
             let mut next;
@@ -179,6 +191,9 @@ impl Meeting<'_> {
         if let Some(found) = &mut found {
             found.intervals.extend(last);
         }
+        if before.beyond && before.t < until {
+            return deeper(found, self.within(Followed::Bodies, [before.t, until]));
+        }
         found
     }
 
@@ -195,14 +210,21 @@ impl Meeting<'_> {
                 // Apart, nothing has to be carried.
                 let carried = if separation < 0.0 { self.carried(t) } else { None };
                 let excess = -separation - carried.unwrap_or(0.0);
-                Sample { t, separation, excess, carried: carried.is_some(), watched: false }
+                Sample { t, separation, excess, carried: carried.is_some(), watched: false, beyond: false }
             }
             Followed::Node(contact) => {
-                let [separation, gap] = solids.node(history, self.pair, contact, t);
+                let NodeInPlan { separation, gap, beyond } = solids.node(history, self.pair, contact, t);
                 // A node that has handed on its contact at a shared vertex is in the body no deeper than the one that took over.
                 let carried = if separation < 0.0 { self.carried(t) } else { None };
                 let excess = -separation - carried.unwrap_or(0.0);
-                Sample { t, separation, excess, carried: carried.is_some(), watched: gap > self.least }
+                Sample {
+                    t,
+                    separation,
+                    excess,
+                    carried: carried.is_some(),
+                    watched: gap > self.least,
+                    beyond: beyond < self.least,
+                }
             }
         }
     }

@@ -59,6 +59,17 @@ impl Joined {
     }
 }
 
+/// Distances of a contact's node in plan \[m\].
+#[derive(Clone, Copy, Debug)]
+pub(super) struct NodeInPlan {
+    /// From the body of its face, along the side that parts them most; negative inside.
+    pub separation: f64,
+    /// Before the plane of its face.
+    pub gap: f64,
+    /// Before the parallel plane through the farthest corner behind that; negative beyond the back of the body.
+    pub beyond: f64,
+}
+
 /// Poses of two bodies.
 #[derive(Clone, Debug)]
 pub(super) struct Placed {
@@ -187,9 +198,8 @@ impl Solids {
         plan_separation(&one.plan(here, a.as_ref()), &other.plan(there, b.as_ref()))
     }
 
-    /// Distances of a contact's node in plan at `t` \[m\]: from the body of its face, along the side that parts them most, negative inside;
-    /// and before the plane of its face.
-    pub(super) fn node(&self, history: &History, pair: [usize; 2], contact: usize, t: f64) -> [f64; 2] {
+    /// A contact's node in plan at `t`; infinitely far from a face of neither body.
+    pub(super) fn node(&self, history: &History, pair: [usize; 2], contact: usize, t: f64) -> NodeInPlan {
         let model = history.model();
         let site = &model.sites[contact];
         let [node, face] = history.trajectories.sides(contact, t);
@@ -197,14 +207,17 @@ impl Solids {
         let (own, others) = (axes(site.node_body), axes(site.face_body));
         let owner = |&number: &usize| self.body(number) == site.face_body;
         let Some(other) = pair.into_iter().find(owner).map(|number| &self.all[number]) else {
-            return [f64::INFINITY; 2];
+            return NodeInPlan { separation: f64::INFINITY, gap: f64::INFINITY, beyond: f64::INFINITY };
         };
         let polygon = match site.face_body {
             Some(_) => other.outline(None).map(|corner| (face.origin() + face.turn(others * corner)).truncate()),
             None => other.outline(None).map(DVec3::truncate),
         };
         let point = (node.origin() + node.turn(own * site.point)).truncate();
-        [plan_distance(&polygon, point), node_face::gap(&site.geometry, &node, &face)[0]]
+        let gap = node_face::gap(&site.geometry, &node, &face)[0];
+        let normal = face.turn(site.geometry.axes.z_axis).truncate();
+        let beyond = polygon.iter().map(|corner| normal.dot(point - *corner)).fold(f64::NEG_INFINITY, f64::max);
+        NodeInPlan { separation: plan_distance(&polygon, point), gap, beyond }
     }
 
     /// Centre of what two bodies share: of the polygon in plan, of the common box of both in height \[m\].
