@@ -1,4 +1,4 @@
-//! Texts on piers.
+//! Texts on piers: the ways to give their stiffness, and their readings.
 
 use crate::language::Text;
 

@@ -183,12 +183,12 @@ mod tests {
     fn a_force_at_g_turns_nothing_and_a_couple_moves_nothing() {
         let model = Model::compile(&presets::load("deck-30m").expect("a preset")).expect("a scene");
         let body = &model.bodies[0];
-        let (linear, turning) = response(body, &body.axes, DVec3::X * body.mass, DVec3::ZERO);
-        assert_eq!((linear, turning), (DVec3::X, DVec3::ZERO), "through G");
+        let RigidAcceleration { linear, angular } = response(body, &body.axes, DVec3::X * body.mass, DVec3::ZERO);
+        assert_eq!((linear, angular), (DVec3::X, DVec3::ZERO), "through G");
         let (arm, force) = (DVec3::Y, DVec3::X);
         let [one, other] = [(force, arm), (-force, -arm)].map(|(force, arm)| response(body, &body.axes, force, arm));
-        assert_eq!(one.0 + other.0, DVec3::ZERO, "a couple");
-        let moment = world_inertia(body, &body.axes) * (one.1 + other.1);
+        assert_eq!(one.linear + other.linear, DVec3::ZERO, "a couple");
+        let moment = world_inertia(body, &body.axes) * (one.angular + other.angular);
         assert!((moment - 2.0 * arm.cross(force)).length() < 1e-14, "its moment: {moment}");
     }
 }
