@@ -137,6 +137,9 @@ impl Field<'_> {
                 ui.spacing_mut().item_spacing.x = 2.0;
                 let (response, shown, typed) = self.drag(ui, value, given);
                 let response = response.labelled_by(name);
+                if ui.data_mut(|data| data.remove_temp::<()>(awaited())).is_some() {
+                    response.request_focus();
+                }
                 let menu = frame::menu(&response, own);
                 let sign = reset_sign(ui, self.names.label, own.words.as_deref().filter(|_| own.differs));
                 let done =
@@ -223,6 +226,16 @@ impl Field<'_> {
             }
         }
     }
+}
+
+/// Gives the keyboard to the number that is shown next.
+pub(in crate::app) fn focus_next(ui: &Ui) {
+    ui.data_mut(|data| data.insert_temp(awaited(), ()));
+}
+
+/// Under what it is remembered that a number awaits the keyboard.
+fn awaited() -> Id {
+    Id::unique("number that awaits the keyboard")
 }
 
 /// To 15 significant digits: 700 mm are 0.7 m in the file, not 0.7000000000000001.
