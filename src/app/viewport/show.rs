@@ -57,7 +57,8 @@ pub(in crate::app) fn finish(
     paint(ui, response.rect, camera, (&mut *viewport, seen));
     // Over the picture, which is painted by now.
     let eye = Eye { camera, rect: response.rect };
-    gizmo::show(ui, &eye, &mut viewport.hand, seen, out);
+    let list = viewport.list().cloned();
+    gizmo::show(ui, &eye, (&mut viewport.hand, list.as_deref()), seen, out);
     tool::show(ui, &eye, response, seen, out);
     section::show(ui, response.rect, seen, out);
 }
