@@ -63,20 +63,25 @@ fn bridge(ui: &mut Ui, draft: BridgeDraft, out: &mut Vec<Command>) {
             Unit { speed: 0.05, ..PURE },
         );
     });
-    let ranges = RichText::new(text::ranges(edits::RANGES, edits::MOST_BRIDGE_SPANS)).weak();
-    ui.add(egui::Label::new(ranges).wrap());
     let new = edits::sound(BridgeDraft { spans: whole(spans), ..new });
     if new != draft {
         out.push(WindowCommand::Bridge(new).into());
     }
-    ui.add_space(4.0);
-    let a = edits::assumed(new);
-    let words = text::assumed([a.thickness, a.gap, a.seat], a.mass, a.stiffness, a.frequency);
-    ui.add(egui::Label::new(RichText::new(words).weak()).wrap());
+    // Before what is said of the numbers: in a low window that is scrolled, the button is not.
     ui.add_space(4.0);
     if ui.button(text::START_BUILD).clicked() {
         out.push(FileCommand::Build(new).into());
     }
+    ui.add_space(4.0);
+    let a = edits::assumed(new);
+    let assumed = text::assumed([a.thickness, a.gap, a.seat], a.mass, a.stiffness, a.frequency);
+    // Columns justify; words are not stretched to their width.
+    ui.vertical(|ui| {
+        for words in [text::ranges(edits::RANGES, edits::MOST_BRIDGE_SPANS), assumed] {
+            ui.add(Label::new(RichText::new(words).weak()).wrap());
+            ui.add_space(4.0);
+        }
+    });
 }
 
 /// Whether Tab was pressed while nothing had the keyboard: it leads to the numbers of the bridge, which 58 buttons and fields of the panels
