@@ -137,7 +137,9 @@ pub(super) fn headline(history: &History, report: &Report) -> String {
         fact(Text::new("report-max-rotation"), of(format!("{:.4}°", n.max_rotation.to_degrees()), turned)),
     ];
     if let Some(tilt) = report.max_tilt {
-        rows.push(fact(Text::new("report-max-tilt"), format!("{:.4}°", tilt.to_degrees())));
+        let largest = history.seats().uprights().iter().map(|girder| girder.tilt);
+        let at = largest.max_by(|one, other| one.value.total_cmp(&other.value)).map(|tilt| tilt.t);
+        rows.push(fact(Text::new("report-max-tilt"), of(format!("{:.4}°", tilt.to_degrees()), at)));
     }
     // Hits of the impact model take no time; forces are those of lasting contact.
     if let Some(impulse) = n.peak_impulse {

@@ -178,7 +178,7 @@ fn a_report_is_in_the_language_that_is_asked_for() {
     {
         assert!(page.contains(words), "{words}");
     }
-    assert!(page.contains(">接触, 立体<") && page.contains("<p>実橋の大きさ"), "model and description, too");
+    assert!(page.contains(">接触、立体<") && page.contains("<p>実橋の大きさ"), "model and description, too");
     for left in ["Assumptions", "front edge", "girder<", "report-"] {
         assert!(!page.contains(left), "{left} is not Japanese");
     }

@@ -80,7 +80,8 @@ fn no_japanese_line_ends_with_an_opening_bracket_or_begins_with_a_closing_one() 
         let text = fs::read_to_string(&path).expect("a text");
         for words in text.lines().filter_map(|line| Some(line.split_once(" = ")?.1)).filter(|words| words.contains('('))
         {
-            for width in (4u16..24).map(|letters| 13.0 * f32::from(letters) + 6.0) {
+            // A column so wide holds the longest word in brackets.
+            for width in (14u16..40).map(|letters| 13.0 * f32::from(letters) + 6.0) {
                 let font = FontId::new(13.0, FontFamily::Proportional);
                 let galley =
                     harness.ctx.fonts_mut(|fonts| fonts.layout(words.to_owned(), font, egui::Color32::BLACK, width));

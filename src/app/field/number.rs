@@ -138,7 +138,8 @@ impl Field<'_> {
                 let (response, shown, typed) = self.drag(ui, value, given);
                 let response = response.labelled_by(name);
                 if ui.data_mut(|data| data.remove_temp::<()>(awaited())).is_some() {
-                    response.request_focus();
+                    ui.data_mut(|data| data.insert_temp(awaited(), Some(response.id)));
+                    ui.request_repaint();
                 }
                 let menu = frame::menu(&response, own);
                 let sign = reset_sign(ui, self.names.label, own.words.as_deref().filter(|_| own.differs));
@@ -161,6 +162,10 @@ impl Field<'_> {
     }
 
     fn drag(&self, ui: &mut Ui, value: f64, given: bool) -> (Response, f64, Typed) {
+        // A number selects its digits where it has the keyboard before it is shown.
+        if let Some(id) = ui.data_mut(|data| data.remove_temp::<Option<Id>>(awaited())).flatten() {
+            ui.memory_mut(|memory| memory.request_focus(id));
+        }
         let (unit, typed) = (self.unit, Typed::default());
         let mut shown = value * unit.factor;
         // A part of a part is dragged by parts of itself.
@@ -228,7 +233,7 @@ impl Field<'_> {
     }
 }
 
-/// Gives the keyboard to the number that is shown next.
+/// Gives the keyboard to the number that is shown next, from the next frame on.
 pub(in crate::app) fn focus_next(ui: &Ui) {
     ui.data_mut(|data| data.insert_temp(awaited(), ()));
 }

@@ -90,7 +90,7 @@ fn cards(eye: &Eye, list: &DrawList) -> Vec<Rect> {
         }
         _ => None,
     });
-    all.filter(|card| card.width() >= CARD && card.height() >= CARD).map(|card| card.expand(HOLD / 2.0)).collect()
+    all.filter(|card| card.width() >= CARD && card.height() >= CARD).collect()
 }
 
 /// The handles that are shown; none while the scene plays.
