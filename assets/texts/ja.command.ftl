@@ -1,9 +1,9 @@
-# コマンドの表示（日本語）。キーと値の名前は en.command.ftl と同じ。
+# コマンドの表示 (日本語)。キーと値の名前は en.command.ftl と同じ。
 
 ## run と check の表示
 run-head = { $name }：{ $duration } s のうち { $end } s
 run-model = モデル
-run-impact = 衝撃（剛体、力積）
+run-impact = 衝撃 (剛体、力積)
 run-outside = 検証範囲外
 run-support-lost = 支えの喪失
 run-too-deep = 深い食い込み
@@ -25,55 +25,55 @@ run-tilt = 最大傾斜角
 run-total = 二物体間の力
 run-gave-up-at = { $t } s、{ $place }：{ $reason }
 run-lifts-at = { $bearing } は { $t } s に反力が 0 となり、浮き上がる
-run-damped-at = { $bearing } は { $t } s に反力が 0 となり、浮き上がる。ばねがまだ圧縮中に鉛直ダッシュポットが最大 { $pull } で引く（{ $tp } s）
-run-pulls-at = { $bearing } は { $t } s に反力が 0 となり、その後最大 { $pull } で引く（{ $tp } s）：この支承の則に浮き上がりはない
-run-total-at = { $force }（{ $t } s）、二物体間の全接触の和
-run-pair-returns = 。反発係数の結果 { $returned }（指定 { $asked }）
+run-damped-at = { $bearing } は { $t } s に反力が 0 となり、浮き上がる。ばねがまだ圧縮中に鉛直ダッシュポットが最大 { $pull } で引く ({ $tp } s)
+run-pulls-at = { $bearing } は { $t } s に反力が 0 となり、その後最大 { $pull } で引く ({ $tp } s)：この支承の則に浮き上がりはない
+run-total-at = { $force } ({ $t } s)、二物体間の全接触の和
+run-pair-returns = 。反発係数の結果 { $returned } (指定 { $asked })
 run-pair-total = 、全接触の和は { $total }
 run-lost-at = { $bearing }：{ $t } s、({ $x }, { $y }) m。以後の値はこの支承なし
 run-pier-yields = 。{ $t } s から降伏、塑性率 { $ductility }。最後に除荷して橋軸 { $along }、直角 { $across } mm 残る
-run-pier-numbers = 単独で T 橋軸 { $along } s、直角 { $across } s。変位 { $drift } mm（{ $td } s）、基部せん断力 { $shear }（{ $ts } s）{ $yielded }
+run-pier-numbers = 単独で T 橋軸 { $along } s、直角 { $across } s。変位 { $drift } mm ({ $td } s)、基部せん断力 { $shear } ({ $ts } s){ $yielded }
 run-pier = 橋脚 { $name }
 run-bearings = 支承 { $girder }
-run-bearings-of = 水平変位 { $moved } mm（支承 { $bearing }、{ $t } s）、一つの水平力 { $force }（支承 { $which }、{ $tf } s）
-run-overlap-of = { $one } と { $other }、接触なし：{ $t } s から、最大 { $depth } mm（{ $td } s）
+run-bearings-of = 水平変位 { $moved } mm (支承 { $bearing }、{ $t } s)、一つの水平力 { $force } (支承 { $which }、{ $tf } s)
+run-overlap-of = { $one } と { $other }、接触なし：{ $t } s から、最大 { $depth } mm ({ $td } s)
 run-overlap-more = ほか { $more } 件
-run-too-deep-of = { $face } への { $node }：{ $t } s に { $depth } mm、最短辺の十分の一（{ $allowed } mm）を超える
+run-too-deep-of = { $face } への { $node }：{ $t } s に { $depth } mm、最短辺の十分の一 ({ $allowed } mm) を超える
 run-left-face-of = { $count } 回、ばねのエネルギー { $energy } J、最大エネルギーの { $share }。最大は { $t } s に { $face } から { $node }
 run-outside-more = 、ほか { $more } 件
 run-none-lasting = 続くものなし
-run-force-lasting = 単独の隅角部に { $force }（持続）
-run-force-at = 単独の隅角部に { $force }（{ $t } s）
+run-force-lasting = 単独の隅角部に { $force } (持続)
+run-force-at = 単独の隅角部に { $force } ({ $t } s)
 run-no-contact = 接触なし
-run-impulse-at = { $impulse } N·s（{ $t } s）
-run-hits-of = { $hits } 回（接触点ごとには { $touches } 回）
-run-stick-slip-of = { $stick } s、{ $slip } s（全接触の和）
+run-impulse-at = { $impulse } N·s ({ $t } s)
+run-hits-of = { $hits } 回 (接触点ごとには { $touches } 回)
+run-stick-slip-of = { $stick } s、{ $slip } s (全接触の和)
 run-pair-of = 摩擦則は{ $law }、接触 { $touches } 回、1点の最大 { $peak }{ $total }
 run-pair = 組 { $name }
 run-soil-of = { $t } s に { $push } mm 押され { $force }、終局抵抗力の { $share } %。{ $gap } mm の隙間が残る
 run-soil = 背面土 { $name }
-run-unbalanced = （許容値を超える）
-run-error-of = { $error }（許容誤差 { $tolerance } の 1/100 の計算と比べて）
+run-unbalanced = {" "}(許容値を超える)
+run-error-of = { $error } (許容誤差 { $tolerance } の 1/100 の計算と比べて)
 run-error-not = 求めていない
 run-ledger-of = { $residual } J、最大エネルギーの { $share }{ $unbalanced }
 run-time-of = { $time } s、実時間の { $times } 倍
 run-seat = 桁かかり { $girder }{ $end }
 run-seat-lost = 桁端全体が { $t } s から外れる
-run-seat-along = （橋軸方向 { $length }）
-run-seat-at = （{ $which }）
+run-seat-along = {" "}(橋軸方向 { $length })
+run-seat-at = {" "}({ $which })
 run-seat-of = 初期 { $placed } mm{ $along }、最小 { $least }{ $corner }、移動量 { $used }、{ $t } s
-run-corner = 隅角部 { $corner }（{ $angle }）
+run-corner = 隅角部 { $corner } ({ $angle })
 run-corner-off = { $which }が { $t } s に外れる、縁に沿って { $at } m。最小でも端の幅の { $share } % が載っている
 run-corner-side = { $which }が { $t } s に側方へ外れる
 run-needed = 必要
 run-there = 現況
 run-used = 移動量
-run-seats-head = 桁かかり（縁に直角） [mm]
+run-seats-head = 桁かかり (縁に直角) [mm]
 run-seats-legend = * 記憶による引用、その版では未確認。° 仮定の入力を含む、summary.json の codes
 run-seats-turned = G まわりの回転で桁かかりがなくなる角：{ $one }の隅角部 { $first }°、{ $other }の隅角部 { $second }°、中央 { $middle }°
 run-polynomials = 多項式
 run-flexible = 弾性 { $girder }
-run-flexible-rigid = 弾性分は { $tol } 未満（κ_e = { $kappa }）：剛体
+run-flexible-rigid = 弾性分は { $tol } 未満 (κ_e = { $kappa })：剛体
 run-flexible-of = κ = { $kappa }、κ_e = { $kappae }、次数 { $degree }、{ $count } モード { $frequencies } Hz から、a₀/c = { $transit } ms
 run-strength-of = { $strength } MPa を超える：そこではもう弾性ではない
 run-strength = 強度
@@ -84,7 +84,7 @@ run-not-negligible = 無視できない：{ $names }
 run-returned = 、重心の反発係数 e = { $e }
 run-hit-of = { $t } s、接触 { $time } ms{ $restitution }。直後のモードのエネルギー { $ringing } J
 run-hit-goes-on = { $t } s から計算の終わりまで { $time } ms：まだ終わっていない。モードのエネルギー { $ringing } J
-run-section-forces = 中央の |N| 最大 { $axial } MN（{ $t } s、ひずみの差 { $difference }）、|M| 最大 { $moment } MN·m{ $in_space }。縁応力 最大 { $stress } MPa（s = { $s } m）
+run-section-forces = 中央の |N| 最大 { $axial } MN ({ $t } s、ひずみの差 { $difference })、|M| 最大 { $moment } MN·m{ $in_space }。縁応力 最大 { $stress } MPa (s = { $s } m)
 run-section-forces-space = 、|M_y| 最大 { $moment } MN·m、|T| 最大 { $torque } MN·m
 run-degrees = 次数 { $one } と { $other }：力 { $force }、力積 { $impulse }、端 { $ends }、中央の N { $section }、モーメント { $moments }
 warning = 警告：{ $what }
@@ -96,15 +96,15 @@ failed-gave-up = { $scene } の計算は t = { $t } s で{ $ended }、{ $place }
 failed-interrupted = 中断：{ $kept }
 failed = エラー：{ $failure }
 failed-no-pictures = このビルドは図を描けない：`cargo build --release --features render` でビルドする
-failed-standard-output = 標準出力：結果を書けない（{ $error }）：空きのある所へ向ける
+failed-standard-output = 標準出力：結果を書けない ({ $error })：空きのある所へ向ける
 run-removed = 前の結果から削除：{ $names }
 run-written = { $folder } に書いた：{ $names }
 failed-cells = --sample：{ $samplehz }：{ $table } は { $cells } 個の値となり { $most } を超える：毎秒 { $less } 行以下とするか、計算を短くする
 failed-trajectory = 軌跡の表
 report-written-to = { $file } に書いた
 open-headless = { $why }：代わりに図と表を { $folder } に書く
-open-no-window = このビルドには画面がない（gui 機能）
-failed-threads = --threads { $count }：始められない（{ $error }）：少なくする
+open-no-window = このビルドには画面がない (gui 機能)
+failed-threads = --threads { $count }：始められない ({ $error })：少なくする
 wrong-out-before = コマンドの前に --out がある：そのコマンドに --out があれば後に書く
 mistake-of = { $what }：{ $subject }
 wrong-one-of = 次のどれかを与える：{ $words }
@@ -112,7 +112,7 @@ wrong-no-number = 数を与える
 wrong-no-count = 1 以上の整数を与える
 wrong-not-above = 0 より大きい数を与える
 wrong-below = 0 以上の数を与える
-warning-unjoined = 警告：{ $one } と { $other }：初期の間隔 { $apart } mm、接触なしに { $reach } mm まで動く：両者の間に接触が定義されていないので、通り抜けうる。[contact] に `between = "all"` を与える（接触モデル）、離して置く、硬く支える、または `girderbench run` の summary の `overlap` を見る
+warning-unjoined = 警告：{ $one } と { $other }：初期の間隔 { $apart } mm、接触なしに { $reach } mm まで動く：両者の間に接触が定義されていないので、通り抜けうる。[contact] に `between = "all"` を与える (接触モデル)、離して置く、硬く支える、または `girderbench run` の summary の `overlap` を見る
 warning-more-unjoined = 警告：このような組がほか { $more } 件
 check-touch-anywhere = 物体は出会う所で接触する
 check-touch-nowhere = 接触しうるものはない
@@ -125,18 +125,18 @@ check-spatial = 立体、重力加速度 { $gravity } m/s²
 check-head = { $name }：{ $kind }、{ $duration } s
 check-head-b = 地動：{ $motion }
 check-named-ground = 地動「{ $name }」：{ $motion }
-check-unused-ground = 地動「{ $name }」（この地動に載るものはなく、何も動かしません）：{ $motion }
+check-unused-ground = 地動「{ $name }」 (この地動に載るものはなく、何も動かしません)：{ $motion }
 check-head-c = 解法：{ $method }、許容誤差 { $tolerance }
 check-head-d = 視点：{ $camera }
-check-assumed-stiffness = 数値が与えられない組の K：桁の E A / L、A = width_m × thickness_m、L = a₀。弾性桁では桁自身の E と A、L = a₀/10（仮定）
-check-pair = 組 { $pair }：遊間 { $gap } mm（橋軸方向）、摩擦則は{ $law }、剛性は{ $sharing }、引張は{ $tension }
-check-pair-gap = 組 { $pair }：遊間 { $gap } mm（橋軸方向）
+check-assumed-stiffness = 数値が与えられない組の K：桁の E A / L、A = width_m × thickness_m、L = a₀。弾性桁では桁自身の E と A、L = a₀/10 (仮定)
+check-pair = 組 { $pair }：遊間 { $gap } mm (橋軸方向)、摩擦則は{ $law }、剛性は{ $sharing }、引張は{ $tension }
+check-pair-gap = 組 { $pair }：遊間 { $gap } mm (橋軸方向)
 check-nodes = 節点：{ $nodes }
 check-normal-law = 法線則 { $law }、較正 { $calibration }：{ $speed } m/s の自由な正面衝突は e = { $e } を返す
 check-node = { $face } への { $node }
 check-girder-place = 位置 { $place } m、方位 { $heading }°
-check-girder = 桁 { $name }：{ $length } × { $width } × { $thickness } m、{ $mass } kg、β = { $skew }°（米国式斜角 { $complement }°）、i = { $gyration } m
-check-tilted = 、縦傾斜 { $pitch }°（{ $pitchrate }°/s）、横傾斜 { $roll }°（{ $rollrate }°/s）
+check-girder = 桁 { $name }：{ $length } × { $width } × { $thickness } m、{ $mass } kg、β = { $skew }° (米国式斜角 { $complement }°)、i = { $gyration } m
+check-tilted = 、縦傾斜 { $pitch }° ({ $pitchrate }°/s)、横傾斜 { $roll }° ({ $rollrate }°/s)
 check-starts = 初期変位 { $place } m、回転 { $turn }°、速度 { $velocity } m/s、{ $spin }°/s{ $tilted }
 check-pushed = 外力 { $force } N、{ $moments } N·m
 check-held = 拘束：{ $ways }
@@ -144,19 +144,19 @@ check-seat = { $end } 端 { $length } m
 check-seat-wider = 、桁の両側より { $side } m 広い
 check-seats = 桁かかり：{ $given }{ $wider }
 check-no-bearings = 支承なし
-check-bearings = 支承 { $count } 個：ω_x, ω_y, ω_θ = { $omega } rad/s（{ $hertz } Hz）、h_x, h_y, h_θ = { $damping }
+check-bearings = 支承 { $count } 個：ω_x, ω_y, ω_θ = { $omega } rad/s ({ $hertz } Hz)、h_x, h_y, h_θ = { $damping }
 check-bearings-b = 偏心：剛性 ε_x, ε_y = { $stiffness }、ダッシュポット η_x, η_y = { $dashpots }
-check-density = 質量は寸法に対して { $density } kg/m³（コンクリート 2500、鋼 7850）：mass_kg の単位は kg か
+check-density = 質量は寸法に対して { $density } kg/m³ (コンクリート 2500、鋼 7850)：mass_kg の単位は kg か
 check-in-dish = 支承 { $number } は静止時の { $part } 倍の荷重で始まる：この水平変位で球面に沿い { $rise } m 上がるが、displacement_m の鉛直成分はそうでない
-check-tips = 支承は桁を直立に保てない（重心の片側にあるか、一直線に近い）：自由になると傾いて転倒する
+check-tips = 支承は桁を直立に保てない (重心の片側にあるか、一直線に近い)：自由になると傾いて転倒する
 check-pulled = 支承 { $number } は静止時に { $pull } kN で引かれ、桁を押さえている
-check-vertical = 鉛直：ω_z = { $omega } rad/s（{ $hertz } Hz）、h_z = { $ratio }
+check-vertical = 鉛直：ω_z = { $omega } rad/s ({ $hertz } Hz)、h_z = { $ratio }
 check-can-rotate = 回転しうる
 check-cannot-rotate = 自らは回転しない
 check-condition = 条件 (6)：a0 sin 2β / (2 b0) = { $number }：{ $can }
 check-yield = うち { $count } 個が降伏：Q = { $force } N、降伏前の k_x, k_y = { $x }, { $y } N/m。振動数は降伏後の値
 check-flat = 平ら
-check-slide = うち { $count } 個がすべり：μ = { $friction }、{ $radius }（最初のもの）、{ $displacement } m で摩擦が全て現れる。N は鉛直力に従い、振動数は N/R を除く
+check-slide = うち { $count } 個がすべり：μ = { $friction }、{ $radius } (最初のもの)、{ $displacement } m で摩擦が全て現れる。N は鉛直力に従い、振動数は N/R を除く
 check-assumed-of = 。仮定：{ $numbers }
 check-then-drops = 隅角部が { $drop } m 落ちたら計算を止める
 check-then-stops = そこで計算を止める
@@ -177,24 +177,24 @@ check-flexible-b = c = { $speed } m/s、a₀/c = { $transit } ms、κ = { $kappa
 check-ground = 地盤
 check-device = { $kind } { $name }：{ $girder } の { $first } m と { $to } の { $second } m、距離 { $length } m
 check-cable = { $slack } mm で張る、K = { $stiffness } N/m
-check-cable-yields = 、{ $force } N で降伏（さらに { $at } mm）、その後 K₂ = { $after } N/m
-check-cable-breaks = 、さらに { $elongation } mm で破断（{ $force } N）
+check-cable-yields = 、{ $force } N で降伏 (さらに { $at } mm)、その後 K₂ = { $after } N/m
+check-cable-breaks = 、さらに { $elongation } mm で破断 ({ $force } N)
 check-bumper-point = { $depth } mm で { $force } N
 check-bumper = { $normal } の向きに押す、{ $gap } mm から。{ $lines }、c = { $damping } N·s/m
 check-brace = 直列の K_b = { $brace } N/m
 check-regularised = { $speed } m/s で正則化
 check-linear = 線形
 check-damper = F = { $c } |v|^{ $alpha } N：0.1 m/s で { $slow } N、1 m/s で { $fast } N。{ $form }
-check-stop-breaks = 、{ $force } N（{ $at } mm）で破断
-check-stop-yields = 、{ $force } N（{ $at } mm）で降伏
-check-stop-yields-breaks = 、{ $force } N（{ $at } mm）で降伏、さらに { $after } mm で破断
+check-stop-breaks = 、{ $force } N ({ $at } mm) で破断
+check-stop-yields = 、{ $force } N ({ $at } mm) で降伏
+check-stop-yields-breaks = 、{ $force } N ({ $at } mm) で降伏、さらに { $after } mm で破断
 check-stopper = { $along } の向きの { $sides } mm で止める、K = { $stiffness } N/m{ $fails }
 run-device = { $kind } { $name }
 run-device-never = 力が働かない
-run-device-part = （強度の { $part } %）
+run-device-part = {" "}(強度の { $part } %)
 run-device-yields = 。{ $t } s から降伏
 run-device-breaks = 。{ $t } s に破断
-run-device-of = { $force }（{ $t } s）{ $part }。変位 { $least } ～ { $greatest } mm、{ $first } s から { $times } 回働く{ $yields }{ $breaks }
+run-device-of = { $force } ({ $t } s){ $part }。変位 { $least } ～ { $greatest } mm、{ $first } s から { $times } 回働く{ $yields }{ $breaks }
 kind-restrainer = 落橋防止ケーブル
 kind-bumper = 緩衝ゴム
 kind-damper = ダンパー
@@ -238,7 +238,7 @@ sweep-by-version = プログラムの版
 sweep-by-scene = シーン
 sweep-by-records = 地震動の記録
 sweep-changed = 変更されている
-sweep-another = 別のスイープ（異なるもの：{ $parts }）
+sweep-another = 別のスイープ (異なるもの：{ $parts })
 wrong-sweep-folder = { $file }：{ $found }：別の --out を与えるか、始めたときのシーン、--vary、--measure を与える
 sweep-runs = 計算 { $runs } 個、うち未計算 { $missing } 個
 sweep-part = この部分は終わった。全ての部分が終わったら、--shard なしの同じコマンドでデータセットを書く
@@ -254,9 +254,9 @@ motion-no-name = 名前なし
 motion-nothing = なし
 motion-channel = 成分 { $number }：{ $name }、{ $direction }
 motion-samples = 単位 { $unit }：{ $count } 点、{ $dt } s 間隔、{ $length } s
-motion-peak = 最大加速度 { $g } g = { $gal } gal（{ $t } s）
-motion-ground = 最大速度 { $velocity } m/s（{ $tv } s）、最大変位 { $displacement } m（{ $td } s）：静止から積分、データの間は直線
-motion-strong = 強震継続時間 { $duration } s、{ $from } ～ { $until } s：アリアス強度 { $arias } m/s の 5 ～ 95 %（有意継続時間）
+motion-peak = 最大加速度 { $g } g = { $gal } gal ({ $t } s)
+motion-ground = 最大速度 { $velocity } m/s ({ $tv } s)、最大変位 { $displacement } m ({ $td } s)：静止から積分、データの間は直線
+motion-strong = 強震継続時間 { $duration } s、{ $from } ～ { $until } s：アリアス強度 { $arias } m/s の 5 ～ 95 % (有意継続時間)
 motion-done = 処理：{ $done }
 wrong-scaled = --scaled：--scene か --record で地動を与える
 wrong-no-girder-flag = --girder：次のどれかを与える：{ $names }
@@ -289,23 +289,23 @@ compare-part-events = { $contact } のイベント
 compare-part = t = { $t } s で分かれる：{ $what }
 compare-agree = 各量の最大値の { $apart } まで一致する
 identify-rows = { $file }：{ $count } 行{ $name }、{ $from } ～ { $to } { $unit }、変位の単位 { $in }
-identify-of = （{ $name }）
+identify-of = {" "}({ $name })
 identify-ground = 地動
 identify-resonance = 共振
-identify-resonance-of = { $frequency } Hz（探索の出発点）
-identify-as-given = （与えた値）
+identify-resonance-of = { $frequency } Hz (探索の出発点)
+identify-as-given = {" "}(与えた値)
 identify-residual = 残差
 identify-residual-of = RMS { $rms } mm、動きの { $share } %
 identify-interval = ± は 1 自由度系で真値を 100 回に 95 回含む区間の半幅
 identify-at-bound = h は探索の上限にある：ほとんど振動せず、f も h もその区間も信頼できない
-identify-poor = 1 自由度系と異なる動き：区間に意味はない（衝突、滑り、別の地動？）
+identify-poor = 1 自由度系と異なる動き：区間に意味はない (衝突、滑り、別の地動？)
 identify-independent = 行ごとに独立
-identify-correlated = 行間の相関 { $next }（{ $order } 次の自己回帰）、区間はこれを考慮
+identify-correlated = 行間の相関 { $next } ({ $order } 次の自己回帰)、区間はこれを考慮
 identify-still = 静止：自由減衰
 identify-sines = 加速度一定の正弦波
 identify-shaken = { $scene } の地動、{ $angle }° 方向に { $peak } g
 identify-no-shaking = { $scene }：地盤は { $angle }° 方向に動かない
-identify-touches = 警告：{ $scene }：このシーン自身の計算では { $pair } が { $t } s から接触するが、1 自由度系は接触しない：それより前の行を使う（--to）か、--fit でシーンの値を求める
+identify-touches = 警告：{ $scene }：このシーン自身の計算では { $pair } が { $t } s から接触するが、1 自由度系は接触しない：それより前の行を使う (--to) か、--fit でシーンの値を求める
 identify-frequency = 固有振動数 f
 identify-damping = 減衰定数 h
 identify-displacement = 初期変位
@@ -324,10 +324,10 @@ fit-both = x と y
 fit-runs = 計算
 fit-model = { $scene }、モデル "{ $model }"
 fit-residual = RMS { $rms } mm、動きの { $share } %、{ $noise }
-fit-correlated = 行間に相関（{ $order } 次の自己回帰）
+fit-correlated = 行間に相関 ({ $order } 次の自己回帰)
 fit-outside = { $file }：{ $last } s まで { $have } 行：計算の { $end } s 以内に { $least } 行以上を与える
 fit-start = { $values } ではシーンを計算できない：{ $why }
-fit-undetermined = { $keys } は計測値に現れないか、区別できない：1つ外すか、もっと計測する（摩擦は y に現れる）
+fit-undetermined = { $keys } は計測値に現れないか、区別できない：1つ外すか、もっと計測する (摩擦は y に現れる)
 fit-ended = 計算が { $t } s で終わる、{ $reason }：別の値から始める
 fit-too-short = 計算は { $end } s、計測は { $last } s で終わる：--set duration_s={ $last }、または --to { $end }
 wrong-brightness = 0 以上 255 未満の数を与える
@@ -340,13 +340,13 @@ measure-marks = 明るさ { $threshold } を超える標点 { $marks } 個、1 �
 measure-range = { $low } ～ { $high }
 measure-one-mark = 標点が1つ：θ なし
 measure-extent = { $body }：最初の画像から x { $x } mm、y { $y } mm、{ $rotation }
-measure-against = { $name } と計算の差：RMS { $rmspx } 画素 = { $rms } mm、最大 { $largestpx } 画素 = { $largest } mm（{ $t } s）
-measure-against-turn = θ と計算の差：RMS { $rms }°、最大 { $largest }°（{ $t } s）
+measure-against = { $name } と計算の差：RMS { $rmspx } 画素 = { $rms } mm、最大 { $largestpx } 画素 = { $largest } mm ({ $t } s)
+measure-against-turn = θ と計算の差：RMS { $rms }°、最大 { $largest }° ({ $t } s)
 measure-too-few = 配置の指定は画像 { $count } 枚、実際は { $have } 枚：描き直すか、指定を直す
 measure-no-pictures = PNG 画像がない：画像のあるフォルダーを与える
 measure-hole = { $before } の次が { $after }。画像はすべて次の時刻とみなす：欠けた画像を置くか、画像自体を並べて与える
 measure-pixels = { $width } × { $height } 画素：{ $most } 画素以下の画像を与える
-measure-no-picture = 読める PNG 画像でない（{ $error }）：保存し直すか、外す
+measure-no-picture = 読める PNG 画像でない ({ $error })：保存し直すか、外す
 measure-depth = 読めない色深度：1 チャンネル 8 ビットとする
 measure-no-body = 物体 { $body } がない：標点を { $names } のどれかに付ける
 measure-short = 計算は { $end } s、動画は { $last } s で終わる：計算を延ばすか、from_s か fps を直す
@@ -359,17 +359,17 @@ layout-body = body：1 ～ 60 文字で1行の名前を与える
 layout-none = 標点がない：body と pixel をもつ [[mark]] を与える
 layout-finite = pixel と at_mm は有限の数とする
 layout-table = 標点がすべて { $table } にある：物体の標点を与える
-layout-no-scale = 縮尺がない：mm_per_pixel（--mm-per-pixel）か、table または1つの物体の2標点の at_mm を与える
-mark-missing = 標点 { $mark }（{ $body }）がない：({ $x }, { $y }) から { $within } 画素以内に明るいものがない
+layout-no-scale = 縮尺がない：mm_per_pixel (--mm-per-pixel) か、table または1つの物体の2標点の at_mm を与える
+mark-missing = 標点 { $mark } ({ $body }) がない：({ $x }, { $y }) から { $within } 画素以内に明るいものがない
 mark-merged = 標点 { $one } と { $other } が ({ $x }, { $y }) で1つになった
-mark-grown = 標点 { $mark }（{ $body }）が ({ $x }, { $y }) で明るいものとつながった：{ $area } 画素、最初は { $first } 画素
-mark-shrunk = 標点 { $mark }（{ $body }）が ({ $x }, { $y }) で一部隠れた：{ $area } 画素、最初は { $first } 画素
-mark-at-edge = 標点 { $mark }（{ $body }）が ({ $x }, { $y }) で画像の端に達した
+mark-grown = 標点 { $mark } ({ $body }) が ({ $x }, { $y }) で明るいものとつながった：{ $area } 画素、最初は { $first } 画素
+mark-shrunk = 標点 { $mark } ({ $body }) が ({ $x }, { $y }) で一部隠れた：{ $area } 画素、最初は { $first } 画素
+mark-at-edge = 標点 { $mark } ({ $body }) が ({ $x }, { $y }) で画像の端に達した
 mark-size = { $width } × { $height } 画素、最初の画像は { $firstwidth } × { $firstheight } 画素：同じ大きさの画像を与える
 study-written = { $folder } に書いた：{ $count } ファイル
 study-none-of = { $flag }："{ $name }" は { $known } のどれでもない：この中から与える
 study-computed = 計算 { $run } 個、既存 { $there } 個。{ $page }
-study-seed = 種 { $seed }（{ $family }）：{ $check }：{ $detail }
+study-seed = 種 { $seed } ({ $family })：{ $check }：{ $detail }
 study-seeds = 種 { $seeds } 個：検証範囲内 { $inside } 個、うち失敗 { $failedinside } 個。範囲外 { $outside } 個、うち失敗 { $failedoutside } 個。{ $folder } に書いた
 study-failed = 種 { $seeds } 個のうち { $failed } 個が失敗：{ $page } に再現するコマンドとともに示す
 wrong-measure = その名前の量はない{ $meant }。量：{ $names }
@@ -385,8 +385,8 @@ warning-drift = 警告：{ $words }
 warning-more-drift = 警告：そのような支点がほかに { $more } 箇所
 interrupted-nothing = 何も書いていない
 progress-again = 、出会った物体の接触を加えて再計算
-headless-no-render = このビルドは図を描けない（feature render）
+headless-no-render = このビルドは図を描けない (feature render)
 
 gpu-without = { $name }={ $value } がある：外して試す。
-gpu-install-mesa = mesa-vulkan-drivers（または libegl1 と libgl1-mesa-dri）を入れる
+gpu-install-mesa = mesa-vulkan-drivers (または libegl1 と libgl1-mesa-dri) を入れる
 gpu-install-driver = 描画装置のドライバーを入れる

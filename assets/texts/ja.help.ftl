@@ -1,4 +1,4 @@
-# コマンドと引数の説明（日本語）。英語は src/cli の定義にある。キー：help、コマンド、引数の名前。
+# コマンドと引数の説明 (日本語)。英語は src/cli の定義にある。キー：help、コマンド、引数の名前。
 
 ## 見出し
 heading-usage = 使い方：
@@ -38,9 +38,9 @@ help-open-tolerance = シーンの `solver.tolerance` によらない、1ステ�
 
 ## run
 help-run-about = シーンを計算する：要約を表示し、表をフォルダーに書く
-help-run-scene = シーンのファイル、または例題の名前（一覧は `girderbench presets`）
+help-run-scene = シーンのファイル、または例題の名前 (一覧は `girderbench presets`)
 help-run-sample = 表の毎秒の行数 [Hz]
-help-run-threads = 計算に使うスレッドの数（スイープの各計算、組のない物体ごと）。省くと `RAYON_NUM_THREADS`、なければプロセッサごとに1つ
+help-run-threads = 計算に使うスレッドの数 (スイープの各計算、組のない物体ごと)。省くと `RAYON_NUM_THREADS`、なければプロセッサごとに1つ
 help-run-out = trajectory.csv、contacts.csv、events.csv、summary.json をこのフォルダーに書く。装置、降伏する・滑る・支持を失いうる支承、背面土があれば devices.csv も。衝撃モデルでは hits.csv と transitions.csv も、シーンが両方のモデルを求めるときは接触モデルの表に加えて impact-….csv も書く
 help-run-digest = 結果全体のハッシュだけを表示する
 
@@ -61,7 +61,7 @@ help-compare-within = 2つの量が分かれたとみなす差、最大値に対
 ## motion
 help-motion-about = 地震動の記録の内容を示す：形式、単位、最大値、継続時間。図と応答スペクトル
 help-motion-files = 記録のファイル：PEER AT2、K-NET、COSMOS、CSMIP Volume 2、1列、CSV
-help-motion-channel = 各ファイルのこの成分だけ（1 から数える）
+help-motion-channel = 各ファイルのこの成分だけ (1 から数える)
 help-motion-dt = 時間刻み、ファイルに書かれていないとき [s]
 help-motion-unit = 数値の単位、ファイルに書かれていないとき：g、gal (cm/s2)、m/s2
 help-motion-out = 各成分の時刻歴と 5 % 応答スペクトルを、図と CSV でこのフォルダーに書く
@@ -75,7 +75,7 @@ help-motion-peak_g = 最大値をこれに合わせる [g]
 help-motion-scale = ほかの処理の後ですべての値に掛ける倍率
 
 ## plot
-help-plot-about = 計算の量を時刻または互いに対して図示する（履歴曲線など）。`--y` がなければ量の名前の一覧
+help-plot-about = 計算の量を時刻または互いに対して図示する (履歴曲線など)。`--y` がなければ量の名前の一覧
 help-plot-y = 縦軸の量、例：`deck.bearing1.force-x`。何度でも与えられる
 help-plot-x = 横軸の量、例：`deck.bearing1.x`。省くと時刻
 help-plot-sample = 毎秒の点の数 [Hz]
@@ -83,17 +83,17 @@ help-plot-out = plot.csv、plot.svg、plot.png をこのフォルダーに書く
 help-plot-list = 計算の量の名前だけをすべて表示する
 
 ## identify
-help-identify-about = 測定した変位（自由減衰、既知の地動、スイープ）から固有振動数と減衰定数を求める。--fit では衝突する桁の遊間、反発係数、摩擦係数を求める
+help-identify-about = 測定した変位 (自由減衰、既知の地動、スイープ) から固有振動数と減衰定数を求める。--fit では衝突する桁の遊間、反発係数、摩擦係数を求める
 help-identify-file = 時刻と地盤に対する変位の CSV の表。--response では振動数と振幅の表
 help-identify-column = 変位の列の名前。1列だけなら省ける
-help-identify-unit = 変位の単位、見出しに書かれていないとき（`x_mm` のように）：m, cm, mm, um
+help-identify-unit = 変位の単位、見出しに書かれていないとき (`x_mm` のように)：m, cm, mm, um
 help-identify-from = この時刻から後だけ。自由減衰では自由になる時刻 [s]
 help-identify-to = この時刻までだけ [s]
 help-identify-scene = このシーンまたは例題の地動による。t = 0 はその始まり
 help-identify-sets = そのシーンの値を変える。例：`--set motion.kind=sweep`
 help-identify-along = そのシーンでの変位の向き、全体座標の x から [度]
 help-identify-record = この記録で変位の向きに加振した。`girderbench motion` が読むファイル
-help-identify-channel = 記録のどの成分か（1 から数える）
+help-identify-channel = 記録のどの成分か (1 から数える)
 help-identify-dt = その時間刻み、書かれていないとき [s]
 help-identify-record_unit = その数値の単位、書かれていないとき：g、gal (cm/s2)、m/s2
 help-identify-scaled = 地動は倍率を除いて既知とし、倍率も求める
@@ -131,11 +131,11 @@ help-study-camera-about = 標点の動画の精度を測る：標点の大きさ
 help-study-camera-out = camera.md、camera.csv、図をこのフォルダーに書く
 help-study-experiment-about = 論文の実験を計算する：表2のすべての条件を両モデルで、図と所見を1ページに
 help-study-experiment-out = report.html、findings.md、maps/、results/ をこのフォルダーに書く。すでにある結果は計算し直さない
-help-study-experiment-only = これらだけ、コンマ区切り：条件（`skew60_-15_0.40g`）、straight、skew60、skew45、pair の全体、または maps
+help-study-experiment-only = これらだけ、コンマ区切り：条件 (`skew60_-15_0.40g`)、straight、skew60、skew45、pair の全体、または maps
 help-study-experiment-record = 地震動、`girderbench motion` が読む記録のファイル。なければ模擬地震動
-help-study-experiment-channel = ファイルのどの成分か（1 から数える）
-help-study-experiment-dt = 時間刻み、ファイルに書かれていないとき（1つの記録） [s]
-help-study-experiment-unit = 数値の単位、ファイルに書かれていないとき（1つの記録）：g、gal (cm/s2)、m/s2
+help-study-experiment-channel = ファイルのどの成分か (1 から数える)
+help-study-experiment-dt = 時間刻み、ファイルに書かれていないとき (1つの記録) [s]
+help-study-experiment-unit = 数値の単位、ファイルに書かれていないとき (1つの記録)：g、gal (cm/s2)、m/s2
 help-study-experiment-record_scale = 地震動の倍率。論文には書かれていない
 help-study-laws-about = 法線方向の接触則を比べる：1回の衝突、10 秒間、食い込みに対する力
 help-study-laws-out = laws.md、laws.csv、図をこのフォルダーに書く
@@ -148,7 +148,7 @@ help-study-stability-from = 最初の種
 help-study-stability-inside = シーンが検証範囲内にある種だけをとる
 help-study-stability-out = seeds.csv、stability.md、縮小した失敗シーンをこのフォルダーに書く
 help-study-stability-threads = 同時に計算する種の数。省くとプロセッサの数
-help-study-stability-events = シーンを十分長いとみなすイベントの数（1時間揺れるものを除く）
+help-study-stability-events = シーンを十分長いとみなすイベントの数 (1時間揺れるものを除く)
 help-study-stability-patience = 1つの種の計算に許すプロセッサ時間の上限 [s]
 
 ## sweep
@@ -162,7 +162,7 @@ help-sweep-shard = N 個に分けた I 番目だけを計算する。これな�
 ## waves
 help-waves-about = シーンを計算し、たわむ桁の断面力を時刻と位置に対して描く：波の伝播と反射が見える
 help-waves-girder = 桁の名前。省くと最初のたわむ桁
-help-waves-force = 描くもの：axial（軸力 N）、shear（せん断力 Q）、moment（曲げモーメント M）、stress（縁応力）。立体では shear_z、moment_y、torque も
+help-waves-force = 描くもの：axial (軸力 N)、shear (せん断力 Q)、moment (曲げモーメント M)、stress (縁応力)。立体では shear_z、moment_y、torque も
 help-waves-from = 図の始まりの時刻 [s]。省くと最大の衝突の少し前
 help-waves-to = 終わりの時刻 [s]。省くとその衝突から波が数回通過した後
 help-waves-out = 図と表のフォルダー
@@ -190,7 +190,7 @@ help-render-background = 物体の背景
 help-render-quality = 1枚の図にかける手間。`auto` はプロセッサで描くときに減らす
 help-render-force_scale = 力の矢印の縮尺 [N per m]。省くと計算の最大値から決める
 help-render-bent = たわむ桁を、この倍率で変形させて描く。`auto` は最大のたわみを長さの 3 % に描く
-help-render-force = それを断面力で色分けする：axial（軸力 N）、shear（せん断力 Q）、moment（曲げモーメント M）、stress（縁応力）。立体では shear_z、moment_y、torque も
+help-render-force = それを断面力で色分けする：axial (軸力 N)、shear (せん断力 Q)、moment (曲げモーメント M)、stress (縁応力)。立体では shear_z、moment_y、torque も
 help-render-title = 題名。省くとシーンの名前
 
 ## sweep の量
@@ -204,7 +204,7 @@ measure-hits = 衝突の数：組の最初の接触点が閉じてから最後�
 measure-first_hit = 最初の接触の時刻。接触がなければ空
 measure-stick_time = 固着している時間、全接触の和
 measure-slip_time = 滑っている時間、全接触の和
-measure-least_gap = 向かい合う組の最小の遊間（面に直角）、接触中は負。組がなければ空
+measure-least_gap = 向かい合う組の最小の遊間 (面に直角)、接触中は負。組がなければ空
 measure-least_seat = 残る桁かかり長の最小値、縁に直角、外れると負。桁かかりがなければ空
 measure-unseated = 隅角部が初めて桁かかりから外れた時刻。外れなければ空
 measure-max_pier_drift = 橋脚天端の基部に対する変位の最大。橋脚がなければ空
@@ -212,7 +212,7 @@ measure-max_pier_shear = 橋脚基部のせん断力の最大。橋脚がなけ�
 measure-max_bearing_displacement = 支承の水平変位の最大。支承がなければ空
 measure-max_bearing_force = 支承の水平力の最大。支承がなければ空
 measure-max_device_force = 装置の力の最大。装置がなければ空
-measure-max_stress = たわむ桁の縁応力の最大（自重による分を除く）。たわむ桁がなければ空
+measure-max_stress = たわむ桁の縁応力の最大 (自重による分を除く)。たわむ桁がなければ空
 measure-max_overlap = 接触が定義されていない物体の重なりの最大値
 measure-estimated_error = 許容誤差を 1/100 とした計算との変位の差の最大値。そのための計算も行う
 measure-energy_residual = エネルギー収支の残差、最大エネルギーに対する比

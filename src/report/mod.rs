@@ -33,7 +33,7 @@ pub fn html(history: &History, options: &TableOptions) -> String {
     let _ = writeln!(page, "<h1>{name}</h1>\n<p>{}</p>", escape(presets::told(scene)));
     page.push_str(&sections::verdicts(&report));
     page.push_str(&trust::departures(&report));
-    page.push_str(&sections::headline(&report));
+    page.push_str(&sections::headline(history, &report));
     heading(&mut page, Text::new("report-scene"));
     figure(&mut page, &Plan::as_placed(history).svg(), &plan::caption(history));
     page.push_str(&sections::scene(history));
@@ -63,7 +63,7 @@ pub fn html(history: &History, options: &TableOptions) -> String {
         figure(&mut page, &svg, &caption);
     }
     heading(&mut page, Text::new("report-readings"));
-    page.push_str(&sections::readings(history));
+    page.push_str(&sections::readings(history, &report));
     page.push_str(&supports::bearings(&report));
     page.push_str(&bending::table(&report));
     page.push_str(&devices::table(&report));

@@ -300,7 +300,7 @@ impl<'a> Plan<'a> {
 
     /// Draws the forces in play, and gives their sizes as texts, beside the tips and within the picture.
     fn forces(&self, svg: &mut String, height: f64) -> String {
-        let mut sizes = String::new();
+        let (mut sizes, mut written) = (String::new(), Vec::<DVec2>::new());
         let Some((_, contacts)) = &self.at else { return sizes };
         let largest = contacts.iter().map(|now| now.force.truncate().length()).fold(0.0, f64::max);
         for now in contacts.iter().filter(|_| largest > 0.0) {
@@ -323,7 +323,12 @@ impl<'a> Plan<'a> {
             // Ahead of the tip, or before it where the picture ends.
             let ahead = if way.x < 0.0 { tip.0 - 7.0 - wide } else { tip.0 + 7.0 };
             let left = ahead.clamp(4.0, (WIDTH - 4.0 - wide).max(4.0));
-            let y = (tip.1 - 5.0).clamp(12.0, height - 22.0);
+            // Nodes of one corner, one above the other, have forces nearly alike.
+            let mut y = (tip.1 - 5.0).clamp(12.0, height - 22.0);
+            while let Some(line) = written.iter().copied().find(|at| at.distance(DVec2::new(left, y)) < 0.9 * LINE) {
+                y = line.y + LINE;
+            }
+            written.push(DVec2::new(left, y));
             text(&mut sizes, (left, y), 11.0, "start", FORCE, &words);
         }
         sizes

@@ -47,6 +47,27 @@ pub(super) fn at(value: String, t: f64) -> String {
     said!("report-value-at", "value" => value, "t" => format!("{t:.3}"))
 }
 
+/// From when on the run carries an end that has come off its seat, so that its values are those of no falling deck; infinite where it
+/// carries none \[s\].
+pub(super) fn carried_from(report: &Report) -> f64 {
+    // Bearings that stand on what they lose stop carrying.
+    let carries = report.lost_supports.is_empty();
+    report.seats.iter().filter(|_| carries).filter_map(|seat| seat.left_at).fold(f64::INFINITY, f64::min)
+}
+
+/// A value with a sign where it is reached \[s\] when an end is `carried` that has come off.
+pub(super) fn marked(value: String, t: Option<f64>, carried: f64) -> String {
+    if t.is_some_and(|t| t > carried) { said!("reached-after", "reached" => value) } else { value }
+}
+
+/// What the sign means, where it stands.
+pub(super) fn sign_told(html: &str, carried: f64) -> String {
+    if !html.contains(" *<") {
+        return String::new();
+    }
+    format!("<p class=\"open\">{}</p>\n", said!("report-after-means", "t" => format!("{carried:.3}")))
+}
+
 fn source(source: Source) -> Text {
     match source {
         Source::Scene => Text::new("report-from-scene"),
@@ -67,7 +88,7 @@ pub(super) fn verdicts(report: &Report) -> String {
         .collect();
     let mut html = String::new();
     if !off.is_empty() {
-        let words = said!("report-comes-off", "ends" => off.join(", "));
+        let words = said!("report-comes-off", "ends" => off.join(&Text::new("report-and")));
         // Bearings that stand on what they lose stop carrying; what becomes of the run then is said of each.
         let carried = if report.lost_supports.is_empty() { Text::new("report-goes-on").as_str() } else { "" };
         let _ = writeln!(html, "<p class=\"no\">{} {carried}</p>", escape(&words));
@@ -85,7 +106,7 @@ pub(super) fn verdicts(report: &Report) -> String {
     for seat in &report.seats {
         let rules = seat.codes.iter().filter(|code| !code.met).map(|code| code.demand.rule.as_str());
         // Names of rules have commas in them.
-        let rules = rules.collect::<Vec<_>>().join("; ");
+        let rules = rules.collect::<Vec<_>>().join(&Text::new("report-and-rule"));
         if !rules.is_empty() {
             let words = said!("report-seat-short", "seat" => format!("{}{}", seat.girder, seat.end), "rules" => rules);
             let _ = writeln!(html, "<p class=\"no\">{}</p>", escape(&words));
@@ -95,8 +116,11 @@ pub(super) fn verdicts(report: &Report) -> String {
 }
 
 /// The largest numbers of the run.
-pub(super) fn headline(report: &Report) -> String {
-    let n = &report.numbers;
+pub(super) fn headline(history: &History, report: &Report) -> String {
+    let (n, carried) = (&report.numbers, carried_from(report));
+    let of = |value: String, t: Option<f64>| marked(value, t, carried);
+    let largest = history.largest_motion();
+    let (moved, turned) = (largest.map(|l| l.displacement.extreme.t), largest.map(|l| l.rotation.extreme.t));
     let dimensions = match report.kind {
         Kind::Planar => Text::new("report-planar"),
         Kind::Spatial => Text::new("report-spatial"),
@@ -104,24 +128,31 @@ pub(super) fn headline(report: &Report) -> String {
     let (end, duration) = (six(report.end), six(report.duration));
     let computed = said!("report-computed-of", "end" => end, "duration" => duration);
     let mut rows = vec![
-        fact(Text::new("report-model"), format!("{}, {dimensions}", word_told(ModelKind::WORDS, report.model))),
+        fact(
+            Text::new("report-model"),
+            [word_told(ModelKind::WORDS, report.model), dimensions.as_str()].join(&Text::new("report-and")),
+        ),
         fact(Text::new("report-computed"), computed),
-        fact(Text::new("report-max-displacement"), format!("{:.2} mm", 1e3 * n.max_displacement)),
-        fact(Text::new("report-max-rotation"), format!("{:.4}°", n.max_rotation.to_degrees())),
+        fact(Text::new("report-max-displacement"), of(format!("{:.2} mm", 1e3 * n.max_displacement), moved)),
+        fact(Text::new("report-max-rotation"), of(format!("{:.4}°", n.max_rotation.to_degrees()), turned)),
     ];
     if let Some(tilt) = report.max_tilt {
-        rows.push(fact(Text::new("report-max-tilt"), format!("{:.4}°", tilt.to_degrees())));
+        let largest = history.seats().uprights().iter().map(|girder| girder.tilt);
+        let at = largest.max_by(|one, other| one.value.total_cmp(&other.value)).map(|tilt| tilt.t);
+        rows.push(fact(Text::new("report-max-tilt"), of(format!("{:.4}°", tilt.to_degrees()), at)));
     }
     // Hits of the impact model take no time; forces are those of lasting contact.
     if let Some(impulse) = n.peak_impulse {
         rows.push(fact(Text::new("report-max-impulse"), format!("{} N·s", six(impulse))));
         rows.push(fact(Text::new("report-max-lasting"), force(n.peak_force)));
     } else {
-        rows.push(fact(Text::new("report-max-total"), force(n.peak_total)));
-        rows.push(fact(Text::new("report-max-force"), force(n.peak_force)));
+        rows.push(fact(Text::new("report-max-total"), of(force(n.peak_total), n.peak_total_time)));
+        rows.push(fact(Text::new("report-max-force"), of(force(n.peak_force), n.peak_time)));
     }
     rows.push(fact(Text::new("report-hits"), format!("{}", n.hits)));
-    facts(rows)
+    let html = facts(rows);
+    let told = sign_told(&html, carried);
+    html + &told
 }
 
 /// Numbers of girders, bearings, abutments and contact.
@@ -173,7 +204,9 @@ fn bearings(girder: &Girder, count: usize, setting: Setting) -> String {
 }
 
 /// Extremes of every girder.
-pub(super) fn readings(history: &History) -> String {
+pub(super) fn readings(history: &History, report: &Report) -> String {
+    let carried = carried_from(report);
+    let at = |value: String, t: f64| marked(at(value, t), Some(t), carried);
     let mut html = head(&[
         Text::new("report-girder").as_str(),
         &Text::new("report-rotation"),
@@ -184,7 +217,7 @@ pub(super) fn readings(history: &History) -> String {
     ]);
     for (number, body) in history.model().girders().iter().enumerate() {
         let reading = readings::reading(history, number);
-        let drift = reading.drift.map(|e| format!("{:.1}", 1e3 * e.value)).join(", ");
+        let drift = reading.drift.map(|e| marked(format!("{:.1}", 1e3 * e.value), Some(e.t), carried)).join(", ");
         let gap = reading.gap.map_or("–".to_owned(), |e| at(format!("{:.2}", 1e3 * e.value), e.t));
         let total = history.largest_total_on(number).map(|(_, most)| most);
         let [total, corner] = [total, reading.force].map(|e| e.map_or("–".to_owned(), |e| at(force(e.value), e.t)));
@@ -196,7 +229,8 @@ pub(super) fn readings(history: &History) -> String {
             at(format!("{:.4}°", reading.rotation.value.to_degrees()), reading.rotation.t)
         );
     }
-    html + "</table>\n"
+    let told = sign_told(&html, carried);
+    html + "</table>\n" + &told
 }
 
 /// Limits that were passed.

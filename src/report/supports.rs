@@ -2,7 +2,7 @@
 
 use std::fmt::Write as _;
 
-use super::sections::{at, head, row};
+use super::sections::{at, carried_from, head, marked, row, sign_told};
 use super::units::force;
 use crate::language::{Text, said};
 use crate::tables::{BackfillReport, Report};
@@ -20,6 +20,8 @@ pub(super) fn bearings(report: &Report) -> String {
         &Text::new("report-bearing-moves"),
         &Text::new("report-bearing-force"),
     ]);
+    let carried = carried_from(report);
+    let at = |value: String, t: f64| marked(at(value, t), Some(t), carried);
     for of in report.bearings.iter().take(MOST_LISTED) {
         let which = |number: usize, value: String| said!("report-of-bearing", "value" => value, "number" => number);
         let numbers = [
@@ -28,7 +30,9 @@ pub(super) fn bearings(report: &Report) -> String {
         ];
         html.push_str(&row(&of.girder, &numbers));
     }
+    let told = sign_told(&html, carried);
     html.push_str("</table>\n");
+    html.push_str(&told);
     let more = report.bearings.len().saturating_sub(MOST_LISTED);
     if more > 0 {
         let _ = writeln!(html, "<p>{}</p>", said!("report-girders-more", "more" => more));

@@ -1,13 +1,15 @@
 //! `assumed = ["restrainer.east-left", "contact.stiffness_n_per_m"]`: values that stand in the file without having been given, as
-//! paths of `--set`. A path to a table stands for every number in it.
+//! paths of `--set`. A path to a table stands for every number in it, and of a body or device for every rule that it names by a word,
+//! as `column_top`.
 //!
 //! The window marks their fields and the report lists them; a value that is changed is assumed no more.
 
 use crate::language::{Text, six};
 use toml::{Table, Value};
 
+use super::keys::{Range, of_place};
 use super::path::{item_at, value_at};
-use super::{Backfill, Bearings, ModelKind, Scene, SceneError};
+use super::{Backfill, Bearings, DeviceKind, ModelKind, Scene, SceneError};
 
 /// Whether a path is listed, by itself or with the table that it stands in.
 pub fn is_assumed(listed: &[String], path: &str) -> bool {
@@ -77,7 +79,7 @@ impl Scene {
         self.assumed.iter().flat_map(rest).collect()
     }
 
-    /// The numbers that bodies and devices have which `before` does not know, but for where they are placed.
+    /// The numbers and rules that bodies and devices have which `before` does not know, but for where they are placed.
     pub fn new_numbers(&self, before: &Self) -> Vec<String> {
         let (Ok(table), Ok(old)) = (Table::try_from(self), Table::try_from(before)) else { return Vec::new() };
         let mut found = Vec::new();
@@ -107,7 +109,15 @@ impl Scene {
 /// Whether a number says where something was put, which whoever put it has given.
 fn is_place(path: &str) -> bool {
     let key = path.rsplit('.').next().unwrap_or(path);
-    ["position_m", "heading_deg", "at_m", "at_skewed_m", "to_m", "direction"].contains(&key)
+    ["position_m", "heading_deg", "at_m", "at_skewed_m", "to_m", "direction", "end"].contains(&key)
+}
+
+/// Whether a path leads to a rule of a body or device that is one of a few words.
+fn is_rule(path: &str) -> bool {
+    let is_of_body = ["girder.", "abutment.", "pier."].iter().any(|list| path.starts_with(list));
+    let is_of_device = DeviceKind::ALL.iter().any(|kind| is_within(path, kind.label()));
+    let is_word = || of_place(path).is_some_and(|(_, key)| matches!(key.range, Range::Words(_)));
+    (is_of_body || is_of_device) && !is_place(path) && is_word()
 }
 
 /// [`Scene::still_assumed`] of tables.
@@ -124,7 +134,7 @@ pub(super) fn left(listed: &[String], before: &Table, after: &Table) -> Vec<Stri
     left
 }
 
-/// Paths of the numbers, and lists of numbers, at a path and below it.
+/// Paths of the numbers, lists of numbers and rules at a path and below it.
 fn numbers(table: &Table, path: &str) -> Vec<String> {
     let mut found = Vec::new();
     if let Some(value) = value_at(table, path) {
@@ -136,6 +146,7 @@ fn numbers(table: &Table, path: &str) -> Vec<String> {
 fn gather(value: &Value, path: &str, found: &mut Vec<String>) {
     match value {
         Value::Integer(_) | Value::Float(_) => found.push(path.to_owned()),
+        Value::String(_) if is_rule(path) => found.push(path.to_owned()),
         Value::Array(list) if list.iter().any(|item| !item.is_table() && !item.is_str()) => found.push(path.to_owned()),
         Value::Array(list) => {
             for (number, item) in list.iter().enumerate() {

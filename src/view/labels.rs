@@ -60,6 +60,9 @@ const DISTANCES: [f32; 5] = [1.0, 2.6, 4.4, 8.0, 14.0];
 /// Places labels one after another on what is still free.
 #[derive(Debug)]
 pub(super) struct Placer {
+    /// The picture.
+    whole: Area,
+    /// The picture without a margin at its edge.
     picture: Area,
     taken: Crowd,
     ppp: f32,
@@ -69,8 +72,9 @@ pub(super) struct Placer {
 impl Placer {
     /// An empty picture; `leader` is the colour of the strokes that tie a far text to its point.
     pub(super) fn new(size: [u32; 2], ppp: f32, leader: Rgba) -> Self {
-        let picture = Area { min: Vec2::splat(6.0 * ppp), max: Vec2::from(size.map(|s| s as f32)) - 6.0 * ppp };
-        Self { picture, taken: Crowd::new(size, ppp), ppp, leader }
+        let whole = Area { min: Vec2::ZERO, max: Vec2::from(size.map(|s| s as f32)) };
+        let picture = Area { min: whole.min + 6.0 * ppp, max: whole.max - 6.0 * ppp };
+        Self { whole, picture, taken: Crowd::new(size, ppp), ppp, leader }
     }
 
     /// Keeps an area free of labels.
@@ -113,7 +117,13 @@ impl Placer {
                 break;
             }
         }
-        best.map(|(far, _, area)| self.settle(label, far, area)).unwrap_or_default()
+        best.map(|(far, _, area)| self.settle(label, far, self.pushed_inside(area))).unwrap_or_default()
+    }
+
+    /// The spot moved by what it exceeds the picture: `382 kN` cut at the edge reads `32 kN`. A spot inside stays where it is.
+    fn pushed_inside(&self, area: Area) -> Area {
+        let by = (self.whole.min - area.min).max(Vec2::ZERO) - (area.max - self.whole.max).max(Vec2::ZERO);
+        Area { min: area.min + by, max: area.max + by }
     }
 
     /// Area that a label at a spot would cover: of other labels, and outside of the picture \[pixels²\]; `None` above `most`.
@@ -188,6 +198,26 @@ mod tests {
         assert!(marks.iter().any(|mark| matches!(mark, Mark::Stroke { .. })), "a leader goes there: {marks:?}");
         let own = letters(&marks).expect("it is placed");
         assert_eq!(own.overlap(&card), 0.0, "no letter is covered: {own:?}");
+    }
+
+    #[test]
+    fn a_text_at_the_edge_of_the_picture_is_whole() {
+        let picture = Area { min: Vec2::ZERO, max: Vec2::splat(400.0) };
+        for at in [Vec2::new(8.0, 200.0), Vec2::new(392.0, 200.0), Vec2::new(200.0, 8.0), Vec2::new(9.0, 391.0)] {
+            let mut placer = Placer::new([400, 400], 1.0, Rgba::CLEAR);
+            let marks = placer.place(&Label { at, directions: BESIDE.to_vec(), ..label("382 kN, slip (548 kN)") });
+            let own = letters(&marks).expect("it is placed");
+            let size = own.size();
+            assert!((own.overlap(&picture) - size.x * size.y).abs() < 1e-2, "at {at}: {own:?}");
+        }
+    }
+
+    #[test]
+    fn a_text_that_only_reaches_into_the_margin_stays() {
+        let placer = Placer::new([400, 400], 1.0, Rgba::CLEAR);
+        let [inside, beyond] = [1.0, -20.0].map(|x| Area { min: Vec2::new(x, 50.0), max: Vec2::new(x + 80.0, 70.0) });
+        assert_eq!(placer.pushed_inside(inside), inside, "nothing of it is cut");
+        assert_eq!(placer.pushed_inside(beyond).min, Vec2::new(0.0, 50.0), "by the 20 pixels that it exceeds");
     }
 
     #[test]

@@ -171,14 +171,16 @@ fn marks(
     }
     let ends = gaps.iter().flat_map(|gap| gap.ends).filter_map(|at| input::pixel(input, at));
     let kept: Vec<_> = ends.map(|at| Area::about(at, glam::Vec2::splat(KEPT_CLEAR * input.pixels_per_point))).collect();
-    let circles = friction_circle::friction_circles(input, moment, &[&taken[..], &kept].concat(), palette);
+    let clear = input.clear.iter().map(|at| Area::about(*at, glam::Vec2::splat(KEPT_CLEAR * input.pixels_per_point)));
+    let clear: Vec<_> = clear.collect();
+    let circles = friction_circle::friction_circles(input, moment, &[&taken[..], &kept, &clear].concat(), palette);
     let heading = if o.title { texts::heading(input, moment, palette, &mut placer) } else { Vec::new() };
     let panels: Vec<_> = legend.into_iter().chain(axes).chain(bar).chain(circles).chain(gauges).collect();
     for (_, area) in &panels {
         placer.take(*area);
     }
-    for at in input.clear {
-        placer.take(Area::about(*at, glam::Vec2::splat(KEPT_CLEAR * input.pixels_per_point)));
+    for area in clear {
+        placer.take(area);
     }
     texts::keep_clear(input, moment, forces, &mut placer);
     marks.extend(overlap::labels(input, moment, palette, &mut placer));

@@ -69,6 +69,21 @@ fn a_corner_that_comes_off_heads_the_page() {
 }
 
 #[test]
+fn what_is_reached_while_an_end_off_its_seat_is_carried_has_a_sign() {
+    let short = page("skew45-abutment", &["girder.deck.seat_m={ \"+x\" = 0.002 }"]);
+    let off = short.split_once("comes off its seat: deck+x at ").expect("off").1;
+    let off: f64 = off.split(' ').next().and_then(|t| t.parse().ok()).expect("a time");
+    let row = short.split("largest rotation</th>").nth(1).expect("a row").split("</td>").next().expect("a cell");
+    assert!(row.ends_with("° *"), "after {off} s: {row}");
+    assert!(
+        short.contains(&format!("* reached after the first corner came off its seat, at {off:.3} s")),
+        "and says so"
+    );
+    let long = page("skew45-abutment", &["girder.deck.seat_m={ \"+x\" = 0.1 }"]);
+    assert!(!long.contains("* reached after"), "nothing comes off");
+}
+
+#[test]
 fn a_corner_that_leaves_over_a_side_heads_the_page_too() {
     let narrow = page("skew45-abutment", &["girder.deck.seat_m={ \"+x\" = 0.2, side = 1e-5 }"]);
     assert!(narrow.contains("A corner comes off its seat: deck+x at "), "first of all");
@@ -163,7 +178,7 @@ fn a_report_is_in_the_language_that_is_asked_for() {
     {
         assert!(page.contains(words), "{words}");
     }
-    assert!(page.contains(">接触, 立体<") && page.contains("<p>実橋の大きさ"), "model and description, too");
+    assert!(page.contains(">接触、立体<") && page.contains("<p>実橋の大きさ"), "model and description, too");
     for left in ["Assumptions", "front edge", "girder<", "report-"] {
         assert!(!page.contains(left), "{left} is not Japanese");
     }

@@ -7,7 +7,7 @@ use super::harness::{open, press, settle, slide};
 use egui::accesskit::Role;
 use egui::{Event, Key, Modifiers};
 use egui_kittest::Harness;
-use egui_kittest::kittest::Queryable as _;
+use egui_kittest::kittest::{NodeT as _, Queryable as _};
 use girderbench::app::{FileCommand, LeaveCommand, Workbench};
 use girderbench::files::{SceneSource, find_in, load_scene, save_scene};
 use girderbench::scene::{Scene, presets};
@@ -90,6 +90,32 @@ fn an_empty_scene_offers_a_bridge_by_its_numbers_and_no_complaint() {
     let camera = harness.state().view.viewport.camera().expect("shown");
     let seen = girderbench::view::in_view(scene, camera, f64::from(rect.width() / rect.height()));
     assert_eq!(seen, girderbench::view::InView::Whole, "and all of it is in view");
+}
+
+#[test]
+fn the_first_tab_on_an_empty_scene_leads_to_the_numbers_of_a_bridge() {
+    let mut harness = open(presets::OPENING);
+    harness.key_press_modifiers(Modifiers::COMMAND, Key::N);
+    settle(&mut harness);
+    for (label, typed) in
+        [("Span length", "40"), ("Deck width", "12"), ("Skew angle β", "50"), ("Number of spans", "2")]
+    {
+        harness.key_press(Key::Tab);
+        settle(&mut harness);
+        assert!(
+            harness.get_by_role_and_label(Role::SpinButton, label).accesskit_node().is_focused(),
+            "{label} has the keyboard"
+        );
+        harness.event(Event::Text(typed.into()));
+        settle(&mut harness);
+    }
+    harness.key_press(Key::Tab);
+    settle(&mut harness);
+    harness.key_press(Key::Enter);
+    settle(&mut harness);
+    let scene = harness.state().files.document.scene();
+    let spans: Vec<_> = scene.girders.iter().map(|g| (g.length, g.width, g.skew_deg)).collect();
+    assert_eq!(spans, [(40.0, 12.0, 50.0); 2], "built without a mouse");
 }
 
 /// Opens the list of recent files in the file menu.

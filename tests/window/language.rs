@@ -49,7 +49,7 @@ fn fonts_have_every_letter_of_every_language() {
         harness.run_steps(4);
         let code = language.code();
         let lessons = fs::read_dir(root.join("lessons")).expect("lessons").map(|file| file.expect("a file").path());
-        let own = lessons.filter(|path| path.to_string_lossy().ends_with(&format!(".{code}.toml")));
+        let own = lessons.filter(|path| path.to_string_lossy().ends_with(&format!(".{code}.lesson.toml")));
         let tables = ["", ".keys", ".complaints"].map(|table| root.join(format!("texts/{code}{table}.ftl")));
         for path in own.chain(tables.into_iter().filter(|path| path.exists())) {
             let text = fs::read_to_string(&path).expect("a text");
@@ -60,6 +60,40 @@ fn fonts_have_every_letter_of_every_language() {
             assert!(lacks.is_empty(), "{}: no glyphs for {lacks}; README says how the font is made", path.display());
         }
     }
+}
+
+/// Brackets behind which no line ends, and signs with which none begins.
+const OPENING: &str = "(（「『【〔［｛";
+const CLOSING: &str = ")）」』】〕］｝、。";
+
+#[test]
+fn no_japanese_line_ends_with_an_opening_bracket_or_begins_with_a_closing_one() {
+    let root = Path::new(env!("CARGO_MANIFEST_DIR")).join("assets");
+    let mut harness = builder([1024.0, 640.0]).build_ui_state(show, bench(presets::OPENING));
+    harness.state_mut().apply(AppearanceCommand::Language(Language::Japanese));
+    harness.run_steps(4);
+    let lessons = fs::read_dir(root.join("lessons")).expect("lessons").map(|file| file.expect("a file").path());
+    let lessons = lessons.filter(|path| path.to_string_lossy().ends_with(".ja.lesson.toml"));
+    let tables = ["", ".keys", ".complaints"].map(|table| root.join(format!("texts/ja{table}.ftl")));
+    let mut broken = 0;
+    for path in tables.into_iter().chain(lessons) {
+        let text = fs::read_to_string(&path).expect("a text");
+        for words in text.lines().filter_map(|line| Some(line.split_once(" = ")?.1)).filter(|words| words.contains('('))
+        {
+            // A column so wide holds the longest word in brackets.
+            for width in (14u16..40).map(|letters| 13.0 * f32::from(letters) + 6.0) {
+                let font = FontId::new(13.0, FontFamily::Proportional);
+                let galley =
+                    harness.ctx.fonts_mut(|fonts| fonts.layout(words.to_owned(), font, egui::Color32::BLACK, width));
+                let rows: Vec<String> = galley.rows.iter().map(|row| row.row.text()).collect();
+                broken += rows.len() - 1;
+                let ends = rows[..rows.len() - 1].iter().any(|row| row.trim_end().ends_with(|c| OPENING.contains(c)));
+                let begins = rows[1..].iter().any(|row| row.starts_with(|c| CLOSING.contains(c)));
+                assert!(!ends && !begins, "{}: {rows:#?}", path.display());
+            }
+        }
+    }
+    assert!(broken > 1000, "lines are broken: {broken}");
 }
 
 #[test]

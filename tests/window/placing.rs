@@ -496,3 +496,36 @@ fn a_walls_handles_take_numbers_too() {
     assert!(wall.offset.is_some_and(|o| (o.abs() - 0.015).abs() < 2e-6), "sideways: {:?}", wall.offset);
     assert_eq!(wall.width, Some(0.25), "and as wide as typed");
 }
+
+/// The legend on the screen: the largest card of the picture.
+fn legend(harness: &Window) -> egui::Rect {
+    let list = harness.state().view.viewport.list().expect("shown").clone();
+    let view = super::harness::view(harness);
+    let cards = list.marks.iter().filter_map(|mark| match mark {
+        girderbench::view::list::Mark::Panel { min, max, .. } => {
+            let at = |corner: &glam::Vec2| view.min + vec2(corner.x, corner.y) / list.pixels_per_point;
+            Some(egui::Rect::from_min_max(at(min), at(max)))
+        }
+        _ => None,
+    });
+    cards.max_by(|a, b| a.area().total_cmp(&b.area())).expect("a card")
+}
+
+#[test]
+fn handles_are_hidden_under_the_legend() {
+    let mut harness = from_above(presets::OPENING, &[Target::Girder(0)]);
+    let handles = |harness: &Window| {
+        harness.query_all_by_role(Role::Splitter).map(|node| node.rect().center()).collect::<Vec<Pos2>>()
+    };
+    let all = handles(&harness).len();
+    let mut camera = *harness.state().view.viewport.camera().expect("shown");
+    let corner = on_screen(&harness, camera.target);
+    let by = metres_per_point(&harness);
+    let way = legend(&harness).center() - corner;
+    camera.target += DVec3::new(-f64::from(way.x) * by, f64::from(way.y) * by, 0.0);
+    harness.state_mut().apply(ViewCommand::Camera(camera));
+    settle(&mut harness);
+    let (left, card) = (handles(&harness), legend(&harness));
+    assert!(left.len() < all, "the middle of the girder is under the legend: {} of {all} handles", left.len());
+    assert!(left.iter().all(|at| !card.contains(*at)), "{left:?} beside {card}");
+}

@@ -269,6 +269,24 @@ fn a_verdict_and_every_reading_lead_to_their_moment_and_their_place() {
     assert_eq!(harness.state().files.document.selection().lead(), strongest, "and that contact is selected");
 }
 
+#[test]
+fn a_force_that_is_followed_leaves_its_girder_selected() {
+    let mut harness = open(presets::OPENING);
+    harness.state_mut().apply(SelectCommand::Only(Some(Target::Girder(0))));
+    settle(&mut harness);
+    let answer = harness.state().replay.runner.answer().expect("run").clone();
+    let (_, most) = answer.history.largest_total_on(0).expect("it hits");
+    let words = behind(&harness, "peak force");
+    let here = harness.query_all_by_role_and_label(Role::Button, &words).next().expect("a button");
+    here.scroll_to_me();
+    harness.run_steps(40);
+    harness.query_all_by_role_and_label(Role::Button, &words).next().expect("a button").click();
+    settle(&mut harness);
+    assert_eq!(harness.state().replay.playback.clock.t, most.t, "the moment of the force");
+    assert_eq!(harness.state().files.document.selection().lead(), Some(Target::Girder(0)), "still selected");
+    assert!(harness.query_by_label("Readings of the run").is_some(), "and its readings are there to go on");
+}
+
 /// The words of the button of the status line that begins so.
 fn figure(harness: &Window, begins: &str) -> String {
     let buttons = harness.root().children_recursive().filter(|n| n.accesskit_node().role() == Role::Button);

@@ -350,6 +350,17 @@ mod tests {
     }
 
     #[test]
+    fn how_an_added_pier_is_held_is_assumed_until_it_is_chosen() {
+        let mut document = Document::new(presets::load("row-of-5").expect("ships"), SceneSource::New);
+        document.place(PlaceCommand::AddPier).expect("fits");
+        let path = format!("pier.{}.column_top", document.scene().piers[0].name);
+        assert!(is_assumed(&document.scene().assumed, &path), "{:?}", document.scene().assumed);
+        assert!(document.scene().assumed_numbers().iter().any(|(known, _)| *known == path), "listed with its value");
+        document.edit(Edit::Set(format!("{path}=\"fixed\"")), None).expect("fits");
+        assert!(!is_assumed(&document.scene().assumed, &path), "chosen");
+    }
+
+    #[test]
     fn a_gesture_is_undone_as_a_whole() {
         let mut document = Document::new(presets::load(presets::OPENING).expect("ships"), SceneSource::New);
         let before = document.scene().clone();

@@ -36,7 +36,7 @@ pub(super) fn choice_by<T: Copy + PartialEq>(
     let name = ui.label(frame::named(ui, place, named));
     ui.horizontal(|ui| {
         ui.spacing_mut().item_spacing.x = 2.0;
-        list(ui, (&place.path(key), label), (value, default), options, 79.0).labelled_by(name.id);
+        list(ui, (place, named), (value, default), options, 79.0).labelled_by(name.id);
         let differs = (before != default).then(|| word(default, options));
         if reset_sign(ui, label, differs) {
             *value = default;
@@ -73,11 +73,10 @@ pub(super) fn choice_line_by<T: Copy + PartialEq>(
     let Named { key, label } = named;
     let (before, complaint) = (*value, place.complaint(key));
     let name = frame::named(ui, place, named);
-    let path = place.path(key);
     let differs = (before != default).then(|| word(default, options));
     let (_, pressed) = line(ui, name, (label, differs), |ui| {
         let wide = ui.available_width() - SIGN - 8.0;
-        list(ui, (&path, label), (value, default), options, wide)
+        list(ui, (place, named), (value, default), options, wide)
     });
     if pressed {
         *value = default;
@@ -94,14 +93,15 @@ fn word<T: PartialEq + Copy>(value: T, options: Choice<'_, T>) -> &str {
 
 fn list<T: Copy + PartialEq>(
     ui: &mut Ui,
-    (path, label): (&str, &str),
+    (place, Named { key, label }): (Place<'_>, Named<'_>),
     (value, default): (&mut T, T),
     options: Choice<'_, T>,
     width: f32,
 ) -> Response {
     let shown = word(*value, options);
+    let path = place.path(key);
     let quiet = ui.visuals().override_text_color;
-    let combo = ComboBox::from_id_salt((path, label)).width(width).selected_text(shown).truncate();
+    let combo = ComboBox::from_id_salt((path.as_str(), label)).width(width).selected_text(shown).truncate();
     let response = combo
         .show_ui(ui, |ui| {
             ui.visuals_mut().override_text_color = quiet;
@@ -110,9 +110,10 @@ fn list<T: Copy + PartialEq>(
             }
         })
         .response;
-    frame::say(ui, &response, path, label, || {
-        let known = keys::of_place(path).map(|(_, key)| key);
+    frame::say(ui, &response, &path, label, || {
+        let known = keys::of_place(&path).map(|(_, key)| key);
         let words: Vec<&str> = options.iter().map(|(_, word)| *word).collect();
         frame::in_lines(known, &words.join(", "), &format!("{}: {}", text::DEFAULT, word(default, options)))
+            + &frame::assumed_hint(place, key)
     })
 }

@@ -30,7 +30,7 @@ impl Field<'_> {
 }
 
 /// That a value was not given, and that those that are selected have several.
-fn assumed_hint(place: Place<'_>, key: &str) -> String {
+pub(super) fn assumed_hint(place: Place<'_>, key: &str) -> String {
     let line = |said: bool, hint: Text| if said { format!("\n{hint}") } else { String::new() };
     line(place.is_assumed(key), text::ASSUMED_HINT) + &line(place.differs(key), text::DIFFERS_HINT)
 }

@@ -19,7 +19,7 @@ pub(in crate::app) use choice::{choice, choice_line};
 pub(in crate::app) use form::Form;
 pub(in crate::app) use frame::{act, complain, mark, named, tag};
 pub(in crate::app) use narrowed::narrowed;
-pub(in crate::app) use number::{number, optional, switched};
+pub(in crate::app) use number::{focus_next, number, optional, switched};
 pub(in crate::app) use place::{CLICK, Change, Named, Place};
 pub(in crate::app) use slider::slider_row;
 pub(in crate::app) use table::{Look, Without, number_at, optional_at, rows, slider_at, slider_between, sliders};

@@ -137,6 +137,10 @@ impl Field<'_> {
                 ui.spacing_mut().item_spacing.x = 2.0;
                 let (response, shown, typed) = self.drag(ui, value, given);
                 let response = response.labelled_by(name);
+                if ui.data_mut(|data| data.remove_temp::<()>(awaited())).is_some() {
+                    ui.data_mut(|data| data.insert_temp(awaited(), Some(response.id)));
+                    ui.request_repaint();
+                }
                 let menu = frame::menu(&response, own);
                 let sign = reset_sign(ui, self.names.label, own.words.as_deref().filter(|_| own.differs));
                 let done =
@@ -158,6 +162,10 @@ impl Field<'_> {
     }
 
     fn drag(&self, ui: &mut Ui, value: f64, given: bool) -> (Response, f64, Typed) {
+        // A number selects its digits where it has the keyboard before it is shown.
+        if let Some(id) = ui.data_mut(|data| data.remove_temp::<Option<Id>>(awaited())).flatten() {
+            ui.memory_mut(|memory| memory.request_focus(id));
+        }
         let (unit, typed) = (self.unit, Typed::default());
         let mut shown = value * unit.factor;
         // A part of a part is dragged by parts of itself.
@@ -223,6 +231,16 @@ impl Field<'_> {
             }
         }
     }
+}
+
+/// Gives the keyboard to the number that is shown next, from the next frame on.
+pub(in crate::app) fn focus_next(ui: &Ui) {
+    ui.data_mut(|data| data.insert_temp(awaited(), ()));
+}
+
+/// Under what it is remembered that a number awaits the keyboard.
+fn awaited() -> Id {
+    Id::unique("number that awaits the keyboard")
 }
 
 /// To 15 significant digits: 700 mm are 0.7 m in the file, not 0.7000000000000001.

@@ -156,12 +156,17 @@ fn readings(answer: &Answer, girder: usize, reading: &Reading) -> Vec<(&'static 
     rows.extend(
         reading.gap.as_ref().map(|gap| (text::LEAST_GAP.as_str(), length(gap), Spot::gap(history, girder, gap.t))),
     );
-    let hardest = Spot::hardest_on(history, girder);
+    // The girder stays selected: its other readings are followed next.
+    let hardest = Spot::hardest_on(history, girder).map(|(spot, most)| (spot.keeping_selection(), most));
     rows.extend(hardest.map(|(spot, most)| (text::PEAK_FORCE.as_str(), at(&text::force(most.value), &most), spot)));
     let force = reading.force.as_ref().and_then(|force| {
         let mut touches = history.touches().iter();
         let touch = touches.find(|touch| touch.peak_time == force.t && touch.peak_force == force.value)?;
-        Some((text::PEAK_OF_CORNER.as_str(), at(&text::force(force.value), force), Spot::touch(touch)))
+        Some((
+            text::PEAK_OF_CORNER.as_str(),
+            at(&text::force(force.value), force),
+            Spot::touch(touch).keeping_selection(),
+        ))
     });
     rows.extend(force);
     rows

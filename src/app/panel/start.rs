@@ -1,7 +1,7 @@
 //! Panel over an empty scene: a bridge by its numbers, presets, files used last, lessons.
 
 use egui::{
-    Align2, Area, Button, Frame, Grid, Id, Label, Order, Rect, RichText, Role, ScrollArea, Sense, StrokeKind, Ui,
+    Align2, Area, Button, Frame, Grid, Id, Key, Label, Order, Rect, RichText, Role, ScrollArea, Sense, StrokeKind, Ui,
 };
 use egui::{Vec2, WidgetInfo, vec2};
 
@@ -9,7 +9,7 @@ use crate::app::command::{BridgeDraft, Command, FileCommand, LearnCommand, Windo
 use crate::app::disk::recent;
 use crate::app::disk::scene_files::SceneFiles;
 use crate::app::edits;
-use crate::app::field::{Named, Place, number};
+use crate::app::field::{Named, Place, focus_next, number};
 use crate::app::learn::lessons::lessons;
 use crate::app::panel::plan_icon;
 use crate::app::style::theme::Palette;
@@ -46,6 +46,9 @@ pub(in crate::app) fn show(ui: &Ui, view: Rect, (files, draft): (&SceneFiles, Br
 fn bridge(ui: &mut Ui, draft: BridgeDraft, out: &mut Vec<Command>) {
     ui.label(RichText::new(text::START_BRIDGE).heading());
     let (mut new, mut spans) = (draft, draft.spans as f64);
+    if is_first_tab(ui) {
+        focus_next(ui);
+    }
     let place = Place::apart("");
     Grid::new("bridge").num_columns(2).show(ui, |ui| {
         let metres = length_unit(100.0);
@@ -60,20 +63,38 @@ fn bridge(ui: &mut Ui, draft: BridgeDraft, out: &mut Vec<Command>) {
             Unit { speed: 0.05, ..PURE },
         );
     });
-    let ranges = RichText::new(text::ranges(edits::RANGES, edits::MOST_BRIDGE_SPANS)).weak();
-    ui.add(egui::Label::new(ranges).wrap());
     let new = edits::sound(BridgeDraft { spans: whole(spans), ..new });
     if new != draft {
         out.push(WindowCommand::Bridge(new).into());
     }
-    ui.add_space(4.0);
-    let a = edits::assumed(new);
-    let words = text::assumed([a.thickness, a.gap, a.seat], a.mass, a.stiffness, a.frequency);
-    ui.add(egui::Label::new(RichText::new(words).weak()).wrap());
+    // Before what is said of the numbers: in a low window that is scrolled, the button is not.
     ui.add_space(4.0);
     if ui.button(text::START_BUILD).clicked() {
         out.push(FileCommand::Build(new).into());
     }
+    ui.add_space(4.0);
+    let a = edits::assumed(new);
+    let assumed = text::assumed([a.thickness, a.gap, a.seat], a.mass, a.stiffness, a.frequency);
+    // Columns justify; words are not stretched to their width.
+    ui.vertical(|ui| {
+        for words in [text::ranges(edits::RANGES, edits::MOST_BRIDGE_SPANS), assumed] {
+            ui.add(Label::new(RichText::new(words).weak()).wrap());
+            ui.add_space(4.0);
+        }
+    });
+}
+
+/// Whether Tab was pressed while nothing had the keyboard: it leads to the numbers of the bridge, which 58 buttons and fields of the panels
+/// around them would precede.
+fn is_first_tab(ui: &Ui) -> bool {
+    let known = Id::unique("keyboard before the start page");
+    let now = ui.memory(egui::Memory::focused);
+    let before: Option<Id> = ui.data_mut(|data| {
+        let before = data.get_temp::<Option<Id>>(known).flatten();
+        data.insert_temp(known, now);
+        before
+    });
+    before.is_none() && ui.input(|input| input.key_pressed(Key::Tab) && input.modifiers.is_none())
 }
 
 #[expect(clippy::cast_possible_truncation, clippy::cast_sign_loss, reason = "clamped to a small whole number")]

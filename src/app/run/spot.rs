@@ -45,6 +45,11 @@ impl Spot {
         Self { t, select: Some(Target::Contact(contact)), look: Look::Contact(contact) }
     }
 
+    /// The same moment and camera; what is selected stays selected.
+    pub(in crate::app) fn keeping_selection(self) -> Self {
+        Self { select: None, ..self }
+    }
+
     /// The peak of a touch.
     pub(in crate::app) fn touch(touch: &Touch) -> Self {
         Self::contact(touch.contact, touch.peak_time)

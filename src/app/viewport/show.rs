@@ -15,7 +15,7 @@ use crate::app::viewport::screen::Screen;
 use crate::app::viewport::seen::Seen;
 use crate::app::viewport::{gizmo, mouse, section, tool};
 use crate::language::Language;
-use crate::scene::{Overlays, ViewPreset};
+use crate::scene::{Overlays, Scene, ViewPreset};
 use crate::sim::History;
 use crate::view::{Background, Bounds, Camera, Target};
 
@@ -57,7 +57,8 @@ pub(in crate::app) fn finish(
     paint(ui, response.rect, camera, (&mut *viewport, seen));
     // Over the picture, which is painted by now.
     let eye = Eye { camera, rect: response.rect };
-    gizmo::show(ui, &eye, &mut viewport.hand, seen, out);
+    let list = viewport.list().cloned();
+    gizmo::show(ui, &eye, (&mut viewport.hand, list.as_deref()), seen, out);
     tool::show(ui, &eye, response, seen, out);
     section::show(ui, response.rect, seen, out);
 }
@@ -122,8 +123,11 @@ fn show_plan(ui: &mut Ui, rect: Rect, (viewport, seen): (&mut Viewport, &Seen<'_
     ui.painter().vline(rect.right(), rect.y_range(), line);
 }
 
-/// Leaves the legend out where it would lie on title and axes.
-fn fitting(overlays: Overlays, size: [u32; 2], pixels_per_point: f32) -> Overlays {
+/// Leaves the legend out where it would lie on title and axes, and all three behind the start page of an empty scene.
+fn fitting(overlays: Overlays, (scene, size): (&Scene, [u32; 2]), pixels_per_point: f32) -> Overlays {
+    if scene.girders.is_empty() && scene.abutments.is_empty() {
+        return Overlays { title: false, legend: false, axes: false, ..overlays };
+    }
     let [width, height] = size.map(|side| side as f32 / pixels_per_point);
     let room = (width >= 320.0 && height >= 290.0) || (width >= 520.0 && height >= 210.0);
     Overlays { legend: overlays.legend && room, ..overlays }
@@ -136,7 +140,7 @@ fn key(ui: &Ui, camera: Camera, (viewport, seen): (&Viewport, &Seen<'_>)) -> Key
         answer: seen.answer().map(|a| a.number),
         t: seen.t(),
         camera,
-        overlays: fitting(seen.display.overlays, viewport.size, pixels_per_point),
+        overlays: fitting(seen.display.overlays, (seen.scene, viewport.size), pixels_per_point),
         force_scale: seen.display.force_scale(),
         selected: seen.selection.to_vec(),
         kept: seen.pins.iter().map(|p| p.answer.number).collect(),

@@ -15,13 +15,18 @@ use crate::app::viewport::eye::Eye;
 use crate::app::viewport::hand::Hand;
 use crate::app::viewport::seen::Seen;
 use crate::scene::{facing, placed};
-use crate::view::{Moment, gap};
+use crate::view::list::Mark;
+use crate::view::{DrawList, Moment, gap};
 
 /// Side of the square in which a handle is taken \[points\].
 const HOLD: f32 = 18.0;
 
 /// A girder shorter than this on the screen has no handles but for moving it \[points\].
 const ROOM: f32 = 70.0;
+
+/// Least sides of a card in the picture under which handles are hidden \[points\]: of legend and friction circle, not of the gauge at a
+/// contact.
+const CARD: f32 = 40.0;
 
 /// Words on a plate beside the mouse.
 pub(in crate::app) fn say(ui: &Ui, eye: &Eye, at: Pos2, words: &[String]) {
@@ -45,11 +50,24 @@ fn stance<'a>(seen: &'a Seen<'_>) -> impl Fn(usize) -> Stance + 'a {
 }
 
 /// Shows the handles and does what is done to them.
-pub(in crate::app) fn show(ui: &mut Ui, eye: &Eye, hand: &mut Hand, seen: &Seen<'_>, out: &mut Vec<Command>) {
+pub(in crate::app) fn show(
+    ui: &mut Ui,
+    eye: &Eye,
+    (hand, list): (&mut Hand, Option<&DrawList>),
+    seen: &Seen<'_>,
+    out: &mut Vec<Command>,
+) {
     paint::outlines(ui, eye, seen);
     hand.focused = None;
+    let cards: Vec<Rect> = list.map_or(Vec::new(), |list| cards(eye, list));
     for handle in &shown(eye, seen) {
-        one(ui, eye, handle, (&mut *hand, seen), out);
+        let id = handle_id(handle.grip);
+        let is_in_use =
+            hand.held.as_ref().is_some_and(|held| held.grip == handle.grip) || ui.memory(|m| m.has_focus(id));
+        let is_covered = paint::place(eye, handle).is_some_and(|at| cards.iter().any(|card| card.contains(at)));
+        if is_in_use || !is_covered {
+            one(ui, eye, handle, (&mut *hand, seen), out);
+        }
     }
     hand.forget_lost(ui);
     if let Some(words) = &hand.words {
@@ -60,6 +78,19 @@ pub(in crate::app) fn show(ui: &mut Ui, eye: &Eye, hand: &mut Hand, seen: &Seen<
     } else if let Some(pulled) = &hand.pulled {
         paint::pulled(ui, eye, pulled);
     }
+}
+
+/// Legend and friction circles of a picture, where they are shown \[points\].
+fn cards(eye: &Eye, list: &DrawList) -> Vec<Rect> {
+    let all = list.marks.iter().filter_map(|mark| match mark {
+        Mark::Panel { min, max, .. } => {
+            let [min, max] =
+                [min, max].map(|corner| eye.rect.min + Vec2::new(corner.x, corner.y) / list.pixels_per_point);
+            Some(Rect::from_min_max(min, max))
+        }
+        _ => None,
+    });
+    all.filter(|card| card.width() >= CARD && card.height() >= CARD).collect()
 }
 
 /// The handles that are shown; none while the scene plays.
