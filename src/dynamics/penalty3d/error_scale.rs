@@ -149,8 +149,7 @@ impl Island {
                 // Stretch at the largest depth of the remaining touch: towards its end the direction acts on a
                 // vanishing force.
                 let inwards = (-here.gap_rate).max(0.0);
-                let law = &active.closed.law;
-                scale.stretches.push(law.mu_k * law.normal.length(here.gap.abs() + inwards / omega, law.k_t));
+                scale.stretches.push(active.closed.law.slip_scale(here.gap.abs() + inwards / omega));
             }
         }
         scale
