@@ -105,8 +105,24 @@ impl NormalLaw for Custom {
         self.fraction * self.law.entry_energy(penetration)
     }
 
-    fn energy_power(&self) -> f64 {
-        self.law.energy_power()
+    fn excludes_pull(&self) -> bool {
+        self.law.excludes_pull()
+    }
+
+    fn is_along_stretch(&self) -> bool {
+        self.law.is_along_stretch()
+    }
+
+    fn is_power_series(&self) -> bool {
+        self.law.is_power_series()
+    }
+
+    fn relative_energy(&self, penetration: f64) -> f64 {
+        self.law.relative_energy(penetration)
+    }
+
+    fn depth_of_relative_energy(&self, energy: f64) -> f64 {
+        self.law.depth_of_relative_energy(energy)
     }
 
     fn digest(&self, add: &mut dyn FnMut(f64)) {

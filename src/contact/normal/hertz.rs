@@ -4,7 +4,7 @@
 use std::f64::consts::PI;
 
 use super::NormalLaw;
-use super::constants::{HERTZ_DURATION, LEAST_IMPACT_SPEED};
+use super::constants::{ENERGY_POWER, HERTZ_DURATION, LEAST_IMPACT_SPEED};
 use super::phases::{Phases, Stage};
 
 /// Dashpot of a Hertz spring.
@@ -167,9 +167,27 @@ impl NormalLaw for Hertz {
         }
     }
 
-    /// 5/2.
-    fn energy_power(&self) -> f64 {
-        2.5
+    /// A dashpot in proportion to the spring's force pulls, in a deep touch pulled apart fast; its law has no pull.
+    fn excludes_pull(&self) -> bool {
+        matches!(self.dashpot, HertzDashpot::Relative(_))
+    }
+
+    fn is_power_series(&self) -> bool {
+        false
+    }
+
+    /// `⅖ N δ`.
+    fn entry_energy(&self, penetration: f64) -> f64 {
+        self.elastic(penetration) * penetration / ENERGY_POWER
+    }
+
+    /// `δ^{5/2}`.
+    fn relative_energy(&self, penetration: f64) -> f64 {
+        penetration.max(0.0).powf(ENERGY_POWER)
+    }
+
+    fn depth_of_relative_energy(&self, energy: f64) -> f64 {
+        energy.powf(ENERGY_POWER.recip())
     }
 }
 

@@ -258,8 +258,7 @@ impl Island {
 /// error estimate holds for shorter steps only.
 fn opening(model: &Model, active: &ActiveContact, here: &Local) -> Option<[f64; 2]> {
     let normal = &active.closed.law.normal;
-    let is_series = normal.energy_power().fract() == 0.0;
-    if is_series || here.gap >= 0.0 || here.gap_rate <= 0.0 {
+    if normal.is_power_series() || here.gap >= 0.0 || here.gap_rate <= 0.0 {
         return None;
     }
     let time = -here.gap / here.gap_rate;
