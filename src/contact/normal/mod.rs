@@ -3,7 +3,8 @@
 //!
 //! All quantities that depend on the shape of `N(δ)` are methods of [`NormalLaw`]: forces, stored energy, stiffness,
 //! time scale, and the scales of numerical tolerances. A new law is one file with implementations of the trait and of
-//! `Phases`, one variant of [`Normal`] and its arms in the matches of this file; its name in a scene: `contact/calibration.rs`.
+//! [`Phases`], one variant of [`Normal`] and its arms in the matches of this file; its name in a scene: `contact/calibration.rs`. From
+//! outside of the package a law enters as [`Normal::Custom`], with its phases as a [`PhasedLaw`].
 
 mod approach;
 mod bilinear;
@@ -11,6 +12,7 @@ mod constants;
 mod custom;
 mod hertz;
 mod linear;
+mod phased;
 mod phases;
 
 use std::fmt::Debug;
@@ -21,9 +23,8 @@ pub use constants::LEAST_IMPACT_SPEED;
 pub use custom::Custom;
 pub use hertz::{Hertz, HertzDashpot};
 pub use linear::Linear;
-pub use phases::Stage;
-
-use phases::Phases;
+pub use phased::{Phase, PhasedLaw};
+pub use phases::{Phases, Stage};
 
 /// A normal contact law. δ is the penetration \[m\], `V_n` the normal velocity of (53b), positive apart \[m/s\].
 ///
@@ -213,6 +214,7 @@ impl Normal {
         match (self, before) {
             (Self::Approach(law), Self::Approach(before)) => Self::Approach(law.resumed(before, penetration)),
             (Self::Hertz(law), Self::Hertz(before)) => Self::Hertz(law.resumed(before, penetration)),
+            (Self::Custom(law), Self::Custom(before)) => Self::Custom(law.resumed(before, penetration)),
             (Self::Linear(_) | Self::Approach(_) | Self::Hertz(_) | Self::Bilinear(_) | Self::Custom(_), _) => {
                 self.begun(penetration, 0.0)
             }
