@@ -54,3 +54,32 @@ impl Law {
         }
     }
 }
+
+#[cfg(test)]
+mod tests {
+    use glam::DVec2;
+
+    use super::*;
+    use crate::contact::FrictionLaw;
+    use crate::contact::friction::example::{agree, law};
+
+    #[test]
+    fn lengths_are_those_of_the_tangential_spring_under_the_normal_force() {
+        // ℓ = 2 δ, μ_s = 0.5, μ_k = 0.4.
+        let law = law(FrictionLaw::Paper);
+        agree("limit of stick", law.stick_scale(1e-3), 1e-3);
+        agree("stretch in slip", law.slip_scale(1e-3), 0.8e-3);
+        agree("of less friction", law.slip_scale_of_at_least(0.3, 1e-3), 0.8e-3);
+        agree("of more", law.slip_scale_of_at_least(0.5, 1e-3), 1e-3);
+    }
+
+    #[test]
+    fn bounds_are_those_of_the_stiffer_spring_and_of_the_dashpots_that_act() {
+        let [paper, mapped] = [FrictionLaw::Paper, FrictionLaw::ReturnMapping].map(law);
+        assert_eq!([paper.stiffness_bound(1e-3), paper.damping_bound(1e-3)], [2e5, 30.0], "normal spring, C_t");
+        let slip = Mode::Slip { direction: DVec2::X };
+        assert_eq!([&paper, &mapped].map(|law| law.tangential_damping(&slip)), [0.0, 30.0], "in slip");
+        let stick = Mode::Stick { anchor: DVec2::ZERO };
+        assert_eq!([&paper, &mapped].map(|law| law.tangential_damping(&stick)), [30.0; 2], "in stick");
+    }
+}

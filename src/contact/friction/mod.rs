@@ -179,6 +179,22 @@ mod tests {
     }
 
     #[test]
+    fn the_direction_of_slip_follows_only_where_sliding_has_two_directions_and_friction() {
+        for (friction, expected) in
+            [(FrictionLaw::Paper, SlipDirection::OfVelocity), (FrictionLaw::ReturnMapping, SlipDirection::State)]
+        {
+            let [one, two] = [0.0, 1e-6].map(|v_stick| Law { v_stick, ..law(friction) });
+            assert_eq!(
+                [one.slip_direction(), two.slip_direction()],
+                [SlipDirection::Constant, expected],
+                "{friction:?}"
+            );
+            assert_eq!(two.with_direction_held().slip_direction(), SlipDirection::Constant, "held");
+            assert_eq!(Law { mu_k: 0.0, ..two }.slip_direction(), SlipDirection::Constant, "without friction");
+        }
+    }
+
+    #[test]
     fn a_contact_closes_in_stick_where_the_tangential_force_grows_more_slowly_than_its_limit() {
         let (law, here) = (law(FrictionLaw::ReturnMapping), node(0.0, 0.0));
         // k_t V_t against μ_s K V_n: equal at V_t = V_n.

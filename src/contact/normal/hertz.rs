@@ -219,6 +219,21 @@ mod tests {
     }
 
     #[test]
+    fn an_energy_has_the_depth_at_which_it_is_stored() {
+        let law = law(HertzDashpot::Viscous(0.0));
+        let [one, two] = [1e-3, 2e-3].map(|depth| [law.relative_energy(depth), law.stored_energy(depth)]);
+        assert!((two[0] / one[0] / (two[1] / one[1]) - 1.0).abs() < 1e-14, "in proportion to the stored energy");
+        assert!((law.depth_of_relative_energy(two[0]) / 2e-3 - 1.0).abs() < 1e-14, "inverse");
+        assert!((law.entry_energy(1e-3) / one[1] - 1.0).abs() < 1e-14, "⅖ N δ");
+    }
+
+    #[test]
+    fn only_the_relative_dashpot_excludes_a_pull() {
+        assert!(law(HertzDashpot::Relative(2.0)).excludes_pull(), "hertz-damp");
+        assert!(!law(HertzDashpot::Viscous(900.0)).excludes_pull(), "hertz-viscous");
+    }
+
+    #[test]
     fn the_relative_dashpot_takes_its_speed_at_the_closing() {
         let before = law(HertzDashpot::Relative(2.0));
         let begun = before.begun(0.0, -0.5);
