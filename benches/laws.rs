@@ -34,7 +34,7 @@ fn touching() -> (ContactSite, [Frame; 2]) {
 
 fn law(friction: FrictionLaw) -> Law {
     let normal = Normal::Linear(Linear { k: 1.55e5, c: 220.0 });
-    Law { normal, k_t: 1.55e5, c_t: 26.0, mu_s: 0.2, mu_k: 0.15, friction, clamp: false, v_stick: 0.0 }
+    Law { normal, k_t: 1.55e5, c_t: 26.0, mu_s: 0.2, mu_k: 0.15, friction: friction.into(), clamp: false, v_stick: 0.0 }
 }
 
 const STICK: Mode = Mode::Stick { anchor: DVec2::new(0.01, 0.005) };

@@ -3,12 +3,14 @@
 //!
 //! Switching functions of stick are lengths: `|F_t| − μ_s N` over `k_t` is `|s| − μ_s ℓ` with `ℓ = N(δ)/k_t`.
 
+use std::fmt::Debug;
+
 use glam::DVec2;
 use serde::{Deserialize, Serialize};
 
 use super::{Local, Normal, NormalLaw};
 
-/// Friction law in slip and on return to stick (`docs/physics.md#friction-laws`).
+/// Friction law of a pair in a scene (`docs/physics.md#friction-laws`).
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq, PartialOrd, Ord, Hash, Serialize, Deserialize)]
 #[serde(rename_all = "kebab-case")]
 pub enum FrictionLaw {
@@ -38,6 +40,98 @@ impl FrictionLaw {
     }
 }
 
+/// Direction of friction in slip where sliding has two directions. Where it has one, it is that with which the slip began.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum SlipDirection {
+    /// Constant, that with which the slip began.
+    Constant,
+    /// That of `V_t` at every instant, regularised: `V_t / max(|V_t|, v_stick)`.
+    OfVelocity,
+    /// A state of the integrator, the angle φ with `φ̇ = d⊥·Ẋ / (μ_k ℓ + ℓ_r)` and `d = (cos φ, sin φ)`, Ẋ the rate of the
+    /// node along the face and `ℓ_r` a regularisation length (`docs/physics.md#law-return-mapping`).
+    State,
+}
+
+/// Derivative of friction by `V_t` of a law with [`SlipDirection::OfVelocity`]: `along d dᵀ + across t tᵀ`, with t perpendicular to d
+/// \[N·s/m\].
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct SlidingDerivative {
+    /// Unit direction d of `V_t` in the face's axes.
+    pub direction: DVec2,
+    /// By the speed \[N·s/m\].
+    pub along: f64,
+    /// By the velocity across, which turns the direction \[N·s/m\].
+    pub across: f64,
+}
+
+/// A friction law: forces in slip, end of slip, and the changes between stick and slip (`docs/physics.md#friction-laws`).
+///
+/// Stick is the same in all laws, (57a): a spring and a dashpot to the anchor, up to `|F_t| = μ_s N`. The numbers μ, `k_t`, `C_t` and
+/// `v_stick` are those of the [`Law`].
+pub trait FrictionRule: Debug + Send + Sync {
+    /// Forces on the node in slip along the unit direction `direction` of the face's axes \[N\].
+    fn slip(&self, law: &Law, direction: DVec2, here: &Local) -> Forces;
+
+    /// Those forces where the direction is a state that turns at its regularised rate, with the regularisation length \[m\].
+    fn slip_turning(&self, law: &Law, direction: DVec2, here: &Local, _regularisation: f64) -> Forces {
+        self.slip(law, direction, here)
+    }
+
+    /// Switching function of slip, negative while it lasts (`docs/physics.md#stop`) \[m/s\].
+    fn stopping(&self, law: &Law, direction: DVec2, here: &Local) -> f64;
+
+    /// Slip after breakaway, and the energy released (`docs/physics.md#breakaway`).
+    fn breakaway(&self, law: &Law, anchor: DVec2, here: &Local) -> Breakaway;
+
+    /// Stick after a stop (`docs/physics.md#stop`).
+    fn on_stopping(&self, law: &Law, direction: DVec2, here: &Local) -> Mode;
+
+    /// Direction of friction where sliding has two.
+    fn direction(&self) -> SlipDirection;
+
+    /// Whether the tangential force is continuous at a stop. Where it is not, stick may exceed the static limit at once.
+    fn is_continuous_at_stop(&self) -> bool;
+
+    /// Whether the tangential dashpot acts in slip as in stick.
+    fn is_damped_in_slip(&self) -> bool;
+
+    /// Derivative of friction by `V_t`, for [`SlipDirection::OfVelocity`]; by default that of `−μ_k N V_t / max(|V_t|, v_stick)`.
+    fn sliding_derivative(&self, law: &Law, forces: &Forces) -> SlidingDerivative {
+        let (speed, least) = (forces.sliding.length(), law.v_stick);
+        let friction = law.mu_k * forces.normal;
+        SlidingDerivative {
+            direction: forces.sliding.try_normalize().unwrap_or(DVec2::X),
+            along: if speed < least { -friction / least } else { 0.0 },
+            across: -friction / speed.max(least),
+        }
+    }
+}
+
+/// Friction law of a contact, stored by value.
+#[derive(Clone, Copy, Debug)]
+pub enum Friction {
+    /// A law of this package.
+    Named(FrictionLaw),
+    /// A law defined outside of this package.
+    Custom(&'static dyn FrictionRule),
+}
+
+impl PartialEq for Friction {
+    fn eq(&self, other: &Self) -> bool {
+        match (self, other) {
+            (Self::Named(one), Self::Named(other)) => one == other,
+            (Self::Custom(one), Self::Custom(other)) => std::ptr::addr_eq(*one, *other),
+            (Self::Named(_), Self::Custom(_)) | (Self::Custom(_), Self::Named(_)) => false,
+        }
+    }
+}
+
+impl From<FrictionLaw> for Friction {
+    fn from(law: FrictionLaw) -> Self {
+        Self::Named(law)
+    }
+}
+
 /// Law of one contact, or of a pair before its division among nodes.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Law {
@@ -52,7 +146,7 @@ pub struct Law {
     /// Coefficient of kinetic friction `μ_k` \[–\].
     pub mu_k: f64,
     /// Friction law.
-    pub friction: FrictionLaw,
+    pub friction: Friction,
     /// Whether the normal force is held at 0 or above (`clamp`); whether it is held at 0 at present is part of a
     /// contact's state.
     pub clamp: bool,
@@ -124,28 +218,6 @@ impl Law {
         self.mu_s > 0.0
     }
 
-    /// Whether friction in slip is in the direction of `V_t` at every instant: law `paper` in two directions of sliding.
-    #[inline]
-    pub fn turns_at_once(&self) -> bool {
-        self.friction == FrictionLaw::Paper && self.v_stick > 0.0 && self.mu_k > 0.0
-    }
-
-    /// Whether the direction of slip is a state that follows that of `V_t`: law `return-mapping` in two directions of sliding.
-    #[inline]
-    pub fn has_direction_state(&self) -> bool {
-        self.friction == FrictionLaw::ReturnMapping && self.v_stick > 0.0 && self.mu_k > 0.0
-    }
-
-    /// Whether a stop of sliding in two directions can be passed, as stick from no force could not hold: law `paper`.
-    pub fn may_pass_stop(&self) -> bool {
-        self.friction == FrictionLaw::Paper && self.v_stick > 0.0
-    }
-
-    /// Whether the tangential dashpot acts in slip as in stick: law `return-mapping`.
-    pub fn is_damped_in_slip(&self) -> bool {
-        self.friction == FrictionLaw::ReturnMapping
-    }
-
     /// Normal force as a length, `ℓ = N(δ)/k_t` \[m\].
     #[inline]
     pub fn length(&self, here: &Local) -> f64 {
@@ -160,7 +232,7 @@ impl Law {
 
     /// Derivative of the length by the penetration, `dℓ/dδ` \[–\].
     #[inline]
-    pub(super) fn length_slope(&self, here: &Local) -> f64 {
+    pub fn length_slope(&self, here: &Local) -> f64 {
         self.normal.length_slope(here.penetration(), self.k_t)
     }
 
@@ -173,7 +245,7 @@ impl Law {
 
     /// Normal forces and velocities with the anchor at stretch `stretch`, without tangential force.
     #[inline]
-    pub(super) fn pressed(&self, here: &Local, stretch: DVec2) -> Forces {
+    pub fn pressed(&self, here: &Local, stretch: DVec2) -> Forces {
         let (sliding, normal_velocity) = self.velocity(here, stretch);
         let [normal, normal_damping] = self.normal.forces(here.penetration(), normal_velocity);
         Forces {
@@ -238,24 +310,5 @@ impl Law {
     #[must_use]
     pub fn resumed(self, before: &Self, penetration: f64) -> Self {
         Self { normal: self.normal.resumed(before.normal, penetration), ..self }
-    }
-
-    /// Scale of the switching function of a kink at penetrations and speeds of these sizes, in the function's unit.
-    pub fn kink_scale(&self, depth: f64, speed: f64) -> f64 {
-        if self.normal.has_phases() {
-            self.normal.phase_end_scale(depth, speed)
-        } else {
-            self.normal.force_scale(depth, speed)
-        }
-    }
-
-    /// Scale of the change of the switching function of a kink by a change of the penetration of this size at this circular
-    /// frequency, in the function's unit.
-    pub fn kink_change(&self, here: &Local, change: f64, frequency: f64) -> f64 {
-        if self.normal.has_phases() {
-            self.normal.phase_end_change(change, frequency)
-        } else {
-            self.normal.change_scale(here.penetration(), change, frequency)
-        }
     }
 }

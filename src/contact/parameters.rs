@@ -60,15 +60,15 @@ impl PairNumbers {
 /// Law of a whole pair: its normal law, and K and the dashpot of (65) along the tangents.
 pub fn law_of_pair(numbers: &PairNumbers) -> Law {
     let &PairNumbers { stiffness: k, mass, restitution_tangential, .. } = numbers;
+    let normal = normal_law(numbers);
     Law {
-        normal: normal_law(numbers),
+        normal,
         k_t: k,
         c_t: damping_ratio(restitution_tangential) * critical_damping(k, mass),
         mu_s: numbers.mu_static,
         mu_k: numbers.mu_kinetic,
-        friction: numbers.friction,
-        // A dashpot proportional to the spring's force pulls, in a deep touch pulled apart fast; the law has no pull.
-        clamp: numbers.clamp || numbers.normal == NormalName::HertzDamp,
+        friction: numbers.friction.into(),
+        clamp: numbers.clamp || normal.excludes_pull(),
         v_stick: if numbers.one_way { 0.0 } else { V_STICK },
     }
 }
@@ -226,7 +226,11 @@ mod tests {
     fn a_pairs_law_has_the_scenes_numbers() {
         let law = law_of_pair(&numbers());
         assert_eq!((law.normal.tangent_stiffness(0.0), law.k_t), (1.55e5, 1.55e5), "one K for both directions");
-        assert_eq!((law.mu_s, law.mu_k, law.friction, law.clamp), (0.2, 0.15, FrictionLaw::Paper, true), "as given");
+        assert_eq!(
+            (law.mu_s, law.mu_k, law.friction, law.clamp),
+            (0.2, 0.15, FrictionLaw::Paper.into(), true),
+            "as given"
+        );
         assert!(law.v_stick > 0.0, "two directions of sliding are regularised");
         assert_eq!(law_of_pair(&PairNumbers { one_way: true, ..numbers() }).v_stick, 0.0, "one is not");
     }

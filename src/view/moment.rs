@@ -342,7 +342,7 @@ fn just_opened(history: &History, t: f64, linger: f64, closed: &[ContactNow]) ->
 
 fn distinct(laws: impl Iterator<Item = FrictionLaw>) -> Vec<FrictionLaw> {
     let laws: Vec<_> = laws.collect();
-    [FrictionLaw::Paper, FrictionLaw::ReturnMapping].into_iter().filter(|law| laws.contains(law)).collect()
+    FrictionLaw::ALL.iter().copied().filter(|law| laws.contains(law)).collect()
 }
 
 #[cfg(test)]

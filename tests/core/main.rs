@@ -44,6 +44,7 @@ mod physics {
     mod moving_supports;
     mod normal_laws;
     mod overlap;
+    mod perfectly_plastic;
     mod piers;
     mod reference;
     mod rows;
@@ -59,6 +60,7 @@ mod physics {
     mod two_coordinates;
     mod two_sections;
     mod viaduct;
+    mod viscous_friction;
 }
 
 mod scene {

@@ -3,57 +3,120 @@
 //!
 //! The normal force enters as a length, `ℓ(δ) = N(δ)/k_t`, the stretch of the tangential spring that carries it: the
 //! cone `|F_t| ≤ μ_s N` is `|s| ≤ μ_s ℓ`. With `N = K δ` and `k_t = K`, as in the paper, ℓ = δ.
+//!
+//! A law is an implementation of [`FrictionRule`]: one file here, a variant of [`FrictionLaw`] and its arm in [`FrictionLaw::rule`]; from
+//! outside of the package [`Friction::Custom`].
 
-pub(super) mod paper;
-pub(super) mod return_mapping;
+mod paper;
+mod return_mapping;
 
 use glam::DVec2;
 
-use super::law::{Breakaway, Forces, FrictionLaw, Law, Mode};
+use super::law::{Breakaway, Forces, Friction, FrictionLaw, FrictionRule, Law, Mode, SlidingDerivative, SlipDirection};
 use super::node_face::Local;
+use paper::Paper;
+use return_mapping::ReturnMapping;
+
+impl FrictionLaw {
+    /// The law of this name.
+    pub fn rule(self) -> &'static dyn FrictionRule {
+        match self {
+            Self::Paper => &Paper,
+            Self::ReturnMapping => &ReturnMapping,
+        }
+    }
+}
+
+impl Friction {
+    /// The law.
+    pub fn rule(&self) -> &'static dyn FrictionRule {
+        match self {
+            Self::Named(law) => law.rule(),
+            Self::Custom(rule) => *rule,
+        }
+    }
+}
 
 impl Law {
+    /// Direction of friction in slip, in the directions of sliding that the contact has.
+    #[inline]
+    pub fn slip_direction(&self) -> SlipDirection {
+        // At μ_k = 0 friction vanishes and has no direction.
+        if self.v_stick > 0.0 && self.mu_k > 0.0 { self.friction.rule().direction() } else { SlipDirection::Constant }
+    }
+
+    /// Whether a stop of sliding in two directions can be passed, since stick, whose force differs from that of slip, could not hold.
+    pub fn may_pass_stop(&self) -> bool {
+        self.v_stick > 0.0 && !self.friction.rule().is_continuous_at_stop()
+    }
+
+    /// Whether a contact in slip that does not move along its face has no tangential force, in one direction of sliding. Asked of laws
+    /// that are damped in slip alone: a row of contacts of others is computed with all its coordinates.
+    pub fn is_forceless_at_rest(&self) -> bool {
+        self.mu_k == 0.0 && self.friction.rule().is_damped_in_slip() && self.v_stick == 0.0
+    }
+
+    /// Direction against which friction acts in slip at the tangential velocity `sliding` \[m/s\]: of one direction of sliding
+    /// `direction`, of two `V_t / max(|V_t|, v_stick)`.
+    #[inline]
+    pub fn along_velocity(&self, sliding: DVec2, direction: DVec2) -> DVec2 {
+        if self.v_stick > 0.0 { sliding / sliding.length().max(self.v_stick) } else { direction }
+    }
+
+    /// The law with friction along the direction of the mode, whatever `V_t` is, as in one direction of sliding.
+    #[must_use]
+    pub fn with_direction_held(self) -> Self {
+        Self { v_stick: 0.0, ..self }
+    }
+
+    /// Derivative of friction by `V_t`, for [`SlipDirection::OfVelocity`].
+    pub fn sliding_derivative(&self, forces: &Forces) -> SlidingDerivative {
+        self.friction.rule().sliding_derivative(self, forces)
+    }
+
     /// Forces on the node of a closed contact \[N\].
     #[inline]
     pub fn forces(&self, mode: &Mode, here: &Local) -> Forces {
-        match (mode, self.friction) {
-            (Mode::Stick { anchor }, _) => stick(self, *anchor, here),
-            (Mode::Slip { direction }, FrictionLaw::Paper) => paper::slip(self, *direction, here),
-            (Mode::Slip { direction }, FrictionLaw::ReturnMapping) => return_mapping::slip(self, *direction, here),
+        match mode {
+            Mode::Stick { anchor } => stick(self, *anchor, here),
+            Mode::Slip { direction } => self.friction.rule().slip(self, *direction, here),
+        }
+    }
+
+    /// Forces on the node of a closed contact whose direction of slip is a state with this regularisation length \[m\]; 0 where it is none
+    /// \[N\].
+    #[inline]
+    pub fn forces_turning(&self, mode: &Mode, here: &Local, regularisation: f64) -> Forces {
+        match mode {
+            Mode::Slip { direction } if regularisation > 0.0 => {
+                self.friction.rule().slip_turning(self, *direction, here, regularisation)
+            }
+            Mode::Stick { .. } | Mode::Slip { .. } => self.forces(mode, here),
         }
     }
 
     /// Switching function, negative while the state lasts: breakaway in stick \[m\], stop in slip \[m/s\].
     #[inline]
     pub fn switch(&self, mode: &Mode, here: &Local) -> f64 {
-        match (mode, self.friction) {
-            (Mode::Stick { anchor }, _) => (here.way - *anchor).length() - self.mu_s * self.length(here),
-            (Mode::Slip { direction }, FrictionLaw::Paper) => paper::stopping(self, *direction, here),
-            (Mode::Slip { direction }, FrictionLaw::ReturnMapping) => return_mapping::stopping(self, *direction, here),
+        match mode {
+            Mode::Stick { anchor } => (here.way - *anchor).length() - self.mu_s * self.length(here),
+            Mode::Slip { direction } => self.friction.rule().stopping(self, *direction, here),
         }
     }
 
     /// Slip after breakaway, and the energy released (`docs/physics.md#breakaway`).
     pub fn on_breakaway(&self, anchor: DVec2, here: &Local) -> Breakaway {
-        match self.friction {
-            FrictionLaw::Paper => paper::breakaway(self, anchor, here),
-            FrictionLaw::ReturnMapping => return_mapping::breakaway(self, anchor, here),
-        }
+        self.friction.rule().breakaway(self, anchor, here)
     }
 
     /// Stick after a stop (`docs/physics.md#stop`).
     pub fn on_stopping(&self, direction: DVec2, here: &Local) -> Mode {
-        match self.friction {
-            FrictionLaw::Paper => Mode::Stick { anchor: here.way },
-            FrictionLaw::ReturnMapping => {
-                Mode::Stick { anchor: here.way - direction * (self.mu_k * self.length(here)) }
-            }
-        }
+        self.friction.rule().on_stopping(self, direction, here)
     }
 }
 
 /// Forces in stick (57a), equal in both laws: tangential spring to the anchor and both dashpots.
-pub(super) fn stick(law: &Law, anchor: DVec2, here: &Local) -> Forces {
+fn stick(law: &Law, anchor: DVec2, here: &Local) -> Forces {
     let stretch = here.way - anchor;
     let pressed = law.pressed(here, stretch);
     Forces { tangential: stretch * -law.k_t, tangential_damping: pressed.sliding * -law.c_t, ..pressed }
@@ -69,6 +132,7 @@ pub(in crate::contact) mod example {
     /// A contact whose tangential spring has half the stiffness of its normal one, so that ℓ = 2 δ.
     pub(in crate::contact) fn law(friction: FrictionLaw) -> Law {
         let normal = Normal::Linear(Linear { k: 2e5, c: 0.0 });
+        let friction = friction.into();
         Law { normal, k_t: 1e5, c_t: 30.0, mu_s: 0.5, mu_k: 0.4, friction, clamp: false, v_stick: 0.0 }
     }
 
@@ -111,6 +175,22 @@ mod tests {
             assert!(law.switch(&mode, &node(1.001e-3, 0.0)) > 0.0, "outside");
             let forces = law.forces(&mode, &node(1e-3, 0.0));
             agree("on the cone", forces.tangential.length(), law.mu_s * forces.normal);
+        }
+    }
+
+    #[test]
+    fn the_direction_of_slip_follows_only_where_sliding_has_two_directions_and_friction() {
+        for (friction, expected) in
+            [(FrictionLaw::Paper, SlipDirection::OfVelocity), (FrictionLaw::ReturnMapping, SlipDirection::State)]
+        {
+            let [one, two] = [0.0, 1e-6].map(|v_stick| Law { v_stick, ..law(friction) });
+            assert_eq!(
+                [one.slip_direction(), two.slip_direction()],
+                [SlipDirection::Constant, expected],
+                "{friction:?}"
+            );
+            assert_eq!(two.with_direction_held().slip_direction(), SlipDirection::Constant, "held");
+            assert_eq!(Law { mu_k: 0.0, ..two }.slip_direction(), SlipDirection::Constant, "without friction");
         }
     }
 

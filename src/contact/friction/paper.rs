@@ -7,38 +7,60 @@
 use glam::DVec2;
 
 use crate::contact::constants::SLIDING_ROUNDING;
-use crate::contact::{Breakaway, Forces, Law, Local, Mode};
+use crate::contact::{Breakaway, Forces, FrictionRule, Law, Local, Mode, SlipDirection};
 
-/// Forces in slip, (57b), (59). With one direction of sliding, friction opposes `direction` until `V_t` stops; with
-/// two, it opposes `V_t / max(|V_t|, v_stick)`.
-pub(in crate::contact) fn slip(law: &Law, direction: DVec2, here: &Local) -> Forces {
-    let pressed = law.pressed(here, DVec2::ZERO);
-    let sliding = pressed.sliding;
-    let along = if law.v_stick > 0.0 { sliding / sliding.length().max(law.v_stick) } else { direction };
-    Forces { tangential: along * (-law.mu_k * pressed.normal), anchor_rate: sliding, ..pressed }
-}
+/// Friction law `paper`.
+#[derive(Clone, Copy, Debug)]
+pub(super) struct Paper;
 
-/// Switching function of slip, through 0 when `V_t` stops (`docs/physics.md#stop`). With two directions of sliding it
-/// is quadratic in `V_t` and positive for a short time only, which its second difference shows on either side;
-/// `|V_t|` itself has a kink there.
-pub(in crate::contact) fn stopping(law: &Law, direction: DVec2, here: &Local) -> f64 {
-    let (sliding, _) = law.velocity(here, DVec2::ZERO);
-    if law.v_stick > 0.0 {
-        0.5 * (law.v_stick - sliding.length_squared() / law.v_stick)
-    } else {
-        -sliding.dot(direction)
+impl FrictionRule for Paper {
+    /// (57b), (59). With one direction of sliding, friction opposes `direction` until `V_t` stops; with two, it opposes
+    /// `V_t / max(|V_t|, v_stick)`.
+    fn slip(&self, law: &Law, direction: DVec2, here: &Local) -> Forces {
+        let pressed = law.pressed(here, DVec2::ZERO);
+        let sliding = pressed.sliding;
+        let along = law.along_velocity(sliding, direction);
+        Forces { tangential: along * (-law.mu_k * pressed.normal), anchor_rate: sliding, ..pressed }
     }
-}
 
-/// Breakaway (`docs/physics.md#breakaway`): friction opposes `V_t`, whatever its direction; for zero `V_t` it points
-/// along the spring's pull.
-pub(in crate::contact) fn breakaway(law: &Law, anchor: DVec2, here: &Local) -> Breakaway {
-    let stretch = here.way - anchor;
-    let (sliding, normal) = law.velocity(here, DVec2::ZERO);
-    let speed = sliding.length();
-    let still = SLIDING_ROUNDING * (speed + normal.abs());
-    let direction = if speed > still { sliding / speed } else { stretch.try_normalize().unwrap_or(DVec2::X) };
-    Breakaway { mode: Mode::Slip { direction }, released: 0.5 * law.k_t * stretch.length_squared() }
+    /// Through 0 when `V_t` stops (`docs/physics.md#stop`). With two directions of sliding it is quadratic in `V_t` and positive
+    /// for a short time only, which its second difference shows on either side; `|V_t|` itself has a kink there.
+    fn stopping(&self, law: &Law, direction: DVec2, here: &Local) -> f64 {
+        let (sliding, _) = law.velocity(here, DVec2::ZERO);
+        if law.v_stick > 0.0 {
+            0.5 * (law.v_stick - sliding.length_squared() / law.v_stick)
+        } else {
+            -sliding.dot(direction)
+        }
+    }
+
+    /// Friction opposes `V_t`, whatever its direction; for zero `V_t` it points along the spring's pull.
+    fn breakaway(&self, law: &Law, anchor: DVec2, here: &Local) -> Breakaway {
+        let stretch = here.way - anchor;
+        let (sliding, normal) = law.velocity(here, DVec2::ZERO);
+        let speed = sliding.length();
+        let still = SLIDING_ROUNDING * (speed + normal.abs());
+        let direction = if speed > still { sliding / speed } else { stretch.try_normalize().unwrap_or(DVec2::X) };
+        Breakaway { mode: Mode::Slip { direction }, released: 0.5 * law.k_t * stretch.length_squared() }
+    }
+
+    /// The anchor is the projection.
+    fn on_stopping(&self, _: &Law, _: DVec2, here: &Local) -> Mode {
+        Mode::Stick { anchor: here.way }
+    }
+
+    fn direction(&self) -> SlipDirection {
+        SlipDirection::OfVelocity
+    }
+
+    /// The tangential force restarts at 0.
+    fn is_continuous_at_stop(&self) -> bool {
+        false
+    }
+
+    fn is_damped_in_slip(&self) -> bool {
+        false
+    }
 }
 
 #[cfg(test)]
@@ -58,7 +80,7 @@ mod tests {
     #[test]
     fn below_the_regularising_speed_friction_is_in_proportion_to_the_speed() {
         let law = Law { v_stick: 0.01, ..law(FrictionLaw::Paper) };
-        let at = |rate: f64| slip(&law, DVec2::X, &node(0.0, rate)).tangential.x;
+        let at = |rate: f64| Paper.slip(&law, DVec2::X, &node(0.0, rate)).tangential.x;
         agree("half the speed, half the force", at(0.005), 0.5 * at(0.01));
         agree("above it all of it", at(0.02), at(0.01));
     }
@@ -66,8 +88,8 @@ mod tests {
     #[test]
     fn a_slip_stops_where_its_velocity_does_and_its_force_restarts_at_zero() {
         let law = law(FrictionLaw::Paper);
-        assert!(stopping(&law, DVec2::X, &node(0.0, 1e-9)) < 0.0, "it slides");
-        assert!(stopping(&law, DVec2::X, &node(0.0, -1e-9)) > 0.0, "it has stopped");
+        assert!(Paper.stopping(&law, DVec2::X, &node(0.0, 1e-9)) < 0.0, "it slides");
+        assert!(Paper.stopping(&law, DVec2::X, &node(0.0, -1e-9)) > 0.0, "it has stopped");
         let stopped = law.on_stopping(DVec2::X, &node(5e-4, 0.0));
         assert_eq!(law.forces(&stopped, &node(5e-4, 0.0)).tangential, DVec2::ZERO, "a new anchor");
     }
@@ -75,10 +97,10 @@ mod tests {
     #[test]
     fn breakaway_releases_the_whole_spring() {
         let law = law(FrictionLaw::Paper);
-        let out = breakaway(&law, DVec2::ZERO, &node(1e-3, 0.0));
+        let out = Paper.breakaway(&law, DVec2::ZERO, &node(1e-3, 0.0));
         agree("½ k_t s²", out.released, 0.05);
         assert_eq!(out.mode, Mode::Slip { direction: DVec2::X }, "at rest, along the stretch");
-        let back = breakaway(&law, DVec2::ZERO, &node(1e-3, -0.1));
+        let back = Paper.breakaway(&law, DVec2::ZERO, &node(1e-3, -0.1));
         assert_eq!(back.mode, Mode::Slip { direction: DVec2::NEG_X }, "moving, along the velocity");
     }
 }

@@ -111,6 +111,10 @@ impl NormalLaw for Approach {
         false
     }
 
+    fn is_along_stretch(&self) -> bool {
+        true
+    }
+
     fn digest(&self, add: &mut dyn FnMut(f64)) {
         add(self.linear.k);
         add(self.linear.c);

@@ -4,7 +4,7 @@
 use std::f64::consts::PI;
 
 use super::NormalLaw;
-use super::constants::{HERTZ_DURATION, LEAST_IMPACT_SPEED};
+use super::constants::{ENERGY_POWER, HERTZ_DURATION, LEAST_IMPACT_SPEED};
 use super::phases::{Phases, Stage};
 
 /// Dashpot of a Hertz spring.
@@ -167,9 +167,27 @@ impl NormalLaw for Hertz {
         }
     }
 
-    /// 5/2.
-    fn energy_power(&self) -> f64 {
-        2.5
+    /// A dashpot in proportion to the spring's force pulls, in a deep touch pulled apart fast; its law has no pull.
+    fn excludes_pull(&self) -> bool {
+        matches!(self.dashpot, HertzDashpot::Relative(_))
+    }
+
+    fn is_power_series(&self) -> bool {
+        false
+    }
+
+    /// `⅖ N δ`.
+    fn entry_energy(&self, penetration: f64) -> f64 {
+        self.elastic(penetration) * penetration / ENERGY_POWER
+    }
+
+    /// `δ^{5/2}`.
+    fn relative_energy(&self, penetration: f64) -> f64 {
+        penetration.max(0.0).powf(ENERGY_POWER)
+    }
+
+    fn depth_of_relative_energy(&self, energy: f64) -> f64 {
+        energy.powf(ENERGY_POWER.recip())
     }
 }
 
@@ -198,6 +216,21 @@ mod tests {
         assert!((slope(&|d| law.elastic(d)) / law.tangent_stiffness(depth) - 1.0).abs() < 1e-8, "dN/dδ");
         let speed = 0.5;
         assert!((law.stored_energy(law.depth(2.0, speed)) - 0.25).abs() < 1e-14, "½ m v² at the largest depth");
+    }
+
+    #[test]
+    fn an_energy_has_the_depth_at_which_it_is_stored() {
+        let law = law(HertzDashpot::Viscous(0.0));
+        let [one, two] = [1e-3, 2e-3].map(|depth| [law.relative_energy(depth), law.stored_energy(depth)]);
+        assert!((two[0] / one[0] / (two[1] / one[1]) - 1.0).abs() < 1e-14, "in proportion to the stored energy");
+        assert!((law.depth_of_relative_energy(two[0]) / 2e-3 - 1.0).abs() < 1e-14, "inverse");
+        assert!((law.entry_energy(1e-3) / one[1] - 1.0).abs() < 1e-14, "⅖ N δ");
+    }
+
+    #[test]
+    fn only_the_relative_dashpot_excludes_a_pull() {
+        assert!(law(HertzDashpot::Relative(2.0)).excludes_pull(), "hertz-damp");
+        assert!(!law(HertzDashpot::Viscous(900.0)).excludes_pull(), "hertz-viscous");
     }
 
     #[test]

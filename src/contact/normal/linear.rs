@@ -77,6 +77,11 @@ impl NormalLaw for Linear {
     }
 
     /// K alone: C shows in the states.
+    #[inline]
+    fn is_along_stretch(&self) -> bool {
+        true
+    }
+
     fn digest(&self, add: &mut dyn FnMut(f64)) {
         add(self.k);
     }

@@ -3,7 +3,8 @@
 //!
 //! All quantities that depend on the shape of `N(δ)` are methods of [`NormalLaw`]: forces, stored energy, stiffness,
 //! time scale, and the scales of numerical tolerances. A new law is one file with implementations of the trait and of
-//! `Phases`, one variant of [`Normal`] and its arms in the matches of this file; its name in a scene: `contact/calibration.rs`.
+//! [`Phases`], one variant of [`Normal`] and its arms in the matches of this file; its name in a scene: `contact/calibration.rs`. From
+//! outside of the package a law enters as [`Normal::Custom`], with its phases as a [`PhasedLaw`].
 
 mod approach;
 mod bilinear;
@@ -11,6 +12,7 @@ mod constants;
 mod custom;
 mod hertz;
 mod linear;
+mod phased;
 mod phases;
 
 use std::fmt::Debug;
@@ -21,9 +23,8 @@ pub use constants::LEAST_IMPACT_SPEED;
 pub use custom::Custom;
 pub use hertz::{Hertz, HertzDashpot};
 pub use linear::Linear;
-pub use phases::Stage;
-
-use phases::Phases;
+pub use phased::{Phase, PhasedLaw};
+pub use phases::{Phases, Stage};
 
 /// A normal contact law. δ is the penetration \[m\], `V_n` the normal velocity of (53b), positive apart \[m/s\].
 ///
@@ -73,15 +74,36 @@ pub trait NormalLaw: Debug + Send + Sync {
         0.0
     }
 
-    /// Power of δ with which the stored energy rises \[–\].
-    fn energy_power(&self) -> f64 {
-        2.0
+    /// Whether the reaction on the face's body acts at the anchor: normal and tangential spring have one constant stiffness, so that
+    /// their force points along the stretch (`docs/physics.md#point-of-action`).
+    fn is_along_stretch(&self) -> bool {
+        false
     }
 
-    /// Stored energy of a touch that begins at this penetration: `N δ/n`, with n the power of δ in the stored energy \[J\]. Exact where N
-    /// is a power of δ.
+    /// Whether the law itself has no pull: elastic and damping force together are held at 0 or above.
+    fn excludes_pull(&self) -> bool {
+        false
+    }
+
+    /// Whether the force is a power series in δ at δ = 0; that of `δ^{3/2}` is none.
+    fn is_power_series(&self) -> bool {
+        true
+    }
+
+    /// Stored energy of a touch that begins at this penetration, by default that of a force in proportion to δ, `½ N δ` \[J\].
     fn entry_energy(&self, penetration: f64) -> f64 {
-        self.elastic(penetration) * penetration / self.energy_power()
+        self.elastic(penetration) * penetration / 2.0
+    }
+
+    /// Stored energy of a spring that has not yielded, per its constant, which alone differs among the contacts of a pair; by default `δ²`,
+    /// of a force in proportion to δ \[m², or another unit of the law's own\].
+    fn relative_energy(&self, penetration: f64) -> f64 {
+        penetration * penetration
+    }
+
+    /// Penetration of this [`relative_energy`](Self::relative_energy) \[m\].
+    fn depth_of_relative_energy(&self, energy: f64) -> f64 {
+        energy.sqrt()
     }
 
     /// Normal force as a length: the stretch of a spring of stiffness `k_t` that carries `N(δ)`, `N/k_t` \[m\].
@@ -167,15 +189,6 @@ impl Normal {
         phase_of_each!(self, law => law)
     }
 
-    /// Whether normal and tangential spring are of one constant stiffness, so that their force points along the stretch.
-    #[inline]
-    pub fn is_along_stretch(&self) -> bool {
-        match self {
-            Self::Linear(_) | Self::Approach(_) => true,
-            Self::Hertz(_) | Self::Bilinear(_) | Self::Custom(_) => false,
-        }
-    }
-
     /// Law of one of `parts` equal contacts that act in parallel as this law.
     #[must_use]
     pub fn divided(self, parts: f64) -> Self {
@@ -201,6 +214,7 @@ impl Normal {
         match (self, before) {
             (Self::Approach(law), Self::Approach(before)) => Self::Approach(law.resumed(before, penetration)),
             (Self::Hertz(law), Self::Hertz(before)) => Self::Hertz(law.resumed(before, penetration)),
+            (Self::Custom(law), Self::Custom(before)) => Self::Custom(law.resumed(before, penetration)),
             (Self::Linear(_) | Self::Approach(_) | Self::Hertz(_) | Self::Bilinear(_) | Self::Custom(_), _) => {
                 self.begun(penetration, 0.0)
             }
@@ -293,12 +307,29 @@ impl NormalLaw for Normal {
         of_each!(self, law => law.plastic_power(velocity))
     }
 
-    fn energy_power(&self) -> f64 {
-        of_each!(self, law => law.energy_power())
+    #[inline]
+    fn is_along_stretch(&self) -> bool {
+        of_each!(self, law => law.is_along_stretch())
+    }
+
+    fn excludes_pull(&self) -> bool {
+        of_each!(self, law => law.excludes_pull())
+    }
+
+    fn is_power_series(&self) -> bool {
+        of_each!(self, law => law.is_power_series())
     }
 
     fn entry_energy(&self, penetration: f64) -> f64 {
         of_each!(self, law => law.entry_energy(penetration))
+    }
+
+    fn relative_energy(&self, penetration: f64) -> f64 {
+        of_each!(self, law => law.relative_energy(penetration))
+    }
+
+    fn depth_of_relative_energy(&self, energy: f64) -> f64 {
+        of_each!(self, law => law.depth_of_relative_energy(energy))
     }
 
     #[inline]

@@ -2,7 +2,7 @@
 //! each phase the force is a smooth function of δ and `V_n`; the memory of a touch is part of the phase.
 
 /// Phases of a normal law within a touch; by default a single one.
-pub(in crate::contact) trait Phases: Copy {
+pub trait Phases: Copy {
     /// Whether there are several.
     fn has_phases(&self) -> bool {
         false

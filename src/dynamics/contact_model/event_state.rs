@@ -3,7 +3,7 @@
 
 use glam::{DMat2, DVec2, DVec3};
 
-use crate::contact::{ContactGeometry, Frame, Law, Local, Mode, NormalLaw, locate};
+use crate::contact::{ContactGeometry, Frame, Law, Local, Mode, SlipDirection, locate};
 use crate::dynamics::closing::constants::CLOSING_INTERVAL;
 use crate::dynamics::contact_model::constants::{REGULARISATION_CLOCK, REGULARISATION_FRICTION, REGULARISATION_LEAST};
 use crate::dynamics::contact_model::event_poses::{ContactPoses, EventPoses};
@@ -139,7 +139,7 @@ impl<'a> EventContacts<'a> {
     /// proportional to the tolerance and to the largest of the penetration and the depths `|V_n|/ω` and `|a_n|/ω²`,
     /// with ω the contact frequency of the pair; 0 for a law whose slip direction is no state.
     pub(in crate::dynamics) fn regularisation_length(&self, contact: usize, law: &Law, here: &Local) -> f64 {
-        if !law.has_direction_state() {
+        if law.slip_direction() != SlipDirection::State {
             return 0.0;
         }
         let radian = self.world.pair_of(contact).simultaneity * SIMULTANEOUS_PER_RADIAN;
@@ -147,7 +147,7 @@ impl<'a> EventContacts<'a> {
         let (_, acceleration) = self.relative_acceleration(contact, here);
         let depth = (speed.abs() * radian).max(acceleration.abs() * radian * radian).max(here.penetration());
         let size = self.world.site(contact).reach();
-        let eased = law.mu_k.max(REGULARISATION_FRICTION) * law.normal.length(depth, law.k_t);
+        let eased = law.slip_scale_of_at_least(REGULARISATION_FRICTION, depth);
         // At least the round-off of a stretch, below which its direction is undefined, and the way that is travelled
         // within the round-off of the time.
         let rounding =
@@ -228,7 +228,7 @@ mod tests {
             let (world, now) = pressed(Kind::Planar, at, 0.0);
             let at = EventContacts { world: &world, now: &now };
             let here = at.relative(0, &now.since).local;
-            let mut chosen = Law { friction: FrictionLaw::ReturnMapping, mu_k: 0.4, ..state(&world, 0).law };
+            let mut chosen = Law { friction: FrictionLaw::ReturnMapping.into(), mu_k: 0.4, ..state(&world, 0).law };
             law(&mut chosen);
             at.regularisation_length(0, &chosen, &here)
         };
@@ -241,7 +241,7 @@ mod tests {
         assert!(near(smooth, TOLERANCE * 0.05 * SPEED / omega), "least friction: {smooth} m");
         assert_eq!(length([0.0, SPEED], |law| law.mu_k = 0.0), 0.0, "no friction, no direction");
         assert_eq!(length([0.0, SPEED], |law| law.v_stick = 0.0), 0.0, "one direction of sliding");
-        assert_eq!(length([0.0, SPEED], |law| law.friction = FrictionLaw::Paper), 0.0, "law paper");
+        assert_eq!(length([0.0, SPEED], |law| law.friction = FrictionLaw::Paper.into()), 0.0, "law paper");
         let touching = length([0.0; 2], |_| {});
         assert!(touching > 0.0 && touching < 1e-14, "round-off of a place: {touching} m");
     }

@@ -172,19 +172,18 @@ impl VertexNodes<'_, '_> {
         by_edges.or_else(|| Some(at.normal(contact).cross(at.normal(facing()?)).length())).unwrap_or(0.0)
     }
 
-    /// Penetration and stretch at which nodes of `parts` in K together have the strain energy of those in `before`, of
-    /// laws whose energy is a power of δ; of a bilinear spring that has yielded the rest is released.
+    /// Penetration and stretch at which nodes of `parts` in K together have the strain energy of those in `before`, as springs that have
+    /// not yielded; of one that has, the rest is released.
     fn carried(&self, before: &[(usize, ClosedContact)], parts: f64) -> Carried {
-        let (mut depth, mut length) = (0.0, 0.0);
-        let power = before.first().map_or(2.0, |(_, closed)| closed.law.normal.energy_power());
+        let (mut energy, mut length) = (0.0, 0.0);
         for (node, closed) in before {
             let (here, part) = (self.states.here(*node), 1.0 / self.states.world.contacts[*node].divisor);
-            let penetration = here.penetration();
-            depth += part * if power == 2.0 { penetration * penetration } else { penetration.max(0.0).powf(power) };
+            energy += part * closed.law.normal.relative_energy(here.penetration());
             length += part * stretch(closed, &here).length_squared();
         }
-        let depth = depth / parts;
-        let depth = if power == 2.0 { depth.sqrt() } else { depth.powf(power.recip()) };
+        let depth_of =
+            |(_, closed): &(usize, ClosedContact)| closed.law.normal.depth_of_relative_energy(energy / parts);
+        let depth = before.first().map_or(0.0, depth_of);
         Carried { depth, stretch: (length / parts).sqrt(), kept_beyond_edge: 0.0 }
     }
 

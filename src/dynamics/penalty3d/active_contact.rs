@@ -3,7 +3,7 @@
 
 use glam::{DVec2, DVec3};
 
-use crate::contact::{ContactGeometry, Frame, Local, Mode, NormalLaw, locate};
+use crate::contact::{ContactGeometry, Frame, Local, Mode, NormalLaw, SlipDirection, locate};
 use crate::dynamics::Model;
 use crate::dynamics::connection::Connection;
 use crate::dynamics::model::coordinates::state_layout::StateLayout;
@@ -77,10 +77,9 @@ impl ActiveContact {
         here.gap.abs().max(self.closed.law.normal.depth(mass, here.gap_rate.abs()))
     }
 
-    /// Whether the direction of friction is that of `V_t` without a state of its own: law `paper` in two directions
-    /// of sliding.
-    pub(in crate::dynamics) fn turns_at_once(&self) -> bool {
-        matches!(self.closed.mode, Mode::Slip { .. }) && self.closed.law.turns_at_once()
+    /// Whether the contact is in slip with friction in the direction of `V_t` at every instant.
+    pub(in crate::dynamics) fn slides_along_velocity(&self) -> bool {
+        matches!(self.closed.mode, Mode::Slip { .. }) && self.closed.law.slip_direction() == SlipDirection::OfVelocity
     }
 
     /// The state with the slip direction of the island's vector.
@@ -113,13 +112,11 @@ impl Connection for ActiveContact {
     }
 
     fn stiffness_bound(&self, _: &Mode) -> f64 {
-        let law = &self.closed.law;
-        law.normal.stiffness_bound(self.depth).max(law.k_t)
+        self.closed.law.stiffness_bound(self.depth)
     }
 
     fn damping_bound(&self, _: &Mode) -> f64 {
-        let law = &self.closed.law;
-        law.normal.damping_bound(self.depth).max(law.c_t)
+        self.closed.law.damping_bound(self.depth)
     }
 }
 

@@ -211,7 +211,7 @@ impl AxialContact {
         let (closed, law) = (&active.closed, &active.closed.law);
         let still = match closed.mode {
             Mode::Stick { anchor } => anchor == here.way,
-            Mode::Slip { .. } => law.mu_k == 0.0 && law.is_damped_in_slip() && law.v_stick == 0.0,
+            Mode::Slip { .. } => law.is_forceless_at_rest(),
         };
         let sections = model.sections(active.site);
         let side = |i: usize, body: Option<usize>| body.map(|body| BodySection { body, section: sections[i] });

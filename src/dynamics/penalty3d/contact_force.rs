@@ -5,7 +5,7 @@
 
 use glam::{DMat3, DVec2, DVec3};
 
-use crate::contact::{ContactGeometry, Crossed, Forces, Frame, Local, Measured, Mode, measure};
+use crate::contact::{ContactGeometry, Crossed, Forces, Frame, Local, Measured, Mode, NormalLaw, measure};
 use crate::dynamics::ContactSite;
 use crate::dynamics::penalty3d::contact_state::ClosedContact;
 

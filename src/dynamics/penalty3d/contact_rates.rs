@@ -3,7 +3,7 @@
 
 use glam::{DMat3, DVec3};
 
-use crate::contact::{Frame, Mode, NormalLaw};
+use crate::contact::{Frame, NormalLaw};
 use crate::dynamics::connection::Connection;
 use crate::dynamics::model::body::Point;
 use crate::dynamics::penalty3d::active_contact::ActiveContact;
@@ -73,8 +73,7 @@ pub(in crate::dynamics) fn decay(
 /// `arm` from the origin of the body's section.
 fn decay_rows(body: &Body, contact: &ActiveContact, axes: &DMat3, (section, arm): (usize, DVec3)) -> f64 {
     let law = &contact.closed.law;
-    let has_tangential_dashpot = matches!(contact.closed.mode, Mode::Stick { .. }) || law.is_damped_in_slip();
-    let across = if has_tangential_dashpot { law.c_t.sqrt() } else { 0.0 };
+    let across = law.tangential_damping(&contact.closed.mode).sqrt();
     let directions =
         [axes.x_axis * across, axes.y_axis * across, axes.z_axis * law.normal.damping_bound(contact.depth).sqrt()];
     let row = |direction: DVec3| {
@@ -88,7 +87,7 @@ fn decay_rows(body: &Body, contact: &ActiveContact, axes: &DMat3, (section, arm)
 mod tests {
     use super::*;
     use crate::contact::normal::Linear;
-    use crate::contact::{FrictionLaw, Normal};
+    use crate::contact::{FrictionLaw, Mode, Normal};
     use crate::dynamics::penalty3d::example::{MASS, STIFFNESS, closed, free_to_turn, row, stick, wall};
     use crate::scene::Scene;
 
@@ -164,7 +163,7 @@ mod tests {
         }
         assert_eq!(decay(&model, &[0], &active, &[]), 0.0, "law paper: friction only");
         for contact in &mut active {
-            contact.closed.law.friction = FrictionLaw::ReturnMapping;
+            contact.closed.law.friction = FrictionLaw::ReturnMapping.into();
         }
         let bound = decay(&model, &[0], &active, &[]);
         assert!((bound / (2.0 * DASHPOT / MASS) - 1.0).abs() < 1e-12, "return mapping: {bound} 1/s");

@@ -1,6 +1,6 @@
 //! State of a contact (`docs/physics.md#contact-events`), and the forces of a closed one.
 
-use crate::contact::{Forces, Law, Local, Mode};
+use crate::contact::{Forces, Law, Local, Mode, SlipDirection};
 use crate::dynamics::model::edge_node::node_place::NodePlace;
 
 /// State of a contact with all quantities that its forces depend on.
@@ -72,15 +72,7 @@ impl ClosedContact {
     /// Forces on the node in the face's axes \[N\], in the mode `mode`.
     #[inline]
     pub fn forces_in(&self, mode: &Mode, here: &Local) -> Forces {
-        let mut forces = self.law.forces(mode, here);
-        if let (Mode::Slip { direction }, true) = (*mode, self.solver.regularisation > 0.0) {
-            // Besides its length, the direction of the stretch changes: rate of the anchor across it, reduced by the
-            // regularisation.
-            let length = self.law.slip_stretch(here);
-            let across = direction.perp();
-            forces.anchor_rate -= across * (across.dot(here.rate) * length / (length + self.solver.regularisation));
-            forces.tangential_damping = (forces.sliding - forces.anchor_rate) * -self.law.c_t;
-        }
+        let mut forces = self.law.forces_turning(mode, here, self.solver.regularisation);
         if self.held_at_zero {
             forces.normal_damping = -forces.normal;
         }
@@ -90,10 +82,12 @@ impl ClosedContact {
     /// Slip angle of a contact whose slip direction is a state of the integrator \[rad\]; `None` for others.
     pub fn slip_angle(&self) -> Option<f64> {
         match self.mode {
-            Mode::Slip { direction } if self.solver.regularisation > 0.0 && self.law.has_direction_state() => {
+            Mode::Slip { direction }
+                if self.solver.regularisation > 0.0 && self.law.slip_direction() == SlipDirection::State =>
+            {
                 Some(direction.to_angle())
             }
-            _ => None,
+            Mode::Stick { .. } | Mode::Slip { .. } => None,
         }
     }
 

@@ -149,8 +149,7 @@ impl Island {
                 // Stretch at the largest depth of the remaining touch: towards its end the direction acts on a
                 // vanishing force.
                 let inwards = (-here.gap_rate).max(0.0);
-                let law = &active.closed.law;
-                scale.stretches.push(law.mu_k * law.normal.length(here.gap.abs() + inwards / omega, law.k_t));
+                scale.stretches.push(active.closed.law.slip_scale(here.gap.abs() + inwards / omega));
             }
         }
         scale
@@ -259,8 +258,7 @@ impl Island {
 /// error estimate holds for shorter steps only.
 fn opening(model: &Model, active: &ActiveContact, here: &Local) -> Option<[f64; 2]> {
     let normal = &active.closed.law.normal;
-    let is_series = normal.energy_power().fract() == 0.0;
-    if is_series || here.gap >= 0.0 || here.gap_rate <= 0.0 {
+    if normal.is_power_series() || here.gap >= 0.0 || here.gap_rate <= 0.0 {
         return None;
     }
     let time = -here.gap / here.gap_rate;

@@ -4,7 +4,7 @@
 //! Five samples show every sign change within an explicit step, which is short against all motions in it, and nine or seventeen within
 //! an implicit one, except a short excursion; three samples whose second difference points to 0 show that.
 
-use crate::contact::{Frame, Local, Mode, NormalLaw, locate};
+use crate::contact::{Frame, Local, Mode, locate};
 use crate::dynamics::Model;
 use crate::dynamics::locate::first_rise::{EarliestEvent, Resolution, first_rise};
 use crate::dynamics::locate::root::root;
@@ -298,7 +298,7 @@ fn switching_scale(island: &Island, number: usize, reason: Reason, samples: &[Lo
     let speed = largest(|l| l.gap_rate.abs() + l.rate.length());
     match (reason, &closed.mode) {
         (Reason::Opening, _) => depth,
-        (Reason::Switching, Mode::Stick { .. }) => closed.law.mu_s * closed.law.normal.length(depth, closed.law.k_t),
+        (Reason::Switching, Mode::Stick { .. }) => closed.law.stick_scale(depth),
         (Reason::Switching, Mode::Slip { .. }) => speed,
         (Reason::Edge | Reason::Overlap, _) => 0.0,
         (Reason::Kink, _) => closed.law.kink_scale(depth, speed),

@@ -78,7 +78,7 @@ fn add_contacts(model: &Model, system: &CoupledSystem, y: &[f64], workspace: &mu
                 length,
             );
             slider += 1;
-        } else if active.turns_at_once() {
+        } else if active.slides_along_velocity() {
             if held.is_none() {
                 workspace.sliding.add_direction_terms(slider, closed, &action.forces);
             }

@@ -3,7 +3,7 @@
 
 use glam::DVec2;
 
-use crate::contact::{Forces, Mode};
+use crate::contact::{Forces, Mode, SlidingDerivative};
 use crate::dynamics::connection::Evolution;
 use crate::dynamics::integrator::system::RankOneTerm;
 use crate::dynamics::penalty3d::active_contact::ActiveContact;
@@ -18,7 +18,7 @@ pub(in crate::dynamics) struct Sliding {
     pub sliders: Vec<usize>,
     /// Derivatives of their friction by `V_t`, and of forces of devices by their memories.
     terms: Vec<RankOneTerm>,
-    /// Regularised directions of sliding at the linearisation, `V_t / max(|V_t|, v_stick)`.
+    /// Directions of friction along `V_t` at the linearisation.
     against: Vec<DVec2>,
     /// Whether directions are held at those of the linearisation.
     frozen: bool,
@@ -27,7 +27,7 @@ pub(in crate::dynamics) struct Sliding {
 impl Sliding {
     /// Contacts of `active` that slide in two directions.
     pub(in crate::dynamics) fn of(active: &[ActiveContact]) -> Self {
-        let slides = |a: &ActiveContact| a.angle.is_some() || a.turns_at_once();
+        let slides = |a: &ActiveContact| a.angle.is_some() || a.slides_along_velocity();
         let sliders: Vec<usize> = (0..active.len()).filter(|&i| slides(&active[i])).collect();
         Self { against: vec![DVec2::X; sliders.len()], sliders, ..Self::default() }
     }
@@ -53,9 +53,9 @@ impl Sliding {
     pub(in crate::dynamics) fn frozen_contact(&self, slider: usize, active: &ActiveContact) -> Option<ClosedContact> {
         self.frozen.then(|| {
             let mut frozen = active.closed;
-            if active.turns_at_once() {
+            if active.slides_along_velocity() {
                 frozen.mode = Mode::Slip { direction: self.against[slider] };
-                frozen.law.v_stick = 0.0;
+                frozen.law = frozen.law.with_direction_held();
             }
             frozen
         })
@@ -93,23 +93,18 @@ impl Sliding {
         self.terms.push(RankOneTerm { port, input, output, auxiliary: Some(follower) });
     }
 
-    /// Rank-one terms of friction along `V_t` (law `paper`): its turning with the direction, and its decrease below
-    /// `v_stick`.
+    /// Rank-one terms of friction along `V_t`: its turning with the direction, and its change with the speed.
     pub(in crate::dynamics) fn add_direction_terms(&mut self, slider: usize, closed: &ClosedContact, forces: &Forces) {
-        let (speed, least) = (forces.sliding.length(), closed.law.v_stick);
-        let against = forces.sliding / speed.max(least);
-        let along = forces.sliding.try_normalize().unwrap_or(DVec2::X);
-        let across = along.perp();
-        let friction = closed.law.mu_k * forces.normal;
-        let slowing = if speed < least { -friction / least } else { 0.0 };
-        self.against[slider] = against;
+        let SlidingDerivative { direction, along, across } = closed.law.sliding_derivative(forces);
+        let perpendicular = direction.perp();
+        self.against[slider] = closed.law.along_velocity(forces.sliding, direction);
         self.terms.push(RankOneTerm {
             port: slider,
-            input: across * (-friction / speed.max(least)),
-            output: across,
+            input: perpendicular * across,
+            output: perpendicular,
             auxiliary: None,
         });
-        self.terms.push(RankOneTerm { port: slider, input: along * slowing, output: along, auxiliary: None });
+        self.terms.push(RankOneTerm { port: slider, input: direction * along, output: direction, auxiliary: None });
     }
 }
 
@@ -125,7 +120,16 @@ mod tests {
 
     fn slider(friction: FrictionLaw, direction: DVec2) -> ClosedContact {
         let normal = Normal::Linear(Linear { k: 1e5, c: 20.0 });
-        let law = Law { normal, k_t: 1e5, c_t: 5.0, mu_s: 0.3, mu_k: 0.2, friction, clamp: false, v_stick: 1e-2 };
+        let law = Law {
+            normal,
+            k_t: 1e5,
+            c_t: 5.0,
+            mu_s: 0.3,
+            mu_k: 0.2,
+            friction: friction.into(),
+            clamp: false,
+            v_stick: 1e-2,
+        };
         let regularisation = if friction == FrictionLaw::Paper { 0.0 } else { 1e-6 };
         ClosedContact::new(law, Mode::Slip { direction }, regularisation)
     }

@@ -153,7 +153,7 @@ pub(super) fn contact(random: &mut Random) -> ContactSettings {
         restitution_tangential: restitution(random),
         mu_static: mu_static.max(mu_kinetic),
         mu_kinetic,
-        law: random.pick(&[FrictionLaw::Paper, FrictionLaw::ReturnMapping]),
+        law: random.pick(FrictionLaw::ALL),
         sharing: random.pick(&[Sharing::Tributary, Sharing::PerNode]),
         tension: random.pick(&[Tension::Keep, Tension::Clamp]),
         ..ContactSettings::default()

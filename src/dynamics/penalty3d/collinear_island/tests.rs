@@ -29,7 +29,7 @@ fn pressed(scene: &Scene) -> (Model, Vec<ActiveContact>) {
             c_t,
             mu_s: 0.2,
             mu_k: 0.15,
-            friction: FrictionLaw::ReturnMapping,
+            friction: FrictionLaw::ReturnMapping.into(),
             clamp: false,
             v_stick: 0.0,
         };

@@ -4,7 +4,7 @@
 use glam::DVec2;
 
 use crate::contact::parameters::is_over;
-use crate::contact::{Frame, FrictionLaw, Law, Local, Mode, locate};
+use crate::contact::{Frame, Law, Local, Mode, SlipDirection, locate};
 use crate::dynamics::model::wrench::Wrench;
 use crate::dynamics::penalty3d::contact_force::{Action, act};
 use crate::dynamics::penalty3d::contact_state::{ClosedContact, Contact};
@@ -143,9 +143,9 @@ impl Contacts {
     /// Discrete return mapping where sliding has two directions: the stretch from the last anchor, cut back.
     fn turned(&self, number: usize, law: &Law, direction: DVec2, here: &Local) -> Mode {
         let trial = here.way - self.anchors[number];
-        let direction = match law.friction {
-            FrictionLaw::ReturnMapping => trial.try_normalize().unwrap_or(direction),
-            FrictionLaw::Paper => direction,
+        let direction = match law.friction.rule().direction() {
+            SlipDirection::State => trial.try_normalize().unwrap_or(direction),
+            SlipDirection::OfVelocity | SlipDirection::Constant => direction,
         };
         Mode::Slip { direction }
     }
