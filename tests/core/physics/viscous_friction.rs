@@ -47,7 +47,7 @@ impl FrictionRule for Viscous {
     fn breakaway(&self, law: &Law, anchor: DVec2, here: &Local) -> Breakaway {
         let (sliding, _) = law.velocity(here, DVec2::ZERO);
         let released = 0.5 * law.k_t * (here.way - anchor).length_squared();
-        Breakaway { mode: Mode::Slip { direction: sliding.normalize() }, released }
+        Breakaway { mode: Mode::Slip { direction: sliding.normalize_or_zero() }, released }
     }
 
     fn on_stopping(&self, _: &Law, _: DVec2, here: &Local) -> Mode {
