@@ -3,7 +3,7 @@
 
 use divan::{Bencher, black_box};
 use girderbench::scene::{Scene, presets};
-use girderbench::sim::History;
+use girderbench::sim::{ErrorEstimate, History};
 
 fn main() {
     divan::main();
@@ -42,14 +42,14 @@ fn ledger_on_request(bencher: Bencher<'_, '_>) {
     let scene = preset("skew45-abutment");
     bencher
         .with_inputs(|| History::of(&scene).unwrap_or_else(|errors| panic!("{errors}")))
-        .bench_refs(|history| history.ledger(10.0));
+        .bench_refs(|history| history.energy().ledger(10.0));
 }
 
 /// The same, and the ledger kept with every run whether anybody asks or not.
 #[divan::bench]
 fn run_with_ledger_always(bencher: Bencher<'_, '_>) {
     let scene = preset("skew45-abutment");
-    bencher.bench(|| History::of(&scene).map(|history| history.ledger(10.0)));
+    bencher.bench(|| History::of(&scene).map(|history| history.energy().ledger(10.0)));
 }
 
 /// Touches and their peak forces, which a run does not look for unless it is asked.
@@ -58,7 +58,7 @@ fn touches_on_request(bencher: Bencher<'_, '_>) {
     let scene = preset("skew45-abutment");
     bencher
         .with_inputs(|| History::of(&scene).unwrap_or_else(|errors| panic!("{errors}")))
-        .bench_refs(|history| history.touches().len());
+        .bench_refs(|history| history.hits().touches().len());
 }
 
 /// The estimate of a run's error, which is another run.
@@ -67,7 +67,7 @@ fn error_estimate_on_request(bencher: Bencher<'_, '_>) {
     let scene = preset("skew45-abutment");
     bencher
         .with_inputs(|| History::of(&scene).unwrap_or_else(|errors| panic!("{errors}")))
-        .bench_refs(|history| history.estimate_error());
+        .bench_refs(|history| ErrorEstimate::of(history));
 }
 
 /// One hit: a free girder against a wall.

@@ -13,7 +13,7 @@ mod rows;
 use std::time::Instant;
 
 use girderbench::scene::{Component, Degree, ModelKind, Motion, RecordMotion, Scene, presets};
-use girderbench::sim::History;
+use girderbench::sim::{Comparison, History};
 use girderbench::study::accuracy::problem;
 use rows::Row;
 
@@ -237,7 +237,7 @@ fn measure(problem: &Problem) {
     times.sort_by(f64::total_cmp);
     let history = run(&scene);
     let finer = run(&(problem.scene)(1e-13));
-    let (median, apart) = (times[times.len() / 2], history.differences(&finer).place);
+    let (median, apart) = (times[times.len() / 2], Comparison::of(&history, &finer).of_all().place);
     let effort = history.effort();
     println!(
         "{:<12} {tolerance:>10.1e} {median:>12.3} {:>10} {apart:>12.2e} {:>10.2e} {:>8} {:>8} {:>9} {:>8}",

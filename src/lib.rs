@@ -11,7 +11,7 @@
 //!
 //! let scene = presets::load("skew45-abutment")?;
 //! let history = History::of(&scene)?;
-//! let hardest = history.hardest().expect("the girder hits the abutment");
+//! let hardest = history.hits().hardest().expect("the girder hits the abutment");
 //! println!("{} N at t = {} s", hardest.peak_force, hardest.peak_time);
 //! println!("rotation there: {} rad", history.motion(0, hardest.peak_time).theta);
 //! # Ok::<(), girderbench::scene::SceneErrors>(())

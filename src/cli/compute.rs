@@ -3,7 +3,7 @@
 use super::progress::{Progress, Timer, Waiting};
 use crate::language::Text;
 use crate::scene::{ModelKind, Scene, SceneErrors};
-use crate::sim::{History, Session};
+use crate::sim::{ErrorEstimate, History, Session};
 use crate::tables::{self, Table, TableOptions};
 
 /// An answer, and how long it took \[s\].
@@ -55,8 +55,8 @@ impl Timed {
         let _waiting = Waiting::for_about(self.run_time, Text::new("progress-error"));
         let history = &self.history;
         // Summaries want the poundings: they are found while another thread runs the scene again.
-        let beside = || (history.sections().check_degree(), history.poundings().len());
-        let (estimated_error, (degree_check, _)) = rayon::join(|| history.estimate_error(), beside);
+        let beside = || (history.sections().check_degree(), history.hits().poundings().len());
+        let (estimated_error, (degree_check, _)) = rayon::join(|| ErrorEstimate::of(history), beside);
         TableOptions { sample_hz, estimated_error: Some(estimated_error), degree_check, run_time: Some(self.run_time) }
     }
 }

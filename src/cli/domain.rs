@@ -94,10 +94,10 @@ pub(super) fn warn_of_error(report: &Report, console: &mut Console) {
 /// Warns where the energy ledger of an answer does not balance, and where contacts of the impact model went on without friction; the exit
 /// status does not change.
 pub(super) fn warn_of_balance(history: &History, console: &mut Console) {
-    if let Some(words) = history.without_friction() {
+    if let Some(words) = history.contacts().without_friction() {
         console.note(&said!("warning", "what" => format!("{}: {words}", name(&history.scene().name))));
     }
-    let balance = history.balance();
+    let balance = history.energy().balance();
     if !balance.holds() {
         let remedy = Text::new("warning-untrusted");
         console.note(&said!(

@@ -58,8 +58,8 @@ pub(super) fn caption(history: &History) -> String {
 
 /// Hardest hit: what it is, and pictures with their captions.
 pub(super) fn hardest(history: &History) -> Option<(String, Vec<(String, String)>)> {
-    let touch = history.hardest()?;
-    let (t, now) = (touch.peak_time, history.contact_at(touch.contact, touch.peak_time));
+    let touch = history.hits().hardest()?;
+    let (t, now) = (touch.peak_time, history.contacts().contact_at(touch.contact, touch.peak_time));
     let site = history.model().sites.get(touch.contact)?;
     let force = if touch.peak_force > 0.0 {
         force(touch.peak_force)
@@ -110,7 +110,7 @@ fn in_contact(now: &ContactNow, touch: &Touch) -> String {
 
 /// The largest force between two bodies, which another hit may have.
 fn most_of_two(history: &History) -> Option<String> {
-    let (of, most) = history.hardest_pounding()?;
+    let (of, most) = history.hits().hardest_pounding()?;
     let pair = history.model().pairs[of.pair].name.as_str();
     let t = format!("{:.4}", most.t);
     Some(said!("report-hit-total", "pair" => pair, "force" => force(most.value), "t" => t))
@@ -122,7 +122,7 @@ impl<'a> Plan<'a> {
     }
 
     fn at(history: &'a History, t: f64) -> Self {
-        Self { at: Some((t, history.contacts(t))), dimensions: false, ..Self::as_placed(history) }
+        Self { at: Some((t, history.contacts().at(t))), dimensions: false, ..Self::as_placed(history) }
     }
 
     /// A rectangle about a point: this half height \[m\], twice as wide as high.

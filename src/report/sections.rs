@@ -219,7 +219,7 @@ pub(super) fn readings(history: &History, report: &Report) -> String {
         let reading = readings::reading(history, number);
         let drift = reading.drift.map(|e| marked(format!("{:.1}", 1e3 * e.value), Some(e.t), carried)).join(", ");
         let gap = reading.gap.map_or("–".to_owned(), |e| at(format!("{:.2}", 1e3 * e.value), e.t));
-        let total = history.largest_total_on(number).map(|(_, most)| most);
+        let total = history.hits().largest_total_on(number).map(|(_, most)| most);
         let [total, corner] = [total, reading.force].map(|e| e.map_or("–".to_owned(), |e| at(force(e.value), e.t)));
         let _ = writeln!(
             html,

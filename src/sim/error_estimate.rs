@@ -2,7 +2,7 @@
 //! record. Steps end at every sample; where the tolerance asks for none that is shorter, both runs would have the same steps.
 
 use super::readings::Extreme;
-use super::{Cause, History, RunDifference, Session};
+use super::{Comparison, History, RunDifference, Session};
 use crate::scene::{FINEST_TOLERANCE, ModelKind};
 
 /// Times by which the tolerance of the run that is compared is smaller \[–\]: its own error is then about a hundredth of the difference.
@@ -41,79 +41,69 @@ impl ErrorEstimate {
     /// Of a run without a finer one to compare it with.
     pub const UNKNOWN: Self = Self { error: f64::NAN, rotation: f64::NAN, stress: None, until: None };
 
+    /// Largest differences in displacement and attitude of a run from one at a hundredth of the tolerance.
+    pub fn of(run: &History) -> Self {
+        let mut finer = run.scene().clone();
+        finer.model.kind = if run.impact().is_some() { ModelKind::Impact } else { ModelKind::Contact };
+        finer.solver.tolerance = (run.scene().solver.tolerance / FINER).max(FINEST_TOLERANCE);
+        if run.scene().solver.tolerance <= FINEST_TOLERANCE {
+            // There is no finer tolerance: the difference from a run at ten times as much estimates the error of that run.
+            finer.solver.tolerance = COARSER * FINEST_TOLERANCE;
+        }
+        // The scene has been run before: it has no complaint.
+        let Ok(session) = Session::for_comparison(&finer, run.model().bodies_met()) else {
+            return Self::UNKNOWN;
+        };
+        let finer = session.complete();
+        let comparison = Comparison::of(run, &finer);
+        let RunDifference { place: error, turn: rotation } = comparison.of_all();
+        let until = Comparison::of(&finer, run).ends_before();
+        Self { error, rotation, stress: comparison.of_stress(), until }
+    }
+
     /// The error where it is one of the whole run.
     pub fn of_whole(self) -> Option<Self> {
         self.until.is_none().then_some(self)
     }
 }
 
-impl History {
-    /// Largest differences in displacement and attitude from a run at a hundredth of the tolerance.
-    pub fn estimate_error(&self) -> ErrorEstimate {
-        let mut finer = self.scene().clone();
-        finer.model.kind = if self.impact().is_some() { ModelKind::Impact } else { ModelKind::Contact };
-        finer.solver.tolerance = (self.scene().solver.tolerance / FINER).max(FINEST_TOLERANCE);
-        if self.scene().solver.tolerance <= FINEST_TOLERANCE {
-            // There is no finer tolerance: the difference from a run at ten times as much estimates the error of that run.
-            finer.solver.tolerance = COARSER * FINEST_TOLERANCE;
-        }
-        // The scene has been run before: it has no complaint.
-        let Ok(session) = Session::for_comparison(&finer, self.model().bodies_met()) else {
-            return ErrorEstimate::UNKNOWN;
-        };
-        let finer = session.complete();
-        let RunDifference { place: error, turn: rotation } = self.differences(&finer);
-        ErrorEstimate { error, rotation, stress: self.stress_difference(&finer), until: finer.ends_before(self) }
-    }
-
+impl Comparison<'_> {
     /// Largest difference of what is largest in a girder's sections, in parts of it. Section forces follow from accelerations, in which errors
     /// of the modes count by the square of their frequencies: they can be noise where displacements are right to nanometres.
-    fn stress_difference(&self, finer: &Self) -> Option<f64> {
-        if self.scene().solver.tolerance <= SECTIONS_KNOWN {
+    fn of_stress(self) -> Option<f64> {
+        if self.one.scene().solver.tolerance <= SECTIONS_KNOWN {
             return None;
         }
+        let (run, finer) = (self.one, self.other);
         let of_girder = |girder: usize| {
-            let (forces, (stress, station)) = self.sections().largest(girder)?;
+            let (forces, (stress, station)) = run.sections().largest(girder)?;
             let fibre = self
                 .apart_from(girder, stress, &|t| finer.sections().stress(girder, station, t.clamp(0.0, finer.end())));
             let at_mid_span = forces.into_iter().filter_map(|(most, of, alone)| {
-                let counts = self.sections().fibre_stress(girder, &alone(most.value)) > STRESS_SHARE * stress.value;
+                let counts = run.sections().fibre_stress(girder, &alone(most.value)) > STRESS_SHARE * stress.value;
                 let there = |t: f64| of(&finer.sections().forces(girder, 0.0, t.clamp(0.0, finer.end()))).abs();
                 counts.then(|| self.apart_from(girder, most, &there))
             });
             (stress.value > 0.0).then(|| at_mid_span.fold(fibre, f64::max))
         };
-        (0..self.model().girders().len()).filter_map(of_girder).reduce(f64::max)
+        (0..run.model().girders().len()).filter_map(of_girder).reduce(f64::max)
     }
 
     /// Difference of a largest value from what is `there` in the other run at its time, in parts of it \[–\]. A dashpot's force jumps where a
     /// contact opens, at an instant that differs between the runs: either side of it counts.
-    fn apart_from(&self, girder: usize, most: Extreme, there: &dyn Fn(f64) -> f64) -> f64 {
+    fn apart_from(self, girder: usize, most: Extreme, there: &dyn Fn(f64) -> f64) -> f64 {
         let apart = |value: f64| (value - most.value).abs() / most.value;
-        let beside = JUMP_PHASE / self.model().bodies[girder].fastest();
+        let beside = JUMP_PHASE / self.one.model().bodies[girder].fastest();
         let sides = [there(most.t - beside), there(most.t + beside)].map(apart);
         let here = apart(there(most.t));
         if (sides[0] - sides[1]).abs() > JUMP { sides.into_iter().fold(here, f64::min) } else { here }
-    }
-
-    /// Largest distance of a corner of a girder from its G, by which rotations move it \[m\].
-    pub fn farthest_corner(&self) -> f64 {
-        self.model().girders().iter().map(|body| body.radius).fold(0.0, f64::max)
-    }
-
-    /// Until when it was computed \[s\], where its computation gave up before another run ends.
-    pub(super) fn ends_before(&self, other: &Self) -> Option<f64> {
-        let stop = self.stop().filter(|stop| stop.cause == Cause::Computation)?;
-        (stop.t < other.end()).then_some(stop.t)
     }
 }
 
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::dynamics::Model;
     use crate::scene::format;
-    use crate::scene::presets;
 
     /// A deck that shakes on bearings of which two stand on a pier: at 1e-4 the noise of its fastest modes is as large as its stress, and
     /// the displacement right to a nanometre.
@@ -142,14 +132,14 @@ mod tests {
             let scene = format::parse(&text(tolerance), "pier").unwrap_or_else(|errors| panic!("{errors}"));
             History::of(&scene).expect("runs")
         });
-        let estimate = coarse.estimate_error();
+        let estimate = ErrorEstimate::of(&coarse);
         let [(rough, _), (right, _)] =
             [&coarse, &fine].map(|history| history.sections().largest(0).expect("it bends").1);
         let off = (rough.value - right.value) / rough.value;
         assert!(estimate.error < 1e-8 && off > 0.1, "{estimate:?}, {off} of the stress");
         let told = estimate.stress.expect("it bends");
         assert!(told > 0.5 * off, "{told} is told where it is {off}");
-        assert_eq!(fine.estimate_error().stress, None, "at a fine tolerance it is known");
+        assert_eq!(ErrorEstimate::of(&fine).stress, None, "at a fine tolerance it is known");
     }
 
     #[test]
@@ -166,25 +156,16 @@ mod tests {
         let corner = |run: &History, t| run.motion(0, t).attitude * glam::DVec3::new(5.0, 1.5, 0.5);
         let times = (0..=100).map(|i| 0.02 * f64::from(i));
         let off = times.map(|t| (corner(&rough, t) - corner(&finest, t)).length()).fold(0.0, f64::max);
-        let ErrorEstimate { error, rotation, .. } = rough.estimate_error();
+        let ErrorEstimate { error, rotation, .. } = ErrorEstimate::of(&rough);
         let told = error + rough.model().bodies[0].radius * rotation;
         assert!(off > 1e-8, "it errs: {off} m");
         assert!((off..4.0 * off).contains(&told), "a corner is {off} m off, told {error} m and {rotation} rad");
     }
 
     #[test]
-    fn a_run_that_gives_up_is_no_measure_of_what_comes_after() {
-        let mut scene = presets::load("deck-30m").expect("a preset");
-        scene.duration = 12.0;
-        let whole = History::of(&scene).expect("a scene");
-        // Memory is looked at every few thousand steps.
-        let bounded = Model { memory_bytes: 1 << 16, ..Model::compile(&scene).expect("a scene") };
-        let mut session = Session::of_model(&scene, bounded);
-        session.advance(scene.duration, &mut |_| true);
-        let stopped = session.finish();
-        let until = stopped.ends_before(&whole);
-        assert!(until.is_some_and(|t| 0.0 < t && t == stopped.end() && t < 12.0), "{until:?}");
-        assert_eq!((whole.ends_before(&stopped), whole.ends_before(&whole)), (None, None));
-        assert_eq!(ErrorEstimate { error: 1e-9, rotation: 1e-10, stress: None, until }.of_whole(), None);
+    fn an_estimate_up_to_a_stop_is_none_of_the_whole_run() {
+        let whole = ErrorEstimate { error: 1e-9, rotation: 1e-10, stress: None, until: None };
+        assert_eq!(whole.of_whole(), Some(whole));
+        assert_eq!(ErrorEstimate { until: Some(0.5), ..whole }.of_whole(), None);
     }
 }

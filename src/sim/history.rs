@@ -2,11 +2,9 @@
 
 use std::sync::{Arc, OnceLock};
 
-use rayon::prelude::*;
-
 use super::energy::power_integrals::PowerIntegrals;
 use super::impact::events;
-use super::report::{LargestMotion, Overlap, Pounding, RunDifference};
+use super::report::{LargestMotion, Overlap, Pounding};
 use super::trajectories::Trajectories;
 use super::{Event, Motion, Stop, Touch, Upright};
 use crate::contact::Frame;
@@ -19,12 +17,6 @@ use crate::dynamics::run::Finished;
 use crate::geometry::End;
 use crate::language::Text;
 use crate::scene::{Between, Scene};
-
-/// Instants at which two runs are compared.
-const COMPARED: u32 = 2000;
-/// Bodies that are compared side by side at all instants before the next ones are. Neighbours of an island share the steps that
-/// are recomputed; paths and caches of so few stay in the processor's own memory.
-const COMPARED_TOGETHER: usize = 16;
 
 /// A run of a scene, from t = 0 to [`History::end`].
 ///
@@ -161,17 +153,6 @@ impl History {
         self.stop.as_ref()
     }
 
-    /// Numbers of the pairs that are listed, in order: those that face each other or are declared, and of those between other
-    /// faces of bodies that met the ones that touched.
-    pub fn listed_pairs(&self) -> Vec<usize> {
-        let pairs = &self.model().pairs;
-        let mut touched = vec![false; pairs.len()];
-        if pairs.iter().any(|pair| pair.met) {
-            self.touches().iter().for_each(|touch| touched[touch.pair] = true);
-        }
-        (0..pairs.len()).filter(|&number| !pairs[number].met || touched[number]).collect()
-    }
-
     /// Memory without the scene \[bytes\]: paths, contact states, events.
     pub fn bytes(&self) -> usize {
         self.trajectories.bytes() + self.events.len() * size_of::<Event>()
@@ -201,51 +182,5 @@ impl History {
     /// All events in order of time.
     pub fn events(&self) -> &[Event] {
         &self.events
-    }
-
-    /// Largest differences of all bodies from another run of the same bodies.
-    pub fn differences(&self, other: &Self) -> RunDifference {
-        self.apart(other, self.model().bodies.len().min(other.model().bodies.len()))
-    }
-
-    /// Largest differences of the girders from those of another run, by their numbers, as far as both have them.
-    pub fn girders_apart(&self, other: &Self) -> RunDifference {
-        self.apart(other, self.girders_of_both(other))
-    }
-
-    fn girders_of_both(&self, other: &Self) -> usize {
-        self.model().girders().len().min(other.model().girders().len())
-    }
-
-    /// Difference of the girders' motions at `t` \[s\].
-    pub fn girders_apart_at(&self, other: &Self, t: f64) -> RunDifference {
-        (0..self.girders_of_both(other))
-            .map(|body| self.apart_at(other, body, t))
-            .fold(RunDifference::default(), RunDifference::larger)
-    }
-
-    /// Largest differences of the first so many bodies, at evenly spaced instants.
-    fn apart(&self, other: &Self, bodies: usize) -> RunDifference {
-        let end = self.end().min(other.end());
-        let of_some = |some: usize| {
-            let first = some * COMPARED_TOGETHER;
-            let instants = (0..=COMPARED).map(|i| end * f64::from(i) / f64::from(COMPARED));
-            let own = |t| (first..bodies.min(first + COMPARED_TOGETHER)).map(move |body| self.apart_at(other, body, t));
-            instants.flat_map(own).fold(RunDifference::default(), RunDifference::larger)
-        };
-        (0..bodies.div_ceil(COMPARED_TOGETHER))
-            .into_par_iter()
-            .map(of_some)
-            .reduce(RunDifference::default, RunDifference::larger)
-    }
-
-    fn apart_at(&self, other: &Self, body: usize, t: f64) -> RunDifference {
-        let [one, two] = [self, other].map(|run| Motion::of(run.model(), body, &run.state(body, t)));
-        // |q₁ − q₂| = 2 sin(α/4) for a rotation by α between them; q and −q are one attitude.
-        let apart = (one.attitude - two.attitude).length().min((one.attitude + two.attitude).length());
-        RunDifference {
-            place: (one.displacement - two.displacement).length(),
-            turn: 4.0 * (0.5 * apart).min(1.0).asin(),
-        }
     }
 }

@@ -1,17 +1,20 @@
 //! A run of a scene: advance it, then ask the answer anything.
 //!
 //! [`Session`] computes, [`History`] answers: motion, contacts, events and energy at any time, from the paths and states
-//! that the run left, never from samples. History's own questions are about time, bodies, contacts and energy; those about elastic girders,
-//! about bearings, devices, soil and piers, and about seats are asked of its views [`Sections`], [`Connections`] and [`Seats`].
+//! that the run left, never from samples. History's own questions are about time and the motion of bodies; all others are asked of its views:
+//! [`Contacts`] (forces at any time), [`Hits`] (touches and forces between bodies over the run), [`Energy`], [`Connections`] (bearings,
+//! devices, soil, piers), [`Seats`] and [`Sections`] (of elastic girders). A [`Comparison`] tells how far two runs are apart.
 
-mod acting;
+mod comparison;
 pub mod connections;
+pub mod contacts;
 mod digest;
 pub mod energy;
 pub mod error_estimate;
 mod history;
+pub mod hits;
 mod impact;
-mod law_sense;
+mod looks;
 pub mod moving_ground;
 mod overlap;
 mod peaks;
@@ -19,16 +22,15 @@ pub mod quantity;
 pub mod readings;
 mod recent_steps;
 mod report;
-mod resultants;
 pub mod seats;
 pub mod sections;
 mod session;
 pub mod spectra;
 mod summary;
-mod touches;
 mod trajectories;
 mod unit;
 
+pub use comparison::Comparison;
 pub use connections::backfill::{BackfillReading, SoilNow, WallNow};
 pub use connections::bearing_readings::BearingsReading;
 pub use connections::device_readings::DeviceReading;
@@ -36,11 +38,15 @@ pub use connections::hysteresis::Loop;
 pub use connections::link::LinkNow;
 pub use connections::piers::{BaseReading, PierNow, PierReading};
 pub use connections::view::Connections;
+pub use contacts::validity::{Dropped, TooDeep};
+pub use contacts::view::Contacts;
 pub use energy::balance::Balance;
 pub use energy::entries::Ledger;
+pub use energy::view::Energy;
 pub use error_estimate::ErrorEstimate;
 pub use history::History;
-pub use law_sense::{Dropped, TooDeep};
+pub use hits::ContactTimes;
+pub use hits::view::Hits;
 pub use overlap::{Unjoined, unjoined};
 pub use quantity::Quantity;
 pub use report::{
@@ -55,7 +61,7 @@ pub use sections::quantity::OfSection;
 pub use sections::readings::{ElasticHit, FlexibleReading, NEGLIGIBLE, Neglected};
 pub use sections::view::Sections;
 pub use session::{Reached, Session};
-pub use summary::{ContactTimes, Summary};
+pub use summary::Summary;
 pub use unit::Unit;
 
 pub use crate::dynamics::impact2d::{GirderState, Hit, ImpactRecord, LastingInterval, Row, Transition};

@@ -106,21 +106,19 @@ pub fn moved_supports(scene: &Scene, model: &Model) -> Vec<MovedSupport> {
     all
 }
 
-impl History {
-    /// Displacement of the ground of a support that moves in this way, against the ground of reference \[m\].
-    pub fn ground(&self, motion: SupportMotion, t: f64) -> DVec3 {
-        self.model().moving.as_ref().map_or(DVec3::ZERO, |moving| moving.displacement(motion, t))
-    }
+/// Displacement of the ground of a support that moves in this way, against the ground of reference \[m\].
+pub fn displacement(history: &History, motion: SupportMotion, t: f64) -> DVec3 {
+    history.model().moving.as_ref().map_or(DVec3::ZERO, |moving| moving.displacement(motion, t))
+}
 
-    /// Displacement of the ground under each bearing of each girder \[m\], 0 on piers; nothing where the ground moves as one.
-    pub fn ground_under_bearings(&self, t: f64) -> Vec<Vec<DVec3>> {
-        let (scene, Some(moving)) = (self.scene(), &self.model().moving) else { return Vec::new() };
-        let of = |girder: &Girder| {
-            let (axes, home) = (placed::axes(girder), DVec3::from(girder.position));
-            let bearings = girder.supports(scene.setting()).into_iter().zip(scene.standing(girder));
-            let motion = |(bearing, on): (ResolvedBearing, _)| moving.supports.under(on, home + axes * bearing.place);
-            bearings.map(|bearing| motion(bearing).map_or(DVec3::ZERO, |own| moving.displacement(own, t))).collect()
-        };
-        scene.girders.iter().map(of).collect()
-    }
+/// Displacement of the ground under each bearing of each girder \[m\], 0 on piers; nothing where the ground moves as one.
+pub fn under_bearings(history: &History, t: f64) -> Vec<Vec<DVec3>> {
+    let (scene, Some(moving)) = (history.scene(), &history.model().moving) else { return Vec::new() };
+    let of = |girder: &Girder| {
+        let (axes, home) = (placed::axes(girder), DVec3::from(girder.position));
+        let bearings = girder.supports(scene.setting()).into_iter().zip(scene.standing(girder));
+        let motion = |(bearing, on): (ResolvedBearing, _)| moving.supports.under(on, home + axes * bearing.place);
+        bearings.map(|bearing| motion(bearing).map_or(DVec3::ZERO, |own| moving.displacement(own, t))).collect()
+    };
+    scene.girders.iter().map(of).collect()
 }

@@ -205,7 +205,7 @@ impl Quantity {
             let sections = history.sections().quantities(i).into_iter();
             all.extend(sections.map(|(of, station, what)| (format!("{name}.{of}"), Self::Section(i, station, what))));
         }
-        let listed = history.listed_pairs();
+        let listed = history.hits().listed_pairs();
         for (i, pair) in listed.iter().map(|&number| (number, &model.pairs[number])) {
             // A gap is a quantity of facing or declared pairs, not of pairs that were added because bodies met.
             let of_pair = OF_PAIR.into_iter().filter(|(_, what)| !(pair.met && *what == OfPair::Gap));
@@ -304,15 +304,15 @@ impl Quantity {
             Self::Section(i, station, what) => history.sections().quantity(i, station, what, t),
             Self::Pair(i, what) if i < model.pairs.len() => match what {
                 OfPair::Gap => readings::gap(history, i, t),
-                OfPair::Total => history.resultant(i, t).length(),
+                OfPair::Total => history.hits().resultant(i, t).length(),
                 OfPair::Force => model.pairs[i]
                     .nodes()
-                    .filter_map(|c| history.contact_at(c, t))
+                    .filter_map(|c| history.contacts().contact_at(c, t))
                     .map(|c| c.force.length())
                     .fold(0.0, f64::max),
             },
             Self::Contact(i, what) if i < model.sites.len() => {
-                history.contact_at(i, t).map_or(0.0, |now| of_contact(&now, what))
+                history.contacts().contact_at(i, t).map_or(0.0, |now| of_contact(&now, what))
             }
             Self::Bearing(girder, number, what) => {
                 let along = || history.connections().bearing_loop(girder, number, t);

@@ -5,9 +5,10 @@
 
 use glam::DVec3;
 
+use super::hits::touches::looks_in_hit;
 use super::peaks::largest;
 pub use super::report::Extreme;
-use super::{BearingsReading, History, Pounding, Touch, seats, touches};
+use super::{BearingsReading, History, Pounding, Touch, looks, seats};
 use crate::contact::node_face::locate;
 use crate::dynamics::model::edge_node::node_place::NodePlace;
 use crate::geometry::{End, Prism};
@@ -133,7 +134,7 @@ pub fn gap(history: &History, pair: usize, t: f64) -> f64 {
 
 /// The numbers of a girder.
 pub fn reading(history: &History, girder: usize) -> Reading {
-    let times = touches::looks(history, girder);
+    let times = looks::of_body(history, girder);
     let rotation = largest(&times, &|t| history.motion(girder, t).theta.abs());
     let rotation = Extreme { value: history.motion(girder, rotation.t).theta, ..rotation };
     let drift = |corner| largest(&times, &|t| corner_way(history, girder, corner, t).truncate().length());
@@ -144,7 +145,7 @@ pub fn reading(history: &History, girder: usize) -> Reading {
         let closest = largest(&times, &|t| -gap(history, pair, t));
         Extreme { value: -closest.value, ..closest }
     });
-    let touches = history.touches().iter().filter(|touch| pairs.contains(&touch.pair));
+    let touches = history.hits().touches().iter().filter(|touch| pairs.contains(&touch.pair));
     let hardest = touches.max_by(|a, b| a.peak_force.total_cmp(&b.peak_force));
     Reading {
         rotation,
@@ -201,7 +202,7 @@ pub fn passed(history: &History) -> Vec<Passed> {
 
 fn of_girder(history: &History, girder: usize, name: &str, all: &mut Vec<Passed>) {
     let limits = history.scene().limits;
-    let times = touches::looks(history, girder);
+    let times = looks::of_body(history, girder);
     let mut watch = |limit: Limit, end: Option<End>, (most, sign): (f64, f64), value: &dyn Fn(f64) -> f64| {
         if let Some(t) = first(&times, history.end(), &|t| sign * (value(t) - most)) {
             let reached = sign * largest(&times, &|t| sign * value(t)).value;
@@ -228,7 +229,7 @@ fn of_girder(history: &History, girder: usize, name: &str, all: &mut Vec<Passed>
 /// Every bearing of a girder whose deformation in plan passes a limit while it is one.
 fn of_bearings(history: &History, girder: usize, limit: f64) -> Vec<Passed> {
     let body = &history.model().girders()[girder];
-    let times = touches::looks(history, girder);
+    let times = looks::of_body(history, girder);
     let passed = |number: usize| {
         let times: Vec<f64> =
             times.iter().copied().filter(|&t| t <= history.seats().bearing_lost_at(girder, number)).collect();
@@ -246,7 +247,7 @@ fn of_bearings(history: &History, girder: usize, limit: f64) -> Vec<Passed> {
 
 /// A pier whose drift passes a limit.
 fn of_pier(history: &History, pier: usize, limit: f64) -> Option<Passed> {
-    let times = touches::looks(history, history.model().piers[pier].body);
+    let times = looks::of_body(history, history.model().piers[pier].body);
     let drift = |t: f64| history.connections().pier(pier, t).map_or(0.0, |now| now.displacement.truncate().length());
     let t = first(&times, history.end(), &|t| drift(t) - limit)?;
     let whose = history.scene().piers[pier].name.clone();
@@ -266,26 +267,27 @@ fn of_resultants(history: &History, limit: f64) -> Vec<Passed> {
         let hit = of.hits.iter().find(|hit| hit.peak.value > limit)?;
         let solids = history.model().pairs[of.pair].solids();
         let between = |touch: &&Touch| history.model().pairs[touch.pair].solids() == solids;
-        let touches = history.touches().iter().filter(between);
+        let touches = history.hits().touches().iter().filter(between);
         let touches: Vec<&Touch> = touches.filter(|touch| touch.start <= hit.end && touch.end >= hit.start).collect();
-        let times = up_to(touches::looks_in_hit(history, &touches), hit.peak.t);
-        let force = |t: f64| history.resultant(of.pair, t).length() - limit;
+        let times = up_to(looks_in_hit(history, &touches), hit.peak.t);
+        let force = |t: f64| history.hits().resultant(of.pair, t).length() - limit;
         let t = first(&times, history.end(), &force).unwrap_or(hit.peak.t);
         let whose = history.model().pairs[of.pair].name.clone();
         Some(Passed { limit: Limit::TotalForce, whose, end: None, t, reached: of.most()?.value })
     };
-    history.poundings().iter().filter_map(passed).collect()
+    history.hits().poundings().iter().filter_map(passed).collect()
 }
 
 /// Each pair of which a contact's force passes a limit, when one first does so.
 fn of_forces(history: &History, limit: f64) -> Vec<Passed> {
     let mut all: Vec<Passed> = Vec::new();
     for (number, pair) in history.model().pairs.iter().enumerate() {
-        let touches = history.touches().iter().filter(|touch| touch.pair == number);
+        let touches = history.hits().touches().iter().filter(|touch| touch.pair == number);
         let over: Vec<_> = touches.filter(|touch| touch.peak_force > limit).collect();
         let passes = |touch: &&Touch| {
-            let force = |t: f64| history.contact_at(touch.contact, t).map_or(0.0, |c| c.force.length()) - limit;
-            let times = up_to(touches::looks_in_hit(history, &[*touch]), touch.peak_time);
+            let force =
+                |t: f64| history.contacts().contact_at(touch.contact, t).map_or(0.0, |c| c.force.length()) - limit;
+            let times = up_to(looks_in_hit(history, &[*touch]), touch.peak_time);
             first(&times, history.end(), &force).unwrap_or(touch.peak_time)
         };
         let Some(t) = over.iter().map(passes).min_by(f64::total_cmp) else { continue };

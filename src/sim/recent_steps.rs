@@ -93,7 +93,7 @@ mod tests {
                 let bits = |history: &History| history.state(0, t).into_iter().map(f64::to_bits).collect::<Vec<_>>();
                 assert_eq!(bits(&whole), bits(&none), "at {t}");
             }
-            assert_eq!(whole.ledger(whole.end()), none.ledger(whole.end()), "the integrals, too");
+            assert_eq!(whole.energy().ledger(whole.end()), none.energy().ledger(whole.end()), "the integrals, too");
         }
     }
 
@@ -116,7 +116,7 @@ mod tests {
             let angle = |history: &History| history.motion(0, t).theta.to_bits();
             assert_eq!(angle(&whole), angle(&none), "the angle at {t}");
         }
-        assert_eq!(whole.ledger(whole.end()), none.ledger(whole.end()), "the integrals, too");
+        assert_eq!(whole.energy().ledger(whole.end()), none.energy().ledger(whole.end()), "the integrals, too");
         assert!(none.bytes() < whole.bytes(), "{} against {} bytes", none.bytes(), whole.bytes());
     }
 

@@ -116,7 +116,7 @@ impl Session {
         let history = History::gather(self.scene.clone(), Arc::clone(&self.model), groups);
         let known = self.met.len();
         for overlap in history.overlaps() {
-            if history.have_met(overlap) && !self.met.contains(&overlap.bodies) {
+            if overlap.has_met(&history) && !self.met.contains(&overlap.bodies) {
                 self.met.push(overlap.bodies);
             }
         }

@@ -3,7 +3,7 @@
 use rayon::prelude::*;
 
 use super::report::{GirderExtreme, LargestMotion};
-use super::{History, Touch, peaks, touches};
+use super::{History, looks, peaks};
 
 /// The headline numbers of a run.
 #[derive(Clone, Debug, PartialEq, serde::Serialize)]
@@ -36,60 +36,28 @@ pub struct Summary {
     pub slip_time: f64,
 }
 
-/// Times that contacts are closed, summed over contacts.
-#[derive(Clone, Copy, Debug, Default, PartialEq)]
-pub struct ContactTimes {
-    /// In stick \[s\].
-    pub stick: f64,
-    /// In slip \[s\].
-    pub slip: f64,
-}
-
 impl History {
     /// Headline numbers.
     pub fn summary(&self) -> Summary {
-        let (touches, times) = (self.touches(), self.contact_times());
-        let hardest = self.hardest();
-        let total = self.hardest_pounding().map(|(_, most)| most);
+        let hits = self.hits();
+        let (touches, times) = (hits.touches(), hits.contact_times());
+        let hardest = hits.hardest();
+        let total = hits.hardest_pounding().map(|(_, most)| most);
         let motion = self.largest_motion();
         Summary {
             max_displacement: motion.map_or(0.0, |motion| motion.displacement.extreme.value),
             max_rotation: motion.map_or(0.0, |motion| motion.rotation.extreme.value),
-            peak_force: self.largest_force(),
+            peak_force: hits.largest_force(),
             peak_total: total.map_or(0.0, |most| most.value),
             peak_total_time: total.map(|most| most.t),
-            peak_impulse: self.largest_impulse(),
+            peak_impulse: hits.largest_impulse(),
             peak_impulse_time: hardest.filter(|touch| touch.impulse > 0.0).map(|touch| touch.start),
-            peak_time: self.strongest().map(|touch| touch.peak_time),
+            peak_time: hits.strongest().map(|touch| touch.peak_time),
             touches: touches.len(),
-            hits: self.hits(),
+            hits: hits.count(),
             stick_time: times.stick,
             slip_time: times.slip,
         }
-    }
-
-    /// Largest |`R_k`| of any contact \[N\].
-    pub fn largest_force(&self) -> f64 {
-        self.touches().iter().map(|touch| touch.peak_force).fold(0.0, f64::max)
-    }
-
-    /// Largest impulse of a hit; none under the contact model \[N·s\].
-    pub fn largest_impulse(&self) -> Option<f64> {
-        self.impact().map(|_| self.touches().iter().map(|touch| touch.impulse).fold(0.0, f64::max))
-    }
-
-    /// Hits: touches of a pair, from its first contact closing to its last opening.
-    pub fn hits(&self) -> usize {
-        touches::hits(self.touches())
-    }
-
-    /// Contact times in stick and in slip, summed over contacts.
-    pub fn contact_times(&self) -> ContactTimes {
-        let add = |sum: ContactTimes, touch: &Touch| ContactTimes {
-            stick: sum.stick + touch.stick,
-            slip: sum.slip + touch.slip,
-        };
-        self.touches().iter().fold(ContactTimes::default(), add)
     }
 
     /// Largest motions of all girders over the run; `None` of a scene without girders.
@@ -100,7 +68,7 @@ impl History {
                     let motion = self.motion(girder, t);
                     [motion.displacement.length(), motion.theta.abs()]
                 };
-                let [displacement, rotation] = peaks::largest_of_each(&touches::looks(self, girder), &values)
+                let [displacement, rotation] = peaks::largest_of_each(&looks::of_body(self, girder), &values)
                     .map(|extreme| GirderExtreme { girder, extreme });
                 LargestMotion { displacement, rotation }
             };

@@ -35,7 +35,7 @@ impl Instant {
     /// The time in a run \[s\].
     pub fn of(self, history: &History) -> f64 {
         match self {
-            Self::Peak => history.hardest().map_or(0.0, |touch| touch.peak_time),
+            Self::Peak => history.hits().hardest().map_or(0.0, |touch| touch.peak_time),
             Self::At(t) => t,
         }
     }

@@ -104,7 +104,8 @@ pub fn hit_span(history: &History, girder: usize) -> Option<[f64; 2]> {
 /// Time at which the force of the hardest hit of an elastic girder is largest \[s\]; `None` without a hit.
 pub fn hit_peak(history: &History, girder: usize) -> Option<f64> {
     let hit = history.sections().elastic_hit(girder)?;
-    let own = history.poundings().iter().filter(|of| history.model().pairs[of.pair].bodies.contains(&Some(girder)));
+    let own =
+        history.hits().poundings().iter().filter(|of| history.model().pairs[of.pair].bodies.contains(&Some(girder)));
     let within = own.flat_map(|of| &of.hits).filter(|one| one.start <= hit.t + hit.contact_time && one.end >= hit.t);
     within.map(|one| one.peak).reduce(|a, b| if b.value > a.value { b } else { a }).map(|peak| peak.t)
 }

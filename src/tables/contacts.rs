@@ -20,7 +20,7 @@ use crate::sim::{ContactNow, History};
 /// Those of the writer.
 pub fn contacts(history: &History, sample_hz: f64, out: &mut dyn Write) -> std::io::Result<()> {
     let rows = instants(history, sample_hz).flat_map(|(t, why)| {
-        let closed = history.contacts(t);
+        let closed = history.contacts().at(t);
         closed.into_iter().map(move |contact| row(history, t, why, &contact)).collect::<Vec<_>>()
     });
     to_csv(&header(), rows, out)
@@ -30,7 +30,7 @@ pub fn contacts(history: &History, sample_hz: f64, out: &mut dyn Write) -> std::
 pub fn contact_cells(history: &History, sample_hz: f64) -> f64 {
     let special = special_instants(history);
     let until = |t: f64| special.partition_point(|(instant, _)| *instant <= t);
-    let rows = history.touches().iter().map(|touch| {
+    let rows = history.hits().touches().iter().map(|touch| {
         (touch.end - touch.start) * sample_hz + (until(touch.end).saturating_sub(until(touch.start)) + 1) as f64
     });
     rows.sum::<f64>() * header().len() as f64
@@ -39,7 +39,7 @@ pub fn contact_cells(history: &History, sample_hz: f64) -> f64 {
 /// Events and force peaks in order of time, each instant once; an event's name wins over a peak's.
 fn special_instants(history: &History) -> Vec<(f64, &'static str)> {
     let events = history.events().iter().map(|event| (event.t, "event"));
-    let peaks = history.touches().iter().map(|touch| (touch.peak_time, "peak"));
+    let peaks = history.hits().touches().iter().map(|touch| (touch.peak_time, "peak"));
     let mut special: Vec<_> = events.chain(peaks).collect();
     // Stable, so that the first of equals is the one named first above.
     special.sort_by(|a, b| a.0.total_cmp(&b.0));

@@ -180,12 +180,12 @@ pub(super) fn too_deep(history: &History) -> Vec<TooDeepReport> {
         let [node, face] = names(history, deep.contact);
         TooDeepReport { node, face, depth: deep.depth.value, t: deep.depth.t, allowed: deep.allowed }
     };
-    history.too_deep().into_iter().map(of).collect()
+    history.contacts().too_deep().into_iter().map(of).collect()
 }
 
 /// Contacts that left a face while their springs held energy.
 pub(super) fn dropped(history: &History) -> Option<DroppedReport> {
-    let dropped = history.dropped()?;
+    let dropped = history.contacts().dropped()?;
     let [node, face] = names(history, dropped.contact);
     Some(DroppedReport { count: dropped.count, energy: dropped.energy, share: dropped.share, node, face, t: dropped.t })
 }

@@ -46,7 +46,7 @@ pub const DEFAULT_SAMPLE_HZ: f64 = 100.0;
 pub struct TableOptions {
     /// Rows per second in `trajectory.csv` and `contacts.csv` \[Hz\].
     pub sample_hz: f64,
-    /// [`History::estimate_error`], when it was asked for.
+    /// [`ErrorEstimate::of`], when it was asked for.
     pub estimated_error: Option<ErrorEstimate>,
     /// [`crate::sim::Sections::check_degree`], when it was asked for.
     pub degree_check: Option<DegreeCheck>,

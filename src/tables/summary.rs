@@ -161,10 +161,11 @@ pub struct Versions {
 impl Report {
     /// Collects the numbers of an answer.
     pub fn of(history: &History, options: &TableOptions) -> Self {
-        let (scene, ledger, balance) = (history.scene(), history.ledger(history.end()), history.balance());
+        let (scene, ledger, balance) =
+            (history.scene(), history.energy().ledger(history.end()), history.energy().balance());
         let (upright, numbers) = (history.seats().uprights(), history.summary());
         let max_tilt = upright.iter().map(|girder| girder.tilt.value).reduce(f64::max);
-        let radius = history.farthest_corner();
+        let radius = history.model().farthest_corner();
         let turned = numbers.max_rotation.max(max_tilt.unwrap_or(0.0));
         let of_corner = |displacement: f64, rotation: f64| displacement + radius * rotation;
         let error = options.estimated_error.map_or(0.0, |estimate| of_corner(estimate.error, estimate.rotation));
@@ -192,7 +193,7 @@ impl Report {
             flexible: flexible::of(history),
             degree_check: options.degree_check,
             limits_passed: departures::passed(history),
-            without_friction: history.without_friction().map(|words| words.to_string()),
+            without_friction: history.contacts().without_friction().map(|words| words.to_string()),
             overlaps: departures::overlaps(history),
             too_deep: departures::too_deep(history),
             dropped: departures::dropped(history),
@@ -250,9 +251,9 @@ impl Report {
 }
 
 fn pairs(history: &History) -> Vec<PairReport> {
-    let totals: BTreeMap<usize, Extreme> = history.largest_resultants().into_iter().collect();
+    let totals: BTreeMap<usize, Extreme> = history.hits().largest_resultants().into_iter().collect();
     let mut touched: BTreeMap<usize, (usize, f64)> = BTreeMap::new();
-    for touch in history.touches() {
+    for touch in history.hits().touches() {
         let (count, most) = touched.entry(touch.pair).or_default();
         (*count, *most) = (*count + 1, most.max(touch.peak_force));
     }
@@ -271,5 +272,5 @@ fn pairs(history: &History) -> Vec<PairReport> {
             },
         }
     };
-    history.listed_pairs().into_iter().map(of_pair).collect()
+    history.hits().listed_pairs().into_iter().map(of_pair).collect()
 }

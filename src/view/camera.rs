@@ -74,9 +74,9 @@ impl Camera {
     ///
     /// The whole scene where nothing ever touches.
     pub fn contact(history: &History, t: f64, aspect: f64) -> Self {
-        let mut contacts = history.contacts(t);
+        let mut contacts = history.contacts().at(t);
         if contacts.is_empty() {
-            contacts = history.hardest().map(|touch| history.contacts(touch.peak_time)).unwrap_or_default();
+            contacts = history.hits().hardest().map(|touch| history.contacts().at(touch.peak_time)).unwrap_or_default();
         }
         match hardest(&contacts) {
             Some(hardest) => Self::square_to(history, hardest, aspect),
@@ -86,7 +86,7 @@ impl Camera {
 
     /// Frames a contact with its force, where it is closed at `t`.
     pub fn of_contact(history: &History, contact: usize, t: f64, aspect: f64) -> Option<Self> {
-        history.contact_at(contact, t).map(|now| Self::square_to(history, &now, aspect))
+        history.contacts().contact_at(contact, t).map(|now| Self::square_to(history, &now, aspect))
     }
 
     /// Square to a contact, with parallel lines of sight: the contact's normal and friction force lie in the plane of the picture, so

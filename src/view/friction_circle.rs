@@ -153,13 +153,13 @@ fn tangential(contact: &ContactNow) -> Vec2 {
 /// Path of the tip since the touch began, at most [`PATH`] points of it.
 fn path(input: &ViewInput<'_>, number: usize, round: Round, palette: &Palette) -> Vec<Mark> {
     let Some(history) = input.history else { return Vec::new() };
-    let mut touches = history.touches().iter();
+    let mut touches = history.hits().touches().iter();
     let Some(touch) = touches.find(|t| t.contact == number && (t.start..=t.end).contains(&input.t)) else {
         return Vec::new();
     };
     let at = |i: u32| touch.start + (input.t - touch.start) * f64::from(i) / f64::from(PATH);
     let tip = |i: u32| {
-        let now = history.contact_at(number, at(i))?;
+        let now = history.contacts().contact_at(number, at(i))?;
         let limit = now.mu_static * now.normal_force;
         // At the very ends of a touch both forces vanish and their ratio says nothing.
         let share = tangential(&now) / limit as f32;

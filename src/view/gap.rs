@@ -148,7 +148,8 @@ mod tests {
         scene.girders[0].skew_deg = 90.0;
         scene.duration = 1.5;
         let history = History::of(&scene).expect("runs");
-        let hardest = history.touches().iter().max_by(|a, b| a.peak_force.total_cmp(&b.peak_force)).expect("a hit");
+        let hardest =
+            history.hits().touches().iter().max_by(|a, b| a.peak_force.total_cmp(&b.peak_force)).expect("a hit");
         let t = hardest.peak_time;
         let moment = Moment::at(&history, t);
         let shown = gaps(&scene, &moment)[0].expect("a gap").gap;

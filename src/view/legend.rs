@@ -92,7 +92,8 @@ fn impulse_bar(input: &ViewInput<'_>, moment: &Moment) -> Option<(f64, f32)> {
 /// Point at which the scale is true in a perspective view, the same at all times of a run, so that a film has one bar: the node of the
 /// hardest touch as placed, or the camera's target \[m\].
 fn focus(input: &ViewInput<'_>) -> glam::DVec3 {
-    let hardest = input.history.and_then(|history| Some(history.model().sites.get(history.hardest()?.contact)?.point));
+    let hardest =
+        input.history.and_then(|history| Some(history.model().sites.get(history.hits().hardest()?.contact)?.point));
     hardest.unwrap_or(input.camera.target)
 }
 

@@ -10,7 +10,7 @@ use crate::geometry::{End, Prism};
 use crate::scene::facing::{self, Side};
 use crate::scene::{FrictionLaw, Girder, Motion as GroundMotion, Scene, placed};
 use crate::sim::seats::seat_on::SeatOn;
-use crate::sim::{Carrying, ContactNow, GirderState, History, Hit, LinkNow, Motion, SolidId};
+use crate::sim::{Carrying, ContactNow, GirderState, History, Hit, LinkNow, Motion, Overlap, SolidId, moving_ground};
 
 /// Impulses that fade at once, at most: the latest.
 const MOST_IMPULSES: usize = 24;
@@ -154,7 +154,7 @@ impl Moment {
         let scene = history.scene();
         let t = if t.is_finite() { t.clamp(0.0, history.end()) } else { 0.0 };
         let model = history.model();
-        let contacts = history.contacts(t);
+        let contacts = history.contacts().at(t);
         let by_impulses = [Some(history), history.beside()].into_iter().flatten().find(|h| h.impact().is_some());
         let record = by_impulses.and_then(History::impact);
         let fading = |history| impulses(history, t, 2.0 * linger(scene));
@@ -178,7 +178,7 @@ impl Moment {
             opened: just_opened(history, t, linger(scene), &contacts),
             contacts,
             carrying: (0..model.girders().len()).map(|girder| history.seats().carrying(girder, t)).collect(),
-            feet: history.ground_under_bearings(t),
+            feet: moving_ground::under_bearings(history, t),
             walls: walls::at(scene, Some((history, t))),
             piers: piers::at(scene, Some((history, t))),
             devices: history.connections().links(t),
@@ -233,7 +233,7 @@ fn ends(history: &History, t: f64) -> Vec<[Motion; 2]> {
 /// Overlaps at an instant.
 fn overlaps(history: &History, t: f64) -> Vec<OverlapNow> {
     let now = history.overlaps().iter().filter(|overlap| overlap.lasts_at(t));
-    let depth = |overlap| history.overlap_depth(overlap, t);
+    let depth = |overlap: &Overlap| overlap.depth_at(history, t);
     now.map(|o| OverlapNow { bodies: o.bodies, depth: depth(o), place: o.place }).collect()
 }
 
@@ -248,7 +248,7 @@ fn seats(history: &History, t: f64) -> Vec<SeatNow> {
         let edge = Prism::end_corners(end).map(|corner| body.home + body.axes * body.prism.corners()[corner] - back);
         let edge = match ledge.on {
             SeatOn::Pier(pier) => edge.map(|place| carried(history, pier, place, t)),
-            SeatOn::Moved(motion) => edge.map(|place| place + history.ground(motion, t)),
+            SeatOn::Moved(motion) => edge.map(|place| place + moving_ground::displacement(history, motion, t)),
             SeatOn::Ground => edge,
         };
         Some(SeatNow { girder, end, edge, remaining })
@@ -323,6 +323,7 @@ fn just_opened(history: &History, t: f64, linger: f64, closed: &[ContactNow]) ->
     let mut opened: Vec<Opened> = Vec::new();
     // A hit without length has no contact to open.
     let ended = history
+        .hits()
         .touches()
         .iter()
         .filter(|u| u.end > u.start)
@@ -331,7 +332,7 @@ fn just_opened(history: &History, t: f64, linger: f64, closed: &[ContactNow]) ->
         let again = closed.iter().any(|c| c.contact == touch.contact);
         // Between the peak and the end the contact is closed; close to the end it is nearly where it parted.
         let before = touch.end - 1e-3 * (touch.end - touch.start);
-        let last = history.contacts(before).into_iter().find(|c| c.contact == touch.contact);
+        let last = history.contacts().at(before).into_iter().find(|c| c.contact == touch.contact);
         if let (false, Some(last)) = (again, last) {
             opened.retain(|o| o.contact != touch.contact);
             opened.push(Opened { contact: touch.contact, point: last.point });

@@ -27,13 +27,13 @@ pub fn round_up(x: f64) -> f64 {
 ///
 /// The largest arrow of the run is then between a fifth and half of its shortest girder long.
 pub fn auto_force_scale(history: &History) -> f64 {
-    let peak = history.touches().iter().map(|touch| touch.peak_force).fold(0.0, f64::max);
+    let peak = history.hits().touches().iter().map(|touch| touch.peak_force).fold(0.0, f64::max);
     force_scale_for(peak, history.scene())
 }
 
 /// A scale for the impulses of a whole run, as for forces; nothing where there are none \[N·s/m\].
 pub fn auto_impulse_scale(history: &History) -> Option<f64> {
-    let peak = history.touches().iter().map(|touch| touch.impulse).fold(0.0, f64::max);
+    let peak = history.hits().touches().iter().map(|touch| touch.impulse).fold(0.0, f64::max);
     (peak > 0.0).then(|| force_scale_for(peak, history.scene()))
 }
 

@@ -105,7 +105,7 @@ fn answer(history: &History) -> u64 {
             rates.iter().flat_map(DVec3::to_array).chain(motion.attitude.to_array()).for_each(&mut add);
             add(motion.theta);
         }
-        for contact in history.contacts(t) {
+        for contact in history.contacts().at(t) {
             [contact.contact as f64, contact.penetration].into_iter().for_each(&mut add);
             [contact.point, contact.anchor, contact.force].iter().flat_map(DVec3::to_array).for_each(&mut add);
         }

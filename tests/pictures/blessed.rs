@@ -20,7 +20,7 @@ fn run(scene: &Scene) -> History {
 
 /// An instant well inside the first touch: its peak may be where another corner parts, and rounding would choose the side.
 fn first_hit(history: &History) -> Instant {
-    Instant::At(history.touches().first().map_or(0.0, |touch| touch.start + 0.3 * (touch.end - touch.start)))
+    Instant::At(history.hits().touches().first().map_or(0.0, |touch| touch.start + 0.3 * (touch.end - touch.start)))
 }
 
 fn shot(history: &History) -> Shot {

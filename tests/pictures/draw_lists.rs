@@ -74,7 +74,7 @@ fn presets_as_placed_are_drawn_like_this() {
 fn first_hits_are_drawn_like_this() {
     for name in ["flush-free-hit", "skew45-abutment", "straight-straight"] {
         let history = run(name);
-        let hit = history.touches().first().expect("something touches");
+        let hit = history.hits().touches().first().expect("something touches");
         // Its peak may be where another corner parts, and rounding would choose the side.
         let hit = hit.start + 0.3 * (hit.end - hit.start);
         check(&format!("{name}-first-hit"), &at(&history, hit));
@@ -106,13 +106,14 @@ fn the_tip_lies_inside_the_outline_in_stick_and_on_the_filled_rim_in_slip() {
         let history = run(name);
         let longest = history.scene().girders[0].length as f32;
         let times = history
+            .hits()
             .touches()
             .iter()
             .take(40)
             .flat_map(|u| (1..8).map(move |i| u.start + (u.end - u.start) * f64::from(i) / 8.0));
         for t in times {
             let list = at(&history, t);
-            for contact in history.contacts(t) {
+            for contact in history.contacts().at(t) {
                 let Some((height, full, ratio)) = in_the_cone(&list, contact.contact) else { continue };
                 if full < 1e-2 * longest {
                     continue;
@@ -136,9 +137,9 @@ fn the_tip_lies_inside_the_outline_in_stick_and_on_the_filled_rim_in_slip() {
 fn arrows_are_forces_in_one_scale() {
     let history = run("skew45-abutment");
     let scale = auto_force_scale(&history);
-    for touch in history.touches().iter().take(10) {
+    for touch in history.hits().touches().iter().take(10) {
         let list = at(&history, touch.peak_time);
-        let contacts = history.contacts(touch.peak_time);
+        let contacts = history.contacts().at(touch.peak_time);
         let contact = contacts.iter().find(|c| c.contact == touch.contact).expect("it is closed at its peak");
         let arrow = |kind| list.arrows.iter().find(|a| a.contact == touch.contact && a.kind == kind);
         let is = |kind, force: DVec3| {
@@ -163,11 +164,11 @@ fn the_scale_is_round_fixed_and_can_be_chosen() {
     let scene = history.scene();
     let scale = auto_force_scale(&history);
     assert_eq!(scale::round_down(scale), scale, "{scale} is 1, 2 or 5 times a power of ten");
-    let peak = history.hardest().expect("it hits").peak_force;
+    let peak = history.hits().hardest().expect("it hits").peak_force;
     let longest = peak / scale / scene.girders[0].length;
     assert!((0.1..=0.5).contains(&longest), "the longest arrow is {longest} of a girder");
     let camera = Camera::preset(ViewPreset::Iso, Bounds::of_scene(scene), ASPECT);
-    let t = history.touches()[0].peak_time;
+    let t = history.hits().touches()[0].peak_time;
     let length = |force_scale| {
         let list = draw_list(&ViewInput { force_scale, ..input(scene, Some(&history), t, &camera) });
         list.arrows[0].from.distance(list.arrows[0].to)
@@ -189,7 +190,7 @@ fn the_legend_bar_is_as_long_as_a_force_of_its_number() {
         });
         f64::from(bar.expect("the legend has a bar"))
     };
-    let list = at(&history, history.touches()[0].peak_time);
+    let list = at(&history, history.hits().touches()[0].peak_time);
     let bar = bar_of(&list);
     assert_eq!(bar, bar_of(&at(&history, 0.0)), "one bar for a whole film");
     let newtons = list.marks.iter().find_map(|m| match m {
@@ -198,7 +199,7 @@ fn the_legend_bar_is_as_long_as_a_force_of_its_number() {
     });
     let newtons = newtons.expect("the bar has a number");
     assert_eq!(scale::round_down(newtons), newtons, "a round number");
-    let focus = history.model().sites[history.hardest().expect("it hits").contact].point;
+    let focus = history.model().sites[history.hits().hardest().expect("it hits").contact].point;
     let pixels = newtons / auto_force_scale(&history) / camera.metres_per_pixel(focus, 720.0);
     // Pixels near 100 held as f32.
     assert!((bar - pixels).abs() < 1e-3, "a bar of {bar} pixels for {newtons} N, which are {pixels}");
@@ -220,11 +221,12 @@ fn a_contact_that_opened_a_moment_ago_has_a_cross_and_soon_none() {
     let tenth = 0.1 / 2.6;
     let crosses = |t| at(&history, t).marks.iter().filter(|m| matches!(m, Mark::Cross { .. })).count();
     let legend = crosses(0.0);
-    let opened = |t: f64| history.touches().iter().filter(|u| u.end <= t && u.end > t - tenth).count();
-    let touch = history.touches().first().expect("it hits");
+    let opened = |t: f64| history.hits().touches().iter().filter(|u| u.end <= t && u.end > t - tenth).count();
+    let touch = history.hits().touches().first().expect("it hits");
     assert!(crosses(touch.end + 1e-4) > legend, "just after opening");
     assert_eq!(crosses(touch.start - 1e-4), legend, "before the first touch");
-    let calm = history.touches().iter().map(|u| u.end + 1.01 * tenth).find(|&t| t < history.end() && opened(t) == 0);
+    let calm =
+        history.hits().touches().iter().map(|u| u.end + 1.01 * tenth).find(|&t| t < history.end() && opened(t) == 0);
     assert_eq!(crosses(calm.expect("it is calm at times")), legend, "a tenth of a period later");
 }
 
@@ -335,7 +337,7 @@ fn what_is_seen_is_what_is_picked() {
     let history = run("skew45-abutment");
     let scene = history.scene();
     let camera = Camera::preset(ViewPreset::Top, Bounds::of_scene(scene), ASPECT);
-    let t = history.touches()[0].peak_time;
+    let t = history.hits().touches()[0].peak_time;
     let input = input(scene, Some(&history), t, &camera);
     let size = SIZE.map(f64::from);
     let at = |place: DVec3| {
@@ -345,7 +347,7 @@ fn what_is_seen_is_what_is_picked() {
     assert_eq!(at(history.motion(0, t).place), Some(Target::Girder(0)), "the middle of the girder");
     assert_eq!(at(DVec3::new(0.2, 0.0, 0.0)), Some(Target::Abutment(0)), "well behind the wall's face");
     assert_eq!(at(DVec3::new(-0.1, 0.1, 0.0)), None, "beside the girder there is nothing");
-    let touched = history.contacts(t)[0];
+    let touched = history.contacts().at(t)[0];
     assert_eq!(at(touched.point), Some(Target::Contact(touched.contact)), "a contact before the body under it");
 }
 
@@ -354,7 +356,7 @@ fn a_girder_that_is_drawn_exaggerated_is_picked_where_it_is_drawn() {
     let history = run("skew45-abutment");
     let scene = history.scene();
     let camera = Camera::preset(ViewPreset::Top, Bounds::of_scene(scene), ASPECT);
-    let t = history.touches()[0].peak_time;
+    let t = history.hits().touches()[0].peak_time;
     let place = history.motion(0, t).place;
     let shift = history.motion(0, t).displacement;
     // Near the end away from the wall, 10 mm inside: drawn 30 times as far, the girder has left it.
@@ -391,10 +393,10 @@ fn orbiting_panning_and_zooming_do_what_hands_expect() {
 fn a_contact_camera_sees_the_hardest_hit_and_its_arrow() {
     for name in ["skew45-abutment", "straight-straight", "deck-30m", "row-of-5"] {
         let history = run(name);
-        let touch = *history.hardest().expect("it hits");
+        let touch = *history.hits().hardest().expect("it hits");
         // Asked far from any hit, it still frames the hardest.
         let camera = Camera::contact(&history, 0.0, ASPECT);
-        let contacts = history.contacts(touch.peak_time);
+        let contacts = history.contacts().at(touch.peak_time);
         let hit = contacts.iter().find(|c| c.contact == touch.contact).expect("closed at its peak");
         let tip = hit.point + hit.elastic_force() / auto_force_scale(&history);
         let on = |p| camera.project(p, [1280.0, 720.0]).expect("before the eye");
@@ -560,7 +562,7 @@ fn a_girder_that_bends_keeps_the_end_that_faces_something_where_it_is() {
     let mut scene = load("deck-30m-elastic");
     scene.duration = 1.2;
     let history = History::of(&scene).unwrap_or_else(|errors| panic!("{errors}"));
-    let t = history.touches()[0].peak_time;
+    let t = history.hits().touches()[0].peak_time;
     let camera = Camera::preset(ViewPreset::Top, Bounds::of_scene(&scene), ASPECT);
     let drawn = |factor: f64| {
         let bending = Bending { factor: Some(factor), force: Some(OfSection::Axial) };

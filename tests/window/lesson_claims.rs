@@ -139,7 +139,7 @@ fn one_hit_or_two() {
     // "Before the ground turns round": both hits of a pair lie within half a cycle.
     let run = run(lesson, Some(0));
     let starts: Vec<f64> =
-        run.touches().iter().filter(|t| t.contact == run.touches()[0].contact).map(|t| t.start).collect();
+        run.hits().touches().iter().filter(|t| t.contact == run.hits().touches()[0].contact).map(|t| t.start).collect();
     assert_eq!(starts.len(), 48, "one corner's touches");
     assert!(starts.chunks(2).all(|two| two[1] - two[0] < 0.5 / 2.4), "in quick succession: {:?}", &starts[..4]);
 }
@@ -211,7 +211,7 @@ fn what_holds_a_skewed_deck_on_its_seat() {
 /// How long the first hit lasts, pauses of less than a wave's way there and back included \[s\], and the speed at which the girders part
 /// over that at which they met.
 fn hit(history: &History) -> (f64, f64) {
-    let touches = history.touches();
+    let touches = history.hits().touches();
     let (start, pause) = (touches[0].start, 0.0173);
     let end = touches.iter().fold(touches[0].end, |end, t| if t.start < end + pause { end.max(t.end) } else { end });
     let speed = |t: f64| history.motion(0, t).velocity.x - history.motion(1, t).velocity.x;
@@ -251,7 +251,7 @@ fn off_the_cone(history: &History) -> (f64, f64) {
     let contact = &history.scene().contact;
     let end = history.end();
     let (mut stick, mut slip) = (0.0_f64, 0.0_f64);
-    for state in (0..=20_000).flat_map(|i| history.contacts(end * f64::from(i) / 20_000.0)) {
+    for state in (0..=20_000).flat_map(|i| history.contacts().at(end * f64::from(i) / 20_000.0)) {
         if state.normal_force < 1e-6 {
             // The arrow has no length.
             continue;

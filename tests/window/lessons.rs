@@ -101,7 +101,7 @@ fn a_touch_that_begins_with_the_run_has_its_bar_from_the_start() {
     let mut harness = open(presets::OPENING);
     learn(&mut harness, "Stick and slip");
     let answer = harness.state().replay.runner.answer().expect("run").clone();
-    let (end, resting) = (answer.history.end(), answer.history.contacts(0.0).len());
+    let (end, resting) = (answer.history.end(), answer.history.contacts().at(0.0).len());
     assert!(resting > 0, "the block lies on its face from the beginning");
     let told = harness.get_by_role_and_label(Role::Slider, "Timeline").accesskit_node().description();
     assert_eq!(

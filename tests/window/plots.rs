@@ -169,7 +169,7 @@ fn a_wave_is_read_over_time_and_station_where_a_deck_bends() {
     let [from, until] = harness.state().replay.playback.window.expect("the window of the hit");
     let hit = history.sections().elastic_hit(0).expect("a hit");
     assert!(from < hit.t && until > hit.t + hit.contact_time, "[{from}, {until}] holds the hit at {}", hit.t);
-    let (_, most) = history.hardest_pounding().expect("one hit of one girder");
+    let (_, most) = history.hits().hardest_pounding().expect("one hit of one girder");
     assert_eq!(harness.state().replay.playback.clock.t, most.t, "where its force is largest");
     let chart =
         harness.get_by_role_and_label(Role::Canvas, "deck: normal force N, tension +, over time and station").rect();

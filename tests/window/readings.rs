@@ -196,11 +196,12 @@ fn view_panel_and_plots_tell_one_force_and_name_the_other() {
     let mut harness = open("deck-30m");
     let answer = harness.state().replay.runner.answer().expect("run").clone();
     // Just after it has closed the dashpot pushes hardest beside the spring.
-    let touch = *answer.history.hardest().expect("a hit");
+    let touch = *answer.history.hits().hardest().expect("a hit");
     let at = |i: u32| touch.start + (touch.end - touch.start) * f64::from(i) / 50.0;
     let force = |t: f64| {
         answer
             .history
+            .contacts()
             .contact_at(touch.contact, t)
             .map_or([0.0; 2], |c| [c.force, c.elastic_force()].map(glam::DVec3::length))
     };
@@ -255,14 +256,14 @@ fn a_verdict_and_every_reading_lead_to_their_moment_and_their_place() {
         ("pair peak ", answer.summary.peak_total_time.expect("a hit")),
         ("moves ", answer.history.largest_motion().expect("it moves").displacement.extreme.t),
         ("turns ", answer.history.largest_motion().expect("it turns").rotation.extreme.t),
-        ("hits ", answer.history.touches()[0].start),
+        ("hits ", answer.history.hits().touches()[0].start),
     ] {
         let label = figure(&harness, words);
         press(&mut harness, &label);
         assert_eq!(harness.state().replay.playback.clock.t, t, "{words}");
     }
-    let (hit, most) = answer.history.hardest_pounding().expect("a hit");
-    let strongest = answer.history.strongest_contact(hit.pair, most.t).map(Target::Contact);
+    let (hit, most) = answer.history.hits().hardest_pounding().expect("a hit");
+    let strongest = answer.history.hits().strongest_contact(hit.pair, most.t).map(Target::Contact);
     let peak = figure(&harness, "pair peak ");
     press(&mut harness, &peak);
     assert!(strongest.is_some(), "closed then");

@@ -149,7 +149,7 @@ fn a_contact_is_selected_by_its_name_and_tells_its_history() {
     let mut harness = open(presets::OPENING);
     harness.state_mut().apply(SelectCommand::Only(Some(Target::Abutment(0))));
     settle(&mut harness);
-    let contact = harness.state().replay.runner.answer().expect("run").history.hardest().expect("a hit").contact;
+    let contact = harness.state().replay.runner.answer().expect("run").history.hits().hardest().expect("a hit").contact;
     let site = harness.state().replay.runner.answer().expect("run").history.model().sites[contact].clone();
     let name = format!("{} | {}", site.node_in_words(), site.face_name);
     reach(&mut harness, &name);
@@ -158,8 +158,17 @@ fn a_contact_is_selected_by_its_name_and_tells_its_history() {
     assert_eq!(harness.state().files.document.selection().lead(), Some(Target::Contact(contact)), "the contact");
     harness.run_steps(5);
     assert!(harness.query_by_label_contains("touches").is_some(), "how often it touches");
-    let peak =
-        harness.state().replay.runner.answer().expect("run").history.touches().iter().find(|t| t.contact == contact);
+    let peak = harness
+        .state()
+        .replay
+        .runner
+        .answer()
+        .expect("run")
+        .history
+        .hits()
+        .touches()
+        .iter()
+        .find(|t| t.contact == contact);
     let peak = peak.expect("a touch").peak_time;
     harness.state_mut().apply(TimeCommand::Seek(peak));
     settle(&mut harness);

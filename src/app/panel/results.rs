@@ -160,7 +160,7 @@ fn readings(answer: &Answer, girder: usize, reading: &Reading) -> Vec<(&'static 
     let hardest = Spot::hardest_on(history, girder).map(|(spot, most)| (spot.keeping_selection(), most));
     rows.extend(hardest.map(|(spot, most)| (text::PEAK_FORCE.as_str(), at(&text::force(most.value), &most), spot)));
     let force = reading.force.as_ref().and_then(|force| {
-        let mut touches = history.touches().iter();
+        let mut touches = history.hits().touches().iter();
         let touch = touches.find(|touch| touch.peak_time == force.t && touch.peak_force == force.value)?;
         Some((
             text::PEAK_OF_CORNER.as_str(),
@@ -258,7 +258,7 @@ pub(in crate::app) fn show_contact(ui: &mut Ui, replay: &Replay, contact: usize,
     if ui.link(format!("{} | {}", site.node_in_words(), site.face_name)).on_hover_text(text::GO_THERE).clicked() {
         Spot::contact(contact, t).go(out);
     }
-    if let Some(now) = answer.history.contact_at(contact, t) {
+    if let Some(now) = answer.history.contacts().contact_at(contact, t) {
         table(ui, "contact", rows(&now));
     } else {
         ui.label(RichText::new(text::CONTACT_OPEN).weak());
@@ -293,7 +293,7 @@ const MOST_TOUCHES: usize = 200;
 
 /// Every touch of a contact; a click goes to its peak.
 fn touches(ui: &mut Ui, answer: &Answer, contact: usize, t: f64, out: &mut Vec<Command>) {
-    let all: Vec<&Touch> = answer.history.touches().iter().filter(|touch| touch.contact == contact).collect();
+    let all: Vec<&Touch> = answer.history.hits().touches().iter().filter(|touch| touch.contact == contact).collect();
     ui.add_space(4.0);
     ui.label(RichText::new(text::touches(all.len())).strong());
     for touch in all.iter().take(MOST_TOUCHES) {

@@ -191,7 +191,7 @@ fn numbers(ui: &mut Ui, answer: &Answer, room: f32, out: &mut Vec<Command>) {
         Some(estimate) => {
             let length = text::length(estimate.error);
             // The rotation too where a corner errs by that more.
-            if answer.history.farthest_corner() * estimate.rotation > estimate.error {
+            if answer.history.model().farthest_corner() * estimate.rotation > estimate.error {
                 format!("{length}, {}°", text::short(estimate.rotation.to_degrees()))
             } else {
                 length

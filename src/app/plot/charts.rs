@@ -202,7 +202,7 @@ fn force<'a>(source: &Source<'_>, traces: &'a Traces, at: f64, palette: &Palette
         style,
         chosen,
     };
-    let value = source.answer.map(|answer| answer.history.largest_resultant(at));
+    let value = source.answer.map(|answer| answer.history.hits().largest_resultant(at));
     let mut entries = vec![Entry { name: "|ΣR|".into(), color: palette.force, style: LineStyle::Solid, value }];
     let mut curves = Vec::new();
     // Of spikes at other times no difference is drawn: kept runs stand behind the one shown.
@@ -210,7 +210,7 @@ fn force<'a>(source: &Source<'_>, traces: &'a Traces, at: f64, palette: &Palette
         let (color, style) = (PINS[pin.color], pin_style(pin.color));
         let kept = traces.pins.iter().filter(|kept| kept.color == pin.color).flat_map(|kept| &kept.force);
         curves.extend(kept.map(|curve| drawn(curve, color, style, false)));
-        let value = Some(pin.answer.history.largest_resultant(at));
+        let value = Some(pin.answer.history.hits().largest_resultant(at));
         entries.push(Entry { name: text::of_pin("|ΣR|", number), color, style, value });
     }
     curves.extend(traces.force.iter().map(|curve| drawn(curve, palette.force, LineStyle::Solid, true)));

@@ -84,10 +84,10 @@ fn standing(history: &History, girder: usize) -> Vec<PlotSettings> {
     let names: Vec<&str> =
         std::iter::once(girder).chain(others).filter_map(|number| Some(girders.get(number)?.name.as_str())).collect();
     let each = |of: &str| names.iter().map(|name| format!("{name}.{of}")).collect::<Vec<_>>();
-    let mut pairs = history.largest_resultants();
+    let mut pairs = history.hits().largest_resultants();
     pairs.sort_by(|a, b| b.1.value.total_cmp(&a.1.value));
     let hit: Vec<usize> = pairs.into_iter().map(|(pair, _)| pair).collect();
-    let pairs = if hit.is_empty() { history.listed_pairs() } else { hit };
+    let pairs = if hit.is_empty() { history.hits().listed_pairs() } else { hit };
     let forces = pairs.iter().take(MOST_PAIRS).map(|pair| format!("{}.total", model.pairs[*pair].name));
     let over_time = PlotSettings::over_time;
     vec![over_time([each("x"), each("y")].concat()), over_time(each("theta")), over_time(forces.collect())]

@@ -213,7 +213,7 @@ fn times(history: &History, window: [f64; 2], points: usize) -> Vec<f64> {
     let (from, to) = (window[0], window[1].min(history.end()));
     let step = (to - from) / (points.max(2) - 1) as f64;
     let mut times: Vec<f64> = (0..points.max(2)).map(|i| from + step * i as f64).collect();
-    for touch in history.touches().iter().filter(|touch| touch.end >= from && touch.start <= to) {
+    for touch in history.hits().touches().iter().filter(|touch| touch.end >= from && touch.start <= to) {
         if times.len() > MOST_POINTS {
             break;
         }

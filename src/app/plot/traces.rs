@@ -224,7 +224,7 @@ fn sample(answer: &Answer, window: [f64; 2], points: usize) -> Traces {
 
 /// |Force| between two bodies, hit by hit of every two, or of a crowd the largest \[N\].
 fn forces(history: &History, window: [f64; 2], points: usize) -> Vec<Curve> {
-    let poundings = history.poundings();
+    let poundings = history.hits().poundings();
     let all: Vec<Curve> = poundings.iter().flat_map(|between| force(history, between, window, points)).collect();
     if poundings.len() > CROWD { vec![largest(&all, window, points)] } else { all }
 }
@@ -295,7 +295,7 @@ fn shape((history, pair): (&History, usize), hit: &PoundingHit, window: [f64; 2]
     let mut times: Vec<f64> = (0..=n).map(|i| from + (to - from) * i as f64 / n as f64).collect();
     times.extend(Some(hit.peak.t).filter(|&t| t > from && t < to));
     times.sort_by(f64::total_cmp);
-    times.into_iter().map(|t| [t, history.resultant(pair, t).length()]).collect()
+    times.into_iter().map(|t| [t, history.hits().resultant(pair, t).length()]).collect()
 }
 
 #[cfg(test)]

@@ -14,8 +14,8 @@ use crate::sim::readings::{self, Extreme, Passed, Reading};
 use crate::sim::seats::OrbitPoint;
 use crate::sim::seats::verdict::Verdict;
 use crate::sim::{
-    Balance, ContactState, DeviceReading, Dropped, ErrorEstimate, EventKind, History, Hit, Overlap, Quantity,
-    RunDifference, Summary, TooDeep,
+    Balance, Comparison, ContactState, DeviceReading, Dropped, ErrorEstimate, EventKind, History, Hit, Overlap,
+    Quantity, RunDifference, Summary, TooDeep,
 };
 use crate::tables::{self, BackfillReport, PierReport};
 
@@ -115,7 +115,7 @@ impl Answer {
     /// Collects the results of a run for the window.
     pub fn new(history: History, took: Duration, number: u64) -> Self {
         let summary = history.summary();
-        let touches = merged(history.touches().iter().map(|t| (t.start, t.end)));
+        let touches = merged(history.hits().touches().iter().map(|t| (t.start, t.end)));
         let runs = [Some(&history), history.beside()];
         let mut event_times: Vec<f64> =
             runs.into_iter().flatten().flat_map(History::events).map(|event| event.t).collect();
@@ -127,11 +127,11 @@ impl Answer {
         let record = runs.into_iter().flatten().find_map(History::impact);
         let hits = record.map_or(Vec::new(), |record| record.hits.iter().map(|hit| (hit.pair, hit.t)).collect());
         let apart = history.beside().map(|beside| apart(&history, beside));
-        let (outside, balance) = (domain::outside(history.scene()), history.balance());
-        let (too_deep, dropped) = (history.too_deep(), history.dropped());
+        let (outside, balance) = (domain::outside(history.scene()), history.energy().balance());
+        let (too_deep, dropped) = (history.contacts().too_deep(), history.contacts().dropped());
         let moved = moved_supports(history.scene(), history.model());
         let mut runs = std::iter::once(&history).chain(history.beside());
-        let frictionless = runs.find_map(History::without_friction);
+        let frictionless = runs.find_map(|run| run.contacts().without_friction());
         let unused = history.scene().unused_values();
         Self {
             history,
@@ -156,7 +156,9 @@ impl Answer {
 
     /// How far the models are apart at `t` \[s\]; 0 where there is one.
     pub fn apart_at(&self, t: f64) -> RunDifference {
-        self.history.beside().map_or_else(RunDifference::default, |beside| self.history.girders_apart_at(beside, t))
+        self.history
+            .beside()
+            .map_or_else(RunDifference::default, |beside| Comparison::of(&self.history, beside).of_girders_at(t))
     }
 
     /// How far the girders of this run and of another of this window are apart at the most; found when first asked for.
@@ -165,14 +167,14 @@ impl Answer {
         if let Some((_, found)) = known.iter().find(|(number, _)| *number == other.number) {
             return *found;
         }
-        let found = self.history.girders_apart(&other.history);
+        let found = Comparison::of(&self.history, &other.history).of_girders();
         known.push((other.number, found));
         found
     }
 
     /// Energy lost in dashpots, friction and hits until the end \[J\]; found when first asked for.
     pub fn lost(&self) -> f64 {
-        *self.found.lost.get_or_init(|| self.history.ledger(self.history.end()).lost())
+        *self.found.lost.get_or_init(|| self.history.energy().ledger(self.history.end()).lost())
     }
 
     /// Limits of the scene that were passed, the earliest first; found when first asked for.
@@ -315,13 +317,13 @@ impl Answer {
 
 fn apart(one: &History, other: &History) -> ModelsApart {
     let flush = other.impact().is_some_and(|record| record.hits.iter().any(Hit::is_flush));
-    ModelsApart { most: one.girders_apart(other), flush }
+    ModelsApart { most: Comparison::of(one, other).of_girders(), flush }
 }
 
 /// Turns events into stretches of one state; what touches from the beginning has no event for it.
 fn spans(history: &History) -> Vec<Span> {
     let mut open: Vec<Option<(ContactState, f64)>> = vec![None; history.model().sites.len()];
-    for contact in history.contacts(0.0) {
+    for contact in history.contacts().at(0.0) {
         if let Some(slot) = open.get_mut(contact.contact) {
             *slot = Some((contact.state, 0.0));
         }

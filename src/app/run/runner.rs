@@ -316,7 +316,7 @@ impl Runner {
         // It ends by itself.
         let _ = spawn(move || {
             // Nobody listens any more when the window has closed: nothing to do then.
-            let _ = send.send(asked.history.estimate_error().of_whole().unwrap_or(ErrorEstimate::UNKNOWN));
+            let _ = send.send(ErrorEstimate::of(&asked.history).of_whole().unwrap_or(ErrorEstimate::UNKNOWN));
             wake();
         });
         self.estimate = Some(Estimate { of: answer.number, done });

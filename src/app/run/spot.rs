@@ -57,7 +57,7 @@ impl Spot {
 
     /// A contact just before it leaves its face: from then on it is open, and there is nothing to be seen of it.
     pub(in crate::app) fn end_of_touch(history: &History, dropped: &Dropped) -> Self {
-        let mut touches = history.touches().iter().filter(|touch| touch.contact == dropped.contact);
+        let mut touches = history.hits().touches().iter().filter(|touch| touch.contact == dropped.contact);
         let ends = touches.find(|touch| (touch.start..=touch.end).contains(&dropped.t));
         let t = ends.map_or(dropped.t, |touch| dropped.t - BEFORE_THE_END * (dropped.t - touch.start));
         Self::contact(dropped.contact, t)
@@ -75,14 +75,16 @@ impl Spot {
 
     /// The largest force between two bodies, at the contact that has most of it; the hardest touch where all are impulses.
     pub(in crate::app) fn hardest(history: &History) -> Option<Self> {
-        let Some((of, most)) = history.hardest_pounding() else { return history.hardest().map(Self::touch) };
-        history.strongest_contact(of.pair, most.t).map(|contact| Self::contact(contact, most.t))
+        let Some((of, most)) = history.hits().hardest_pounding() else {
+            return history.hits().hardest().map(Self::touch);
+        };
+        history.hits().strongest_contact(of.pair, most.t).map(|contact| Self::contact(contact, most.t))
     }
 
     /// The largest force on a girder, at the contact that has most of it, and that force.
     pub(in crate::app) fn hardest_on(history: &History, girder: usize) -> Option<(Self, Extreme)> {
-        let (pair, most) = history.largest_total_on(girder)?;
-        let spot = Self::contact(history.strongest_contact(pair, most.t)?, most.t);
+        let (pair, most) = history.hits().largest_total_on(girder)?;
+        let spot = Self::contact(history.hits().strongest_contact(pair, most.t)?, most.t);
         Some((spot, most))
     }
 
@@ -97,7 +99,7 @@ impl Spot {
 
     /// The beginning of the first touch.
     pub(in crate::app) fn first_touch(history: &History) -> Option<Self> {
-        history.touches().first().map(|touch| Self::contact(touch.contact, touch.start))
+        history.hits().touches().first().map(|touch| Self::contact(touch.contact, touch.start))
     }
 
     /// Spot that decides a verdict on a girder.
@@ -138,7 +140,7 @@ impl Spot {
             return Some(Self { t: passed.t, select: Some(Target::Pier(pier)), look });
         }
         let ours = |touch: &&Touch| model.pairs[touch.pair].name == passed.whose;
-        let mut touches = history.touches().iter().filter(ours);
+        let mut touches = history.hits().touches().iter().filter(ours);
         let touch = touches.find(|touch| (touch.start..=touch.end).contains(&passed.t))?;
         Some(Self::contact(touch.contact, passed.t))
     }

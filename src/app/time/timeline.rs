@@ -220,7 +220,7 @@ struct Rows {
 
 impl Rows {
     fn of(answer: &Answer, lanes: Rect) -> Self {
-        Self::over(answer.history.listed_pairs(), lanes)
+        Self::over(answer.history.hits().listed_pairs(), lanes)
     }
 
     #[expect(clippy::cast_possible_truncation, clippy::cast_sign_loss, reason = "a strip of some points")]

@@ -210,7 +210,7 @@ fn corners_of(seen: &Seen<'_>, target: Target) -> Vec<DVec3> {
             joint.map(|joint| joint.points.into()).unwrap_or_default()
         }
         Target::Contact(number) => {
-            let contacts = history.map(|h| h.contacts(t)).unwrap_or_default();
+            let contacts = history.map(|h| h.contacts().at(t)).unwrap_or_default();
             let here = contacts.iter().find(|c| c.contact == number).map(|c| c.point);
             let reach = Bounds::of_scene(scene).radius() * 0.08;
             here.map(|p| vec![p - DVec3::splat(reach), p + DVec3::splat(reach)]).unwrap_or_default()

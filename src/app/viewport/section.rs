@@ -59,7 +59,7 @@ fn draw(ui: &mut Ui, history: &History, pair: usize, t: f64) {
         .clone()
         .map(|c| {
             let [gap, along] = readings::before_face(history, c, t);
-            let state = history.contact_at(c, t).map_or(ContactState::Open, |now| now.state);
+            let state = history.contacts().contact_at(c, t).map_or(ContactState::Open, |now| now.state);
             Before { along, gap, state }
         })
         .collect();

@@ -158,7 +158,7 @@ impl GroundArgs {
         scene.duration = scene.duration.min(*last);
         let history = Run::of(&scene)?;
         let first = times.first().copied().unwrap_or_default();
-        if let Some(touch) = history.touches().iter().find(|touch| touch.end >= first) {
+        if let Some(touch) = history.hits().touches().iter().find(|touch| touch.end >= first) {
             console.note(&said!(
                 "identify-touches",
                 "scene" => path.display().to_string(),

@@ -48,7 +48,7 @@ fn reached(history: &History, at: Instant, console: &mut Console) -> Result<(), 
     match at {
         Instant::At(t) => reaches(history, "--at", t),
         Instant::Peak => {
-            if history.hardest().is_none() {
+            if history.hits().hardest().is_none() {
                 console.note(&Text::new("note-no-peak"));
             }
             Ok(())

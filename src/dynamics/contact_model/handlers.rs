@@ -45,7 +45,7 @@ impl ContactRun {
         }
         self.island_stock.take_back(number, &mut island);
         // Under alternating stick and slip the next step length follows from the island's frequency.
-        self.rebuild(now, if alternates { ControllerState::default() } else { island.controller_state() });
+        self.rebuild(now, if alternates { ControllerState::default() } else { island.stepper.controller_state() });
     }
 
     /// Plans the next step of an island whose step ended without an event, and searches the pairs of its bodies again.
@@ -113,7 +113,7 @@ impl ContactRun {
                 Trajectory::Island { island, .. } => {
                     if let Some(island) = &self.world.islands[island] {
                         all.extend(island.slots.iter().copied());
-                        controller = controller.with(island.controller_state());
+                        controller = controller.with(island.stepper.controller_state());
                     }
                 }
             }

@@ -37,7 +37,7 @@ impl IslandStock {
     /// Stores the number and the implicit integrator of an island that has ended.
     pub(in crate::dynamics) fn take_back(&mut self, number: usize, island: &mut Island) {
         self.vacant.push(number);
-        self.spare.extend(island.give_back());
+        self.spare.extend(island.stepper.give_back());
     }
 
     /// Creates an island at `start` and writes the flights of its bodies into their paths; returns its number. `controller`
@@ -64,7 +64,7 @@ impl IslandStock {
             }
         }
         let mut island = Box::new(assemble(world, members, bases, y, t, controller));
-        island.borrow(self.spare.pop());
+        island.stepper.borrow(self.spare.pop());
         world.islands[number] = Some(island);
         number
     }

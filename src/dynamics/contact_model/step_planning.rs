@@ -27,9 +27,9 @@ pub(in crate::dynamics) fn plan(world: &mut World, schedule: &mut Schedule, numb
         world.islands[number] = Some(island);
         return;
     }
-    let cap = model.duration.min(island.latest_end(&model));
+    let cap = model.duration.min(island.stepper.latest_end(&model, from));
     schedule.effort.steps += 1;
-    let controller = island.controller_state();
+    let controller = island.stepper.controller_state();
     let going_on = controller.stiff && controller.step > 0.0;
     let forecast =
         if going_on { earliest_change(world, &island, WORTHWHILE_CUT * controller.step) } else { f64::INFINITY };
@@ -115,7 +115,7 @@ mod tests {
     #[test]
     fn a_step_that_cannot_be_made_stops_the_run() {
         let mut world = planned(&wall(), &[[0.0, 0.0, 0.0, SPEED, 0.0, 0.0]]);
-        world.islands[0].as_mut().expect("the island").y[0] = f64::NAN;
+        world.islands[0].as_mut().expect("the island").stepper.y[0] = f64::NAN;
         let mut schedule = Schedule::default();
         plan(&mut world, &mut schedule, 0);
         let stop = schedule.stop().expect("a reason");

@@ -122,6 +122,11 @@ impl Model {
         &self.bodies[..self.bodies.len() - others]
     }
 
+    /// Largest distance of a corner of a girder from its G, by which rotations move it \[m\].
+    pub fn farthest_corner(&self) -> f64 {
+        self.girders().iter().map(|body| body.radius).fold(0.0, f64::max)
+    }
+
     /// The body that a side belongs to; `None` for an abutment that stands.
     pub fn body_of(&self, side: Side) -> Option<usize> {
         self.body_of_solid(side.solid())

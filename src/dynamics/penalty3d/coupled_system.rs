@@ -1,5 +1,7 @@
 //! Bodies and the connections that act on them: what is constant of an island between two events.
 
+use std::sync::OnceLock;
+
 use crate::contact::Frame;
 use crate::dynamics::Model;
 use crate::dynamics::model::coordinates::state_layout::StateLayout;
@@ -48,8 +50,8 @@ pub(in crate::dynamics) struct CoupledSystem {
     pub largest_decay_rate: f64,
     /// Largest rates of the modes of its girders.
     pub modal: ModalRates,
-    /// Upper bound of the decay rate of all dashpots together \[1/s\]; `None` until it is needed.
-    decay: Option<f64>,
+    /// Upper bound of the decay rate of all dashpots together \[1/s\], from when it is first needed.
+    decay: OnceLock<f64>,
 }
 
 impl CoupledSystem {
@@ -122,7 +124,7 @@ impl CoupledSystem {
             omega,
             largest_decay_rate,
             modal,
-            decay: None,
+            decay: OnceLock::new(),
         }
     }
 
@@ -153,8 +155,8 @@ impl CoupledSystem {
     }
 
     /// Upper bound of the decay rate of all dashpots together \[1/s\].
-    pub(in crate::dynamics) fn decay_bound(&mut self, model: &Model) -> f64 {
-        *self.decay.get_or_insert_with(|| self.modal.decay + decay(model, &self.bodies, &self.active, &self.links))
+    pub(in crate::dynamics) fn decay_bound(&self, model: &Model) -> f64 {
+        *self.decay.get_or_init(|| self.modal.decay + decay(model, &self.bodies, &self.active, &self.links))
     }
 }
 
@@ -208,8 +210,7 @@ mod tests {
             })
             .collect();
         let count = damped.len() as f64;
-        let mut system =
-            CoupledSystem::of(&model, Members { bodies, bases, active: damped, ..Members::default() }, &mut y);
+        let system = CoupledSystem::of(&model, Members { bodies, bases, active: damped, ..Members::default() }, &mut y);
         let together = system.decay_bound(&model);
         assert!(system.largest_decay_rate > 0.0 && together > 0.0, "{together} 1/s");
         // A contact slows both of its bodies; each body has the sum of its contacts.

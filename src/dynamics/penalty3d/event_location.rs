@@ -87,7 +87,7 @@ pub(in crate::dynamics) fn first_contact_events(
 /// Number of samples of the switching functions within the planned step.
 pub(in crate::dynamics) fn sample_count(island: &Island) -> usize {
     let phase = (island.step.until - island.step.from) * island.omega();
-    if !island.controller_state().stiff || phase <= SHORT_PHASES[0] {
+    if !island.stepper.controller_state().stiff || phase <= SHORT_PHASES[0] {
         SAMPLES_EXPLICIT
     } else if phase <= SHORT_PHASES[1] {
         SAMPLES_MEDIUM
@@ -155,7 +155,7 @@ fn contact_event<const N: usize>(
     let zero = match reason {
         _ if entering => f64::INFINITY,
         Reason::Switching if is_sticking(island, number) => {
-            let rounding = POSITION_ROUNDING * island.reach(model, number);
+            let rounding = POSITION_ROUNDING * island.budget.reach(model, &island.system.active[number]);
             ZERO_BAND * switching_scale(island, number, reason, samples) + rounding
         }
         _ => ZERO_BAND * switching_scale(island, number, reason, samples),
@@ -234,7 +234,8 @@ fn is_sticking(island: &Island, number: usize) -> bool {
 /// Largest penetration of a node that counts as being at its face \[m\], from round-off of position and of the time
 /// of entry.
 fn entry_depth(model: &Model, island: &Island, number: usize, here: &Local) -> f64 {
-    ENTRY_ROUNDING * island.reach(model, number) + CLOCK_ROUNDING * island.step.from * here.gap_rate.abs()
+    ENTRY_ROUNDING * island.budget.reach(model, &island.system.active[number])
+        + CLOCK_ROUNDING * island.step.from * here.gap_rate.abs()
 }
 
 /// Whether a node has just entered: gap and forces are round-off of either sign.
@@ -248,7 +249,7 @@ fn dead_band(model: &Model, island: &Island, number: usize, reason: Reason, here
     let closed = &island.system.active[number].closed;
     let entry = entry_depth(model, island, number, here);
     if here.gap <= -entry {
-        let rounding = POSITION_ROUNDING * island.reach(model, number);
+        let rounding = POSITION_ROUNDING * island.budget.reach(model, &island.system.active[number]);
         return match reason {
             // A normal force that stays near 0 crosses 0 with each round-off of position. The force is continuous there: a change of
             // state that is late by the dead band changes the force by its round-off alone.

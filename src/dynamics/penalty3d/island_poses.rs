@@ -33,7 +33,7 @@ impl Island {
                 self.body(model, index).normalise(&mut out);
                 out
             }
-            _ => self.y[range].to_vec(),
+            _ => self.stepper.y[range].to_vec(),
         }
     }
 
@@ -53,22 +53,8 @@ impl Island {
         let (range, body) = (self.system.layout.range(index), self.body(model, index));
         match &self.step.dense {
             Some(dense) => body.with_state(|state| dense.read(range, t, state), |state| take(body, state)),
-            None => take(body, &self.y[range]),
+            None => take(body, &self.stepper.y[range]),
         }
-    }
-
-    /// Poses of the sections of its bodies relative to their reference poses, `dt` after the start of the next step, with constant
-    /// acceleration.
-    pub(in crate::dynamics) fn frames_after(&self, model: &Model, dt: f64) -> Vec<Frame> {
-        let slope = self.controller.slope();
-        let mut moved: Vec<f64> = self.y.iter().zip(slope).map(|(y, rate)| y + dt * rate).collect();
-        let mut frames = Vec::with_capacity(self.system.layout.section_count());
-        for index in 0..self.system.bodies.len() {
-            let (part, body) = (self.system.layout.range(index), self.body(model, index));
-            body.add_accelerations(&mut moved[part.clone()], &slope[part.clone()], dt);
-            body.push_frames(&moved[part], &mut frames);
-        }
-        frames
     }
 
     /// Poses of the sections of the bodies that connections act on at `times` within the planned step, relative to their reference poses,
@@ -202,7 +188,7 @@ mod tests {
     #[test]
     fn states_and_poses_are_those_of_the_dense_output_and_of_the_end() {
         let (model, island) = hit();
-        assert_eq!(island.state_at(&model, 0, island.step.until), island.y, "the end to the last bit");
+        assert_eq!(island.state_at(&model, 0, island.step.until), island.stepper.y, "the end to the last bit");
         assert_eq!(island.state_at(&model, 0, island.step.from)[3..], [SPEED, 0.1, 2.0], "the start");
         let times = times(&island);
         let frames = island.frames_since(&model, &times);

@@ -5,8 +5,8 @@
 use crate::dynamics::Model;
 use crate::dynamics::integrator::dense_output::DenseOutput;
 use crate::dynamics::penalty3d::constants::{RETAKE_ERROR, RETAKE_MARGIN, RETAKE_OVERSHOOT};
-use crate::dynamics::penalty3d::equations_of_motion::ErrorScale;
-use crate::dynamics::penalty3d::island::{Island, normalise};
+use crate::dynamics::penalty3d::island::Island;
+use crate::dynamics::penalty3d::stepper::Integrated;
 
 impl Island {
     /// Retakes an explicit planned step to end just beyond `t`, if that is well inside it; whether it was retaken.
@@ -15,26 +15,18 @@ impl Island {
         let Some(dense) = self.step.dense.as_ref().filter(retakable) else { return false };
         let part = (t - self.step.from) / dense.step;
         // Of a step that ends at a kink the error may be far below the tolerance.
-        if self.controller.error() <= RETAKE_ERROR || !(RETAKE_MARGIN..1.0 - RETAKE_MARGIN).contains(&part) {
+        if self.stepper.error() <= RETAKE_ERROR || !(RETAKE_MARGIN..1.0 - RETAKE_MARGIN).contains(&part) {
             return false;
         }
-        let mut y: Vec<f64> = dense.coefficients().iter().map(|c| c[0]).collect();
         let (from, h) = (self.step.from, (t - self.step.from) * (1.0 + RETAKE_OVERSHOOT));
-        let number = model.ground.piece_number(from);
-        let piece = model.ground.piece(number);
-        let mut controller = std::mem::take(&mut self.controller);
-        self.note_unnormalised(&y);
-        std::mem::swap(&mut self.unnormalised, &mut self.next_unnormalised);
-        let dense = controller.repeat_explicit(
-            &mut self.equations(model, (piece, from), ErrorScale::default()),
-            from,
-            &mut y,
-            h,
-        );
-        self.note_unnormalised(&y);
-        normalise(model, &self.system.bodies, &self.system.layout, &mut y);
-        self.slope_at = (from + dense.step, number);
-        (self.controller, self.y, self.step.until, self.step.dense) = (controller, y, from + dense.step, Some(dense));
+        let of = Integrated {
+            model,
+            system: &self.system,
+            kind: &self.kind,
+            auxiliary_errors: &self.budget.auxiliary_errors,
+        };
+        let dense = self.stepper.retake(of, dense, [from, h]);
+        (self.step.until, self.step.dense) = (from + dense.step, Some(dense));
         true
     }
 }

@@ -12,7 +12,6 @@ pub mod contact_state;
 pub(in crate::dynamics) mod coupled_system;
 pub(in crate::dynamics) mod due;
 pub(in crate::dynamics) mod equations_of_motion;
-pub(in crate::dynamics) mod error_scale;
 pub(in crate::dynamics) mod event_location;
 pub(in crate::dynamics) mod general_island;
 mod implicit_cost;
@@ -23,6 +22,8 @@ pub(in crate::dynamics) mod island_retake;
 pub(in crate::dynamics) mod link_events;
 pub(in crate::dynamics) mod planned_step;
 pub(in crate::dynamics) mod sliding;
+pub(in crate::dynamics) mod step_budget;
+pub(in crate::dynamics) mod stepper;
 
 #[cfg(test)]
 pub(in crate::dynamics) mod example;

@@ -4,7 +4,7 @@ use rayon::prelude::*;
 
 use crate::sim::connections::view::Connections;
 use crate::sim::report::Extreme;
-use crate::sim::{Loop, peaks, touches};
+use crate::sim::{Loop, looks, peaks};
 
 /// The bearing of a girder that goes farthest, and the one that resists most, both in plan.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -38,7 +38,7 @@ impl Connections<'_> {
             return None;
         }
         let until: Vec<f64> = (0..count).map(|number| self.history.seats().bearing_lost_at(girder, number)).collect();
-        let times = touches::looks(self.history, girder);
+        let times = looks::of_body(self.history, girder);
         let mut seen = vec![[0.0; 2]; times.len() * count];
         for (all, &t) in seen.chunks_exact_mut(count).zip(&times) {
             // Of all bearings together the girder's pose is computed once.

@@ -5,7 +5,7 @@ use crate::dynamics::model::compiled_model::ModelDevice;
 use crate::sim::connections::view::Connections;
 use crate::sim::peaks::largest_of_each;
 use crate::sim::report::Extreme;
-use crate::sim::{LinkNow, touches};
+use crate::sim::{LinkNow, looks};
 
 /// Largest force, deformation and changes of a device over a run.
 #[derive(Clone, Debug, PartialEq)]
@@ -81,7 +81,7 @@ impl Connections<'_> {
             self.history.model().links[links.clone()].iter().flat_map(|link| link.bodies).flatten().collect();
         bodies.sort_unstable();
         bodies.dedup();
-        let mut times: Vec<f64> = bodies.into_iter().flat_map(|body| touches::looks(self.history, body)).collect();
+        let mut times: Vec<f64> = bodies.into_iter().flat_map(|body| looks::of_body(self.history, body)).collect();
         times.extend(links.flat_map(|link| self.link_phases(link).iter().map(|(t, _)| *t)));
         times.sort_by(f64::total_cmp);
         times.dedup();

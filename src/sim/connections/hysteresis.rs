@@ -143,7 +143,7 @@ mod tests {
             })
             .sum();
         // The rest at the end is stored, in the spring and in the hysteretic part.
-        let ledger = history.ledger(3.0);
+        let ledger = history.energy().ledger(3.0);
         let wanted = ledger.loss_bearing + ledger.bearing;
         assert!(wanted > 0.01 && (area - wanted).abs() < 1e-4 * wanted, "{area} J of {wanted} J");
     }

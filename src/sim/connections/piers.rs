@@ -6,7 +6,7 @@ use crate::dynamics::model::compiled_model::Pier;
 use crate::scene::{BaseYield, ResolvedPier};
 use crate::sim::connections::view::Connections;
 use crate::sim::report::Extreme;
-use crate::sim::{peaks, touches};
+use crate::sim::{looks, peaks};
 
 /// A pier at one instant.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -86,7 +86,7 @@ impl Connections<'_> {
     pub fn pier_reading(self, number: usize) -> PierReading {
         let Pier { body, yielding, .. } = self.history.model().piers[number];
         let resolved: ResolvedPier = self.history.scene().pier(number);
-        let times = touches::looks(self.history, body);
+        let times = looks::of_body(self.history, body);
         let largest = |of: &dyn Fn(&PierNow) -> f64| {
             peaks::largest(&times, &|t| self.pier(number, t).map_or(0.0, |now| of(&now)))
         };

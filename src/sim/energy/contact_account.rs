@@ -41,7 +41,7 @@ pub(in crate::sim) fn contact_account(history: &History, contact: usize) -> Acco
 /// Powers lost in the normal dashpot, the tangential dashpot and friction, and that of the ground where one side moves as given
 /// \[W\].
 pub(in crate::sim) fn contact_powers(history: &History, contact: usize, t: f64) -> [f64; 4] {
-    let Some((closed, action)) = history.acting(contact, t) else { return [0.0; 4] };
+    let Some((closed, action)) = history.contacts().acting(contact, t) else { return [0.0; 4] };
     let [normal, tangential, friction] = closed.law.dissipated_powers(&action.forces);
     let site = &history.model().sites[contact];
     let given = given_power(history, [(site.node_body, action.force), (site.face_body, -action.force)], t);

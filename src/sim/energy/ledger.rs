@@ -18,20 +18,21 @@ use crate::sim::energy::contact_account::{contact_account, contact_powers};
 use crate::sim::energy::ledger_steps::{given_power, step_borders};
 use crate::sim::energy::power_integrals::{Account, PowerIntegrals};
 use crate::sim::energy::quadrature::{COUNT, Nodes, integrate};
+use crate::sim::energy::view::Energy;
 use crate::sim::impact::forces;
-use crate::sim::touches::MOST_LOOKS;
-use crate::sim::touches::flight_rate;
+use crate::sim::looks::{MOST_LOOKS, flight_rate};
 use crate::sim::{EventKind, History, Ledger};
 use glam::DVec3;
 
 /// Quadrature cells per look in free flight.
 const PER_LOOK: f64 = 0.25;
 
-impl History {
+impl Energy<'_> {
     /// The energy ledger at `t`.
-    pub fn ledger(&self, t: f64) -> Ledger {
-        let integrals = self.found.power_integrals.get_or_init(|| PowerIntegrals::open(self));
-        integrals.at(self, t.clamp(0.0, self.end()))
+    pub fn ledger(self, t: f64) -> Ledger {
+        let history = self.history;
+        let integrals = history.found.power_integrals.get_or_init(|| PowerIntegrals::open(history));
+        integrals.at(history, t.clamp(0.0, history.end()))
     }
 }
 
@@ -115,7 +116,7 @@ impl PowerIntegrals {
             ledger.gravity += gravity;
         }
         for contact in 0..history.model().sites.len() {
-            if let Some((closed, action)) = history.acting(contact, t) {
+            if let Some((closed, action)) = history.contacts().acting(contact, t) {
                 ledger.contact += closed.law.strain(&action.here, &action.forces);
             }
         }

@@ -11,3 +11,4 @@ mod ledger_steps;
 pub(super) mod power_integrals;
 pub(super) mod quadrature;
 pub(super) mod quantity;
+pub mod view;

@@ -64,7 +64,7 @@ pub(in crate::sim) fn named(history: &History) -> impl Iterator<Item = (&'static
 
 /// An entry at `t` \[J\].
 pub(in crate::sim) fn at(history: &History, what: OfEnergy, t: f64) -> f64 {
-    let e = history.ledger(t);
+    let e = history.energy().ledger(t);
     match what {
         OfEnergy::Kinetic => e.kinetic,
         OfEnergy::Bearings => e.bearing,

@@ -57,7 +57,7 @@ pub(in crate::sim) fn of(history: &History, record: &ImpactRecord) -> Vec<Touch>
                 touch.slip += length;
             }
             let times: Vec<f64> = looks(from, until).collect();
-            let force = |t: f64| history.contact_at(contact, t).map_or(0.0, |now| now.force.length());
+            let force = |t: f64| history.contacts().contact_at(contact, t).map_or(0.0, |now| now.force.length());
             let most = peaks::largest(&times, &force);
             if most.value > touch.peak_force {
                 (touch.peak_time, touch.peak_force) = (most.t, most.value);

@@ -47,19 +47,21 @@ impl History {
             found
         })
     }
+}
 
+impl Overlap {
     /// Whether two bodies that overlap without a contact have met where their pairs do not touch: not where the overlap is a sliver
     /// that contact between tilted faces in space leaves.
-    pub(super) fn have_met(&self, overlap: &Overlap) -> bool {
-        let faces = !Joined::of(self.model()).facing(overlap.bodies).is_empty();
-        let sliver = TILTED_FACE_OVERLAP * Solids::pair(self, overlap.bodies).least_side([0, 1]);
-        !(faces && self.model().kind == Kind::Spatial && overlap.depth.value <= sliver)
+    pub(super) fn has_met(&self, history: &History) -> bool {
+        let faces = !Joined::of(history.model()).facing(self.bodies).is_empty();
+        let sliver = TILTED_FACE_OVERLAP * Solids::pair(history, self.bodies).least_side([0, 1]);
+        !(faces && history.model().kind == Kind::Spatial && self.depth.value <= sliver)
     }
 
     /// Depth of the overlap of two bodies at `t`, along the shortest way out; 0 apart \[m\].
-    pub fn overlap_depth(&self, overlap: &Overlap, t: f64) -> f64 {
-        let pair = Solids::pair(self, overlap.bodies);
-        let placed = pair.placed(self, [0, 1], t);
+    pub fn depth_at(&self, history: &History, t: f64) -> f64 {
+        let pair = Solids::pair(history, self.bodies);
+        let placed = pair.placed(history, [0, 1], t);
         (-pair.separation([0, 1], &placed)).max(0.0)
     }
 }

@@ -11,7 +11,7 @@ use crate::geometry::{End, Prism};
 use crate::sim::report::Extreme;
 use crate::sim::seats::seat_on::SeatOn;
 use crate::sim::seats::view::Seats;
-use crate::sim::{History, Motion, peaks, touches};
+use crate::sim::{History, Motion, looks, peaks};
 
 /// Part of the range of a quantity within which a low point between looks is closed in on: between looks, 24 a period of the
 /// fastest motion, a peak rises by less than a hundredth of the range.
@@ -191,7 +191,7 @@ impl Seats<'_> {
             return Vec::new();
         }
         let history = self.history;
-        let times = touches::looks(history, girder);
+        let times = looks::of_body(history, girder);
         let looks = |end: End| {
             let motions = times.iter().map(|&t| history.end_motion(girder, end, t)).collect();
             Looks { history, girder, end, times: times.clone(), motions }

@@ -6,11 +6,11 @@ use crate::contact::Frame;
 use crate::dynamics::Body;
 use crate::dynamics::connection::Connection;
 use crate::scene::Kind;
+use crate::sim::looks;
 use crate::sim::peaks::largest;
 use crate::sim::readings::first;
 use crate::sim::report::{Extreme, Uplift, Upright};
 use crate::sim::seats::view::Seats;
-use crate::sim::touches;
 
 /// Part of the load at rest below which a bearing carries nothing \[–\]: of a slider that is lifted rounding is left.
 const NOTHING: f64 = 1e-9;
@@ -67,7 +67,7 @@ impl<'a> Seats<'a> {
 
     fn find_upright(self, girder: usize) -> Upright {
         let body = &self.history.model().bodies[girder];
-        let times = touches::looks(self.history, girder);
+        let times = looks::of_body(self.history, girder);
         let frames: Vec<Frame> = times.iter().map(|&t| self.history.frame(girder, t)).collect();
         let tilts: Vec<f64> = frames.iter().map(|frame| tilt_of(body, frame)).collect();
         let at = (0..times.len()).fold(0, |most, i| if tilts[i] > tilts[most] { i } else { most });
@@ -109,7 +109,7 @@ impl<'a> Seats<'a> {
         }
         let body = &self.history.model().bodies[girder];
         let beyond = |t: f64| tilt_of(body, &self.history.frame(girder, t)) - TIPPED.to_radians();
-        Some((first(&touches::looks(self.history, girder), self.history.end(), &beyond)?, most.value))
+        Some((first(&looks::of_body(self.history, girder), self.history.end(), &beyond)?, most.value))
     }
 }
 

@@ -8,7 +8,7 @@ use crate::scene::{Degree, Scene};
 use crate::sim::energy::quadrature::integrate;
 use crate::sim::sections::largest::rounding;
 use crate::sim::sections::view::Sections;
-use crate::sim::{History, Touch};
+use crate::sim::{Comparison, History, Touch};
 
 /// Instants at which places of the ends are compared.
 const COMPARED: u32 = 400;
@@ -62,7 +62,7 @@ impl Sections<'_> {
     pub fn check_degree(self) -> Option<DegreeCheck> {
         let (scene, degree) = self.of_other_degree()?;
         let against = History::of(&scene).ok()?;
-        match against.ends_before(self.history) {
+        match Comparison::of(&against, self.history).ends_before() {
             None => Some(self.compare(degree, against.sections())),
             // Largest values and impulses are compared of runs of one length.
             Some(until) => {
@@ -128,7 +128,7 @@ impl Sections<'_> {
     /// Largest force of a contact \[N\].
     fn largest_forces(self) -> OfBodies {
         let mut largest = OfBodies::new();
-        for touch in self.history.touches() {
+        for touch in self.history.hits().touches() {
             let own = of_two(&mut largest, self.history.model().pairs[touch.pair].solids());
             *own = own.max(touch.peak_force);
         }
@@ -146,11 +146,12 @@ impl Sections<'_> {
                 .chain([touch.start, touch.end])
                 .collect();
             borders.sort_by(f64::total_cmp);
-            let force = |t: f64| [self.history.contact_at(touch.contact, t).map_or(0.0, |now| now.force.length())];
+            let force =
+                |t: f64| [self.history.contacts().contact_at(touch.contact, t).map_or(0.0, |now| now.force.length())];
             borders.windows(2).map(|w| integrate(w[0], w[1], force)[0]).sum::<f64>()
         };
         let mut sums = OfBodies::new();
-        for touch in self.history.touches() {
+        for touch in self.history.hits().touches() {
             *of_two(&mut sums, self.history.model().pairs[touch.pair].solids()) += of(touch);
         }
         sums

@@ -6,10 +6,10 @@ use crate::dynamics::free_flight::body_motion::BodyMotion;
 use crate::dynamics::model::coordinates::section_forces::{Equilibrium, SectionForces, Station, Strained};
 use crate::dynamics::model::elastic_body::ElasticBody;
 use crate::dynamics::trajectory::stored_path::StoredMotion;
+use crate::sim::looks;
 use crate::sim::peaks::{self, NEAR, exceeds, golden};
 use crate::sim::readings::Extreme;
 use crate::sim::sections::view::Sections;
-use crate::sim::touches;
 
 /// Fewest stations beside those where loads act.
 const FEWEST: usize = 17;
@@ -151,7 +151,7 @@ impl<'a> Sections<'a> {
     /// The run of a girder, cut where it is looked at: as bodies are, and at every kink of the ground's motion in flights.
     fn intervals(self, girder: usize) -> Vec<Interval<'a>> {
         let (ground, path) = (&self.history.model().ground, self.history.trajectories.path(girder));
-        let looks = touches::looks(self.history, girder);
+        let looks = looks::of_body(self.history, girder);
         let mut intervals = Vec::with_capacity(looks.len());
         for pair in looks.windows(2) {
             let flight = match path.at(pair[0]) {

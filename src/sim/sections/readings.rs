@@ -115,7 +115,7 @@ impl<'a> Sections<'a> {
         let mut wrenches = vec![Wrench::default(); body.sections()];
         let pairs = self.history.model().pairs.iter().filter(|pair| pair.bodies.contains(&Some(girder)));
         for contact in pairs.flat_map(Pair::nodes) {
-            let Some(now) = self.history.contact(contact, t) else { continue };
+            let Some(now) = self.history.contacts().contact(contact, t) else { continue };
             let site = &self.history.model().sites[contact];
             let sections = self.history.model().sections(contact);
             let sides = [(site.node_body, now.point, 1.0), (site.face_body, now.anchor, -1.0)];
@@ -222,7 +222,7 @@ impl<'a> Sections<'a> {
         let fibre = |forces: &SectionForces| self.stress_of(girder, flexible, forces);
         let [axial, moment, vertical, torque, stress, thrust] = self.largest_values(girder, made, Some(&fibre));
         let in_space = flexible.space.map(|_| [vertical, torque]);
-        let times = crate::sim::touches::looks(self.history, girder);
+        let times = crate::sim::looks::of_body(self.history, girder);
         let [spin, bent] = largest_of_each(&times, &|t| made.spin_and_deflection(&self.history.state(girder, t)));
         let by_strain = made.strained(&self.history.state(girder, axial.t)).at(0.0).axial.abs();
         let (stress, stressed_at) = self.between_stations(girder, made, stress, &fibre);
@@ -260,21 +260,23 @@ impl<'a> Sections<'a> {
         let prism = &model.bodies[girder].prism;
         let from_end = |touch: &Touch| {
             let here = self.history.motion(girder, touch.peak_time);
-            let place =
-                here.attitude.inverse() * (self.history.contact(touch.contact, touch.peak_time)?.anchor - here.place);
+            let place = here.attitude.inverse()
+                * (self.history.contacts().contact(touch.contact, touch.peak_time)?.anchor - here.place);
             Some(0.5 * prism.length - (place.x - place.y * prism.shear()).abs())
         };
-        self.history.touches().iter().filter(is_on_side).filter_map(from_end).fold(0.0, f64::max)
+        self.history.hits().touches().iter().filter(is_on_side).filter_map(from_end).fold(0.0, f64::max)
     }
 
     /// The hardest hit of an elastic girder that bends.
     pub fn elastic_hit(self, girder: usize) -> Option<ElasticHit> {
         let (flexible, model) = (self.flexible(girder)?, self.history.model());
         let own = |touch: &&Touch| model.pairs[touch.pair].bodies.contains(&Some(girder));
-        let hardest = self.history.touches().iter().filter(own).max_by(|a, b| a.peak_force.total_cmp(&b.peak_force))?;
+        let hardest =
+            self.history.hits().touches().iter().filter(own).max_by(|a, b| a.peak_force.total_cmp(&b.peak_force))?;
         let pause = 2.0 * flexible.beam.transit_time();
         let mut span = [hardest.start, hardest.end];
-        let same: Vec<&Touch> = self.history.touches().iter().filter(|touch| touch.pair == hardest.pair).collect();
+        let same: Vec<&Touch> =
+            self.history.hits().touches().iter().filter(|touch| touch.pair == hardest.pair).collect();
         for touch in &same {
             if touch.start >= span[0] && touch.start <= span[1] + pause {
                 span[1] = span[1].max(touch.end);
@@ -286,7 +288,7 @@ impl<'a> Sections<'a> {
             }
         }
         let site = &model.sites[hardest.contact];
-        let normal = self.history.contact_at(hardest.contact, hardest.peak_time)?.normal;
+        let normal = self.history.contacts().contact_at(hardest.contact, hardest.peak_time)?.normal;
         let speed = |t: f64| {
             let of = |body: Option<usize>| body.map_or(DVec3::ZERO, |body| self.history.motion(body, t).velocity);
             (of(site.node_body) - of(site.face_body)).dot(normal)

@@ -65,7 +65,7 @@ impl Answer {
         Self {
             places: instants.all().flat_map(|t| (0..bodies).map(move |body| place(t, body))).collect(),
             bodies,
-            peak_force: history.hardest().map_or(0.0, |touch| touch.peak_force),
+            peak_force: history.hits().hardest().map_or(0.0, |touch| touch.peak_force),
             steps: 0,
             note: history
                 .stop()

@@ -131,7 +131,7 @@ type Strike = (f64, f64, usize);
 fn strikes(history: &History) -> Vec<Strike> {
     let lasts = |touch: &&Touch| history.impact().is_none() || touch.impulse == 0.0;
     let mut all: Vec<Strike> =
-        history.touches().iter().filter(lasts).map(|touch| (touch.start, touch.end, touch.contact)).collect();
+        history.hits().touches().iter().filter(lasts).map(|touch| (touch.start, touch.end, touch.contact)).collect();
     for hit in history.impact().map_or(&[][..], |record| &record.hits) {
         all.extend(hit.sites.iter().map(|&site| (hit.t, hit.t, site)));
     }
@@ -182,6 +182,6 @@ fn jump(history: &History, hit: &HitSeen) -> DVec2 {
 /// Contact force on the first girder at `t` \[N\].
 fn force(history: &History, t: f64) -> DVec2 {
     let on_first = |contact: usize| history.model().sites[contact].node_body == Some(0);
-    let all = history.contacts(t).into_iter();
+    let all = history.contacts().at(t).into_iter();
     all.map(|now| now.force.truncate() * if on_first(now.contact) { 1.0 } else { -1.0 }).sum()
 }

@@ -60,7 +60,7 @@ fn state(history: &History, girder: usize, t: f64) -> GirderState {
         let site = &history.model().sites[now.contact];
         [site.node_body, site.face_body].contains(&Some(girder))
     };
-    let all = history.contacts(t);
+    let all = history.contacts().at(t);
     let own: Vec<&ContactNow> = all.iter().filter(site).collect();
     let motion = history.motion(girder, t);
     let turning = motion.theta.abs().max(motion.spin.z.abs()) > TURNING;

@@ -95,7 +95,8 @@ fn outcome(variant: Variant) -> Result<Outcome, SceneErrors> {
         &[&format!("girder.deck.initial.velocity_m_s=[{SPEED}, 0.0]")],
     )?)?;
     let run = History::of(&scene("straight-abutment", &variant, &[])?)?;
-    let (touch, ledger, summary) = (hit.touches().first().copied(), run.ledger(run.end()), run.summary());
+    let (touch, ledger, summary) =
+        (hit.hits().touches().first().copied(), run.energy().ledger(run.end()), run.summary());
     let lasting = touch.map_or(0.0, |touch| touch.end - touch.start);
     let loops = |history: &History, points: u32| -> Vec<[f64; 2]> {
         let pairs = 0..history.model().pairs.len();
@@ -138,9 +139,9 @@ fn scene(preset: &str, variant: &Variant, more: &[&str]) -> Result<Scene, SceneE
 fn of_pair(history: &History, pair: usize, points: u32) -> Vec<[f64; 2]> {
     let nodes: Vec<usize> = history.model().pairs[pair].nodes().collect();
     let Some(&first) = nodes.first() else { return Vec::new() };
-    let touches = history.touches().iter().filter(|touch| touch.contact == first);
+    let touches = history.hits().touches().iter().filter(|touch| touch.contact == first);
     let at = |t: f64| {
-        let now: Vec<_> = nodes.iter().filter_map(|&node| history.contact_at(node, t)).collect();
+        let now: Vec<_> = nodes.iter().filter_map(|&node| history.contacts().contact_at(node, t)).collect();
         let depth = now.iter().map(|contact| contact.penetration).fold(0.0, f64::max);
         [depth, now.iter().map(|contact| contact.normal_force + contact.normal_damping).sum()]
     };

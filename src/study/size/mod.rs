@@ -5,7 +5,7 @@ mod rows;
 
 use crate::plot::{COLORS, Guide, Marker, Plot, Series, Ticks};
 use crate::scene::{Scene, SceneErrors};
-use crate::sim::History;
+use crate::sim::{Comparison, History};
 use crate::study::clock::fastest;
 
 pub use page::page;
@@ -56,7 +56,7 @@ fn measure(name: &'static str, scene: &Scene, repeat: usize) -> Result<Row, Scen
     let history = timed.value?;
     let mut finer = scene.clone();
     finer.solver.tolerance = scene.solver.tolerance / 1000.0;
-    let error = history.differences(&History::of(&finer)?).place;
+    let error = Comparison::of(&history, &History::of(&finer)?).of_all().place;
     Ok(Row {
         scene: name,
         girders: scene.girders.len(),

@@ -3,7 +3,7 @@
 use crate::language::{Text, message};
 use crate::scene::shown::shown;
 use crate::scene::{SceneError, SceneErrors, format};
-use crate::sim::{History, readings, seats};
+use crate::sim::{ErrorEstimate, History, readings, seats};
 
 /// A number of a run.
 #[derive(Clone, Copy, Debug)]
@@ -62,7 +62,7 @@ pub const MEASURES: &[Measure] = &[
         unit: "N",
         meaning: "largest |R_k| of any contact",
         drawn: NEWTONS,
-        of: |run| Some(run.largest_force()),
+        of: |run| Some(run.hits().largest_force()),
     },
     Measure {
         name: "max_total_force",
@@ -70,7 +70,7 @@ pub const MEASURES: &[Measure] = &[
         unit: "N",
         meaning: "largest force between two bodies, all contacts between them together",
         drawn: NEWTONS,
-        of: |run| Some(run.largest_resultants().into_iter().map(|(_, most)| most.value).fold(0.0, f64::max)),
+        of: |run| Some(run.hits().largest_resultants().into_iter().map(|(_, most)| most.value).fold(0.0, f64::max)),
     },
     Measure {
         name: "max_impulse",
@@ -78,7 +78,7 @@ pub const MEASURES: &[Measure] = &[
         unit: "N s",
         meaning: "largest impulse of a hit; of the impact model",
         drawn: NEWTON_SECONDS,
-        of: |run| run.largest_impulse(),
+        of: |run| run.hits().largest_impulse(),
     },
     Measure {
         name: "hits",
@@ -86,7 +86,7 @@ pub const MEASURES: &[Measure] = &[
         unit: "1",
         meaning: "hits: touches of a pair, from its first contact closing to its last opening",
         drawn: NUMBER,
-        of: |run| Some(run.hits() as f64),
+        of: |run| Some(run.hits().count() as f64),
     },
     Measure {
         name: "first_hit",
@@ -94,7 +94,7 @@ pub const MEASURES: &[Measure] = &[
         unit: "s",
         meaning: "time of the first touch; none without one",
         drawn: SECONDS,
-        of: |run| run.touches().first().map(|touch| touch.start),
+        of: |run| run.hits().touches().first().map(|touch| touch.start),
     },
     Measure {
         name: "stick_time",
@@ -102,7 +102,7 @@ pub const MEASURES: &[Measure] = &[
         unit: "s",
         meaning: "contact time in stick, summed over contacts",
         drawn: SECONDS,
-        of: |run| Some(run.contact_times().stick),
+        of: |run| Some(run.hits().contact_times().stick),
     },
     Measure {
         name: "slip_time",
@@ -110,7 +110,7 @@ pub const MEASURES: &[Measure] = &[
         unit: "s",
         meaning: "contact time in slip, summed over contacts",
         drawn: SECONDS,
-        of: |run| Some(run.contact_times().slip),
+        of: |run| Some(run.hits().contact_times().slip),
     },
     Measure {
         name: "least_gap",
@@ -198,7 +198,7 @@ pub const MEASURES: &[Measure] = &[
         unit: "m",
         meaning: "largest difference in displacement from a run at a hundredth of the tolerance, which is computed for it",
         drawn: MILLIMETRES,
-        of: |run| run.estimate_error().of_whole().map(|estimate| estimate.error),
+        of: |run| ErrorEstimate::of(run).of_whole().map(|estimate| estimate.error),
     },
     Measure {
         name: "energy_residual",
@@ -206,7 +206,7 @@ pub const MEASURES: &[Measure] = &[
         unit: "1",
         meaning: "|residual| of the energy ledger in parts of the largest energy in play",
         drawn: NUMBER,
-        of: |run| Some(run.balance().residual),
+        of: |run| Some(run.energy().balance().residual),
     },
 ];
 

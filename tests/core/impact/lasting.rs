@@ -29,7 +29,7 @@ fn girders_that_press_on_each_other_and_on_no_wall_move_as_one() {
             within("place [m]", history.motion(girder, 1.0).displacement.x - 5.0 / 3.0, 1e-9);
             within("speed [m/s]", history.motion(girder, 1.0).velocity.x - 10.0 / 3.0, 1e-9);
         }
-        let force: f64 = history.contacts(0.5).iter().map(|contact| contact.normal_force).sum();
+        let force: f64 = history.contacts().at(0.5).iter().map(|contact| contact.normal_force).sum();
         // Each is accelerated by what is left of its own push.
         within("force between them [N]", force - 2e6, 1e-3);
     }
@@ -58,7 +58,7 @@ fn a_run_that_ends_with_its_record_ends_with_the_ground_of_its_last_sample() {
     let rest = format!("[motion]\nkind = \"record\"\nsamples_m_s2 = [2.0, 2.0, 2.0]\ndt_s = 0.5\n{wall}");
     let history = run(1.0, "", &rest);
     for t in [0.5, 0.999, 1.0] {
-        let force: f64 = history.contacts(t).iter().map(|contact| contact.normal_force).sum();
+        let force: f64 = history.contacts().at(t).iter().map(|contact| contact.normal_force).sum();
         within(&format!("force at {t} s [N]"), force - 6e5, 1e-3);
     }
 }
@@ -84,10 +84,10 @@ fn a_corner_with_more_friction_than_the_face_keeps_it_on_the_wall() {
     within("flush until then [rad]", history.motion(0, corner).theta, 1e-12);
     assert!(history.motion(0, 0.6).theta.abs() > 1e-9, "then it turns");
     for t in [0.2, 0.46, 0.5, 0.53, 0.58] {
-        let pulls = history.contacts(t).iter().any(|contact| contact.normal_force < -1e-3);
-        assert!(!pulls, "no end pulls at {t} s: {:?}", history.contacts(t));
+        let pulls = history.contacts().at(t).iter().any(|contact| contact.normal_force < -1e-3);
+        assert!(!pulls, "no end pulls at {t} s: {:?}", history.contacts().at(t));
     }
-    assert!(history.without_friction().is_none(), "with friction all the time");
+    assert!(history.contacts().without_friction().is_none(), "with friction all the time");
 }
 
 #[test]
@@ -120,7 +120,7 @@ fn a_skewed_girder_that_two_walls_hold_stays_at_rest() {
         let history = History::of(&scene(&text(e_t))).expect("a sound scene");
         assert!(history.stop().is_none(), "runs to its end: {:?}", history.stop());
         within("at rest [m]", history.motion(0, history.end()).displacement.length(), 1e-12);
-        let sum: glam::DVec3 = history.contacts(0.005).iter().map(|contact| contact.force).sum();
+        let sum: glam::DVec3 = history.contacts().at(0.005).iter().map(|contact| contact.force).sum();
         within("the walls carry the push [N]", (sum + glam::DVec3::new(-124e3, 108e3, 0.0)).length(), 1e-2);
     }
 }

@@ -42,8 +42,12 @@ fn thrown(stiffness: f64) -> girderbench::scene::Scene {
 
 /// Velocity of G just after the touch, and spin.
 fn after(history: &History) -> [f64; 3] {
-    let end = history.touches().iter().map(|touch| touch.end).fold(0.0, f64::max);
-    assert!(end > 0.0 && history.touches().len() == 1, "one corner touches once: {:?}", history.touches());
+    let end = history.hits().touches().iter().map(|touch| touch.end).fold(0.0, f64::max);
+    assert!(
+        end > 0.0 && history.hits().touches().len() == 1,
+        "one corner touches once: {:?}",
+        history.hits().touches()
+    );
     let motion = history.motion(0, end);
     [motion.velocity.x, motion.velocity.y, motion.spin.z]
 }
@@ -128,7 +132,7 @@ fn a_flush_hit_differs_by_nature() {
             "#
         ));
         let history = History::of(&scene).expect("runs");
-        let end = history.touches().iter().map(|touch| touch.end).fold(0.0, f64::max);
+        let end = history.hits().touches().iter().map(|touch| touch.end).fold(0.0, f64::max);
         let m = history.motion(0, end.max(0.02));
         [m.velocity.x, m.velocity.y, m.spin.z]
     };

@@ -51,7 +51,7 @@ fn examine(seeds: u64, most: f64) -> [usize; 3] {
     for seed in 0..seeds {
         let Some(scene) = scene(seed, most) else { continue };
         let history = History::of(&scene).expect("families make sound scenes");
-        let ledger = history.ledger(history.end());
+        let ledger = history.energy().ledger(history.end());
         let record = history.impact().expect("the impact model");
         let scale = ledger.scale.max(f64::MIN_POSITIVE);
         // Pre-loaded scenes keep hardly any energy: a push times the rounding of a place counts in them.
@@ -102,7 +102,7 @@ fn contacts_for_which_no_modes_are_found_at_first_keep_their_friction() {
     for (seed, most) in [(82, 2.0), (414, 2.0), (337, 2.0), (142, 0.4)] {
         let history = History::of(&scene(seed, most).expect("in plan")).expect("families make sound scenes");
         let record = history.impact().expect("the impact model");
-        let words = history.without_friction();
+        let words = history.contacts().without_friction();
         assert!(words.is_none(), "seed {seed}: {words:?}");
         let is_wedged = |interval: &&LastingInterval| interval.modes.iter().any(|m| m.friction == FrictionMode::Wedged);
         for interval in record.lasting.iter().filter(is_wedged) {
@@ -110,7 +110,7 @@ fn contacts_for_which_no_modes_are_found_at_first_keep_their_friction() {
             for &body in &interval.bodies {
                 within("at rest while wedged [m/s]", history.motion(body, middle).velocity.length(), 1e-12);
             }
-            for contact in history.contacts(middle) {
+            for contact in history.contacts().at(middle) {
                 let along = contact.tangential_force.length();
                 assert!(along <= contact.mu_static * contact.normal_force * (1.0 + 1e-9), "in the cone: {contact:?}");
             }
@@ -130,7 +130,7 @@ fn a_corner_that_friction_drives_in_is_stopped_at_once() {
     let history = History::of(&scene).expect("a sound scene");
     assert!(history.stop().is_none(), "it goes on: {:?}", history.stop());
     let record = history.impact().expect("the impact model");
-    let scale = history.ledger(history.end()).scale;
+    let scale = history.energy().ledger(history.end()).scale;
     // The second impulse of a hit leaves the corner sliding; nothing agrees with that, and friction stops it.
     let stops = |change: &&Transition| change.from == GirderState::SlidingTurning && change.lost > 1e-6 * scale;
     let turns = |change: &Transition| change.to == GirderState::Turning;
@@ -138,5 +138,5 @@ fn a_corner_that_friction_drives_in_is_stopped_at_once() {
     assert!(stopped.into_iter().any(turns), "a slide is stopped, and that takes energy");
     // No energy is added, and the ledger knows what was lost.
     assert!(record.transitions.iter().all(|change| change.lost >= -1e-9 * scale), "never gained");
-    assert!(history.ledger(history.end()).residual.abs() <= 1e-8 * scale, "accounted for");
+    assert!(history.energy().ledger(history.end()).residual.abs() <= 1e-8 * scale, "accounted for");
 }

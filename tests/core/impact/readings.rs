@@ -38,26 +38,28 @@ fn joint() -> History {
 #[test]
 fn forces_are_those_of_one_instant() {
     let history = joint();
-    let all = history.largest_resultants();
+    let all = history.hits().largest_resultants();
     assert!(all.len() == 4, "every joint is pressed: {all:?}");
     for (pair, most) in &all {
-        let there = history.resultant(*pair, most.t).length();
+        let there = history.hits().resultant(*pair, most.t).length();
         assert!((most.value / there - 1.0).abs() < 1e-9, "pair {pair}: {} N of {there} N at {} s", most.value, most.t);
     }
     let numbers = history.summary();
     let at = numbers.peak_time.expect("contacts that last");
-    let strongest = history.contacts(at).into_iter().map(|now| now.force.length()).fold(0.0, f64::max);
+    let strongest = history.contacts().at(at).into_iter().map(|now| now.force.length()).fold(0.0, f64::max);
     assert!((numbers.peak_force / strongest - 1.0).abs() < 1e-9, "{} N, {strongest} N", numbers.peak_force);
     let hit = numbers.peak_impulse_time.expect("hits");
-    assert!(history.touches().iter().any(|touch| touch.start == hit && Some(touch.impulse) == numbers.peak_impulse));
+    assert!(
+        history.hits().touches().iter().any(|touch| touch.start == hit && Some(touch.impulse) == numbers.peak_impulse)
+    );
     let samples = (0..3000).map(|i| f64::from(i) * 5e-4);
-    let seen = samples.flat_map(|t| history.contacts(t)).map(|now| now.force.length()).fold(0.0, f64::max);
+    let seen = samples.flat_map(|t| history.contacts().at(t)).map(|now| now.force.length()).fold(0.0, f64::max);
     assert!(seen <= numbers.peak_force * (1.0 + 1e-9), "{seen} N is more than {} N", numbers.peak_force);
 }
 
 #[test]
 fn the_ledger_is_held_to_a_bound_that_says_something() {
-    let balance = joint().balance();
+    let balance = joint().energy().balance();
     assert!(balance.holds() && balance.bound < 1e-6, "{balance:?}");
 }
 

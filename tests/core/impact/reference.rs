@@ -13,7 +13,7 @@ fn compare(name: &str) {
     assert!(history.stop().is_none(), "{name} runs to its end: {:?}", history.stop());
     hits(&case, &history);
     places(&case, &history);
-    let ledger = history.ledger(history.end());
+    let ledger = history.energy().ledger(history.end());
     within(&format!("{name} ledger"), ledger.residual.abs() / ledger.scale, 1e-12);
 }
 

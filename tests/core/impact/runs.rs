@@ -176,7 +176,11 @@ fn runs_are_the_same_in_portions_and_on_any_number_of_threads() {
     assert_eq!(session.finish().digest(), whole.digest(), "portions");
     let pool = rayon::ThreadPoolBuilder::new().num_threads(1).build().expect("a pool");
     assert_eq!(pool.install(|| History::of(&scene).expect("runs").digest()), whole.digest(), "one thread");
-    within("row ledger", whole.ledger(whole.end()).residual.abs() / whole.ledger(whole.end()).scale, 1e-9);
+    within(
+        "row ledger",
+        whole.energy().ledger(whole.end()).residual.abs() / whole.energy().ledger(whole.end()).scale,
+        1e-9,
+    );
 }
 
 /// A girder pressed on a wall and pushed along it, without bearings.
@@ -299,7 +303,7 @@ fn a_slow_face_is_met_smoothly_and_lasting_contact_reaches_the_end() {
     }
     let end = history.end();
     assert!(record.state(0, end).touches(), "still on the wall");
-    assert!(!history.contacts(end).is_empty(), "and pushed at the last instant");
+    assert!(!history.contacts().at(end).is_empty(), "and pushed at the last instant");
     assert!(history.events().iter().all(|event| event.t < end), "nothing opens because the run ends");
 }
 
@@ -357,7 +361,7 @@ fn a_face_that_slides_on_its_bearings_is_the_damped_oscillator_about_where_frict
         within(&format!("at {t}"), (here.displacement.y - place(t)).abs(), 1e-16);
         assert_eq!(here.displacement.x, 0.0, "it stays on the wall to the last bit");
     }
-    let ledger = history.ledger(history.end());
+    let ledger = history.energy().ledger(history.end());
     within("ledger", ledger.residual.abs() / ledger.scale, 1e-13);
 }
 
@@ -413,8 +417,8 @@ fn a_face_pressed_at_its_end_slides_by_the_lever_of_its_corner_however_the_groun
         let history = run(&scene);
         within(&format!("{count} samples a second: place [m]"), history.motion(0, 1.0).displacement.y - exact, 1e-9);
         within("turn [rad]", history.motion(0, 1.0).theta, 1e-15);
-        assert!(history.without_friction().is_none(), "with friction all the time");
-        let lost = history.ledger(1.0).loss_friction;
+        assert!(history.contacts().without_friction().is_none(), "with friction all the time");
+        let lost = history.energy().ledger(1.0).loss_friction;
         within("lost in friction [J]", lost - 10.0 * ratio * exact.abs(), 1e-8);
     }
 }
@@ -440,5 +444,5 @@ fn a_face_that_opens_at_its_end_slides_flush_where_its_kinetic_friction_does_not
     let speed = |t: f64| 0.5 * t.powi(3) - 0.9 * t * t;
     let exact = -(speed(t) - speed(from) - (1.5 * from * from - 1.8 * from) * (t - from));
     within("place [m]", history.motion(0, t).displacement.y - exact, 1e-9);
-    assert!(history.without_friction().is_none(), "with friction all the time");
+    assert!(history.contacts().without_friction().is_none(), "with friction all the time");
 }

@@ -93,7 +93,7 @@ fn two_components_of_their_own_balance_the_ledger() {
     let mut scene =
         shaken("skew45-abutment", vec![component(&samples, 90.0, 0.6), component(&backwards, 0.0, 0.5)], 90.0);
     let history = run(&scene);
-    let ledger = history.ledger(history.end());
+    let ledger = history.energy().ledger(history.end());
     assert!(ledger.loss_normal > 0.0, "it hits the wall");
     within("contact model", ledger.residual / ledger.scale, 5e-13);
     let a = ground(&scene, 3.21);
@@ -112,7 +112,7 @@ fn an_upward_component_shakes_spatial_scenes_only() {
     let a = ground(&scene, 2.0);
     within("upwards", a.z - 0.3 * samples[200], 1e-14);
     let history = run(&Scene { duration: 3.0, ..scene.clone() });
-    let ledger = history.ledger(3.0);
+    let ledger = history.energy().ledger(3.0);
     within("ledger", ledger.residual / ledger.scale, 5e-12);
     let errors = validate::validate(&Scene { kind: Kind::Planar, ..scene }).expect_err("in plan");
     assert!(errors.to_string().contains("motion.component[1].vertical"), "{errors}");

@@ -63,7 +63,7 @@ fn a_swept_girder_pounds_and_keeps_its_energy() {
     let mut scene = presets::load("skew45-abutment").expect("a preset");
     (scene.duration, scene.motion) = (5.0, Motion::Sweep(motion));
     let history = run(&scene);
-    let ledger = history.ledger(history.end());
+    let ledger = history.energy().ledger(history.end());
     assert!(ledger.loss_normal > 0.0, "it hits the wall");
     within("residual of the ledger", ledger.residual / ledger.scale, 5e-13);
     let text = format::write(&scene);

@@ -151,7 +151,7 @@ fn the_books_of_a_skewed_deck_between_walls_on_soil_balance_and_the_soil_never_p
                     .force;
                 assert!(force >= -1e-3, "{kind}: {force} N at {t} s");
             }
-            let books = history.ledger(t);
+            let books = history.energy().ledger(t);
             within(&format!("{kind}: ledger at {t}"), books.residual / books.scale, 1e-8);
         }
         assert!(history.overlaps().is_empty(), "{kind}: {:?}", history.overlaps());
@@ -174,5 +174,5 @@ fn a_wall_that_slides_on_its_base_is_followed_in_steps_of_its_motion() {
     );
     let history = finished(&scene);
     assert_eq!(history.overlaps(), [], "walls 30 m apart");
-    assert!(history.balance().holds(), "{:?}", history.balance());
+    assert!(history.energy().balance().holds(), "{:?}", history.energy().balance());
 }

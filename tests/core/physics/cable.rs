@@ -218,7 +218,7 @@ fn a_slack_cable_goes_taut_for_half_a_period_and_the_girders_exchange_their_velo
         for t in [0.1, 0.5 * (taut + again), 1.0] {
             let kept = momentum(&history, t) - DVec3::X * MASS * SPEED;
             within(&format!("{kind}: momentum at {t}"), kept.length() / (MASS * SPEED), 1e-12);
-            let books = history.ledger(t);
+            let books = history.energy().ledger(t);
             within(&format!("{kind}: ledger at {t}"), books.residual / books.scale, 1e-9);
         }
     }
@@ -245,7 +245,7 @@ fn a_cable_beside_the_axes_turns_the_girders_and_keeps_angular_momentum_and_ener
         for i in 1..=11 {
             let t = 0.1 * f64::from(i);
             within(&format!("{kind}: angular momentum at {t}"), angular_momentum(&history, t) / before - 1.0, 1e-10);
-            let books = history.ledger(t);
+            let books = history.energy().ledger(t);
             within(&format!("{kind}: ledger at {t}"), books.residual / books.scale, 1e-8);
         }
     }
@@ -320,7 +320,7 @@ fn the_impact_model_refuses_a_device_in_words() {
 fn what_a_damped_cable_loses_is_booked() {
     let damped = Cable { c: 60.0, ..undamped() };
     let history = run(&two_girders("planar", [SPEED, 0.0], 1.0), damped, 0.0);
-    let books = history.ledger(1.0);
+    let books = history.energy().ledger(1.0);
     assert!(books.loss_device > 0.01 * books.scale, "{} J of {}", books.loss_device, books.scale);
     within("ledger", books.residual / books.scale, 1e-9);
     let taut = history.connections().link_phases(0)[1].0 + 2e-3;
@@ -341,8 +341,8 @@ fn between_cable_and_contact_two_girders_go_to_and_fro() {
     let mut scene = two_girders("planar", [SPEED, 0.0], 4.0);
     (scene.contact.restitution_normal, scene.contact.restitution_tangential) = (1.0, 1.0);
     let history = run(&scene, undamped(), 0.0);
-    assert!(history.connections().link_phases(0).len() >= 5 && history.touches().len() >= 2, "both act in turn");
-    let books = history.ledger(4.0);
+    assert!(history.connections().link_phases(0).len() >= 5 && history.hits().touches().len() >= 2, "both act in turn");
+    let books = history.energy().ledger(4.0);
     within("ledger", books.residual / books.scale, 1e-8);
     within("energy", books.kinetic / (0.5 * MASS * SPEED * SPEED) - 1.0, 1e-8);
     within("momentum", momentum(&history, 4.0).x / (MASS * SPEED) - 1.0, 1e-11);

@@ -40,7 +40,7 @@ fn a_sine_far_slower_than_the_run_is_a_constant_force() {
     for frequency in [0.0, 1e-9, 1e-7, 1e-5] {
         // The path is (1 − cos ωt)/ω², t²/2 less (ωt)² /12 of it: 1.3e-11 at 1e-5 Hz; √(2 · 0.02 m/1 m/s²) = 0.2 s.
         let history = run(&driven(frequency));
-        within(&format!("first touch at {frequency:e} Hz"), history.touches()[0].start - 0.2, 1e-11);
+        within(&format!("first touch at {frequency:e} Hz"), history.hits().touches()[0].start - 0.2, 1e-11);
     }
     // The same force in either form, beside where the steady response takes over: ω t = 0.0446 rad at 2 s.
     let places = [3.5e-3, 3.6e-3].map(|frequency| {
@@ -106,9 +106,9 @@ fn a_coordinate_of_a_block_with_a_dashpot_alone_is_a_number() {
         gap_m = 0.02
         "#
     )));
-    assert!(!history.touches().is_empty(), "it comes to the wall");
+    assert!(!history.hits().touches().is_empty(), "it comes to the wall");
     // Across nothing but the dashpot acts until the touch: v (1 − e^{−ct/m}) m/c, in steps at the default tolerance of 1e-10 m.
-    let t = 0.9 * history.touches()[0].start;
+    let t = 0.9 * history.hits().touches()[0].start;
     within("across", history.motion(0, t).displacement.y - 0.2 * 4.0 * (1.0 - (-t / 4.0).exp()), 1e-10);
 }
 

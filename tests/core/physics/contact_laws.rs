@@ -36,10 +36,10 @@ fn clamped_contacts_never_pull_and_return_more() {
     let mut scene = free_hit();
     scene.contact.tension = Tension::Clamp;
     let history = run(&scene);
-    let touch = history.hardest().expect("it hits");
+    let touch = history.hits().hardest().expect("it hits");
     for i in 0..=1000 {
         let t = touch.start + (touch.end - touch.start) * f64::from(i) / 1000.0;
-        for contact in history.contacts(t) {
+        for contact in history.contacts().at(t) {
             let pushed = contact.force.dot(contact.normal);
             assert!(pushed >= -1e-12 * touch.peak_force, "pulls {pushed} N at {t}");
         }
@@ -61,7 +61,7 @@ fn a_hit_between_girders_keeps_momentum_and_angular_momentum_up_to_the_couple() 
     for law in [FrictionLaw::Paper, FrictionLaw::ReturnMapping] {
         scene.contact.law = law;
         let history = run(&scene);
-        assert!(history.touches().len() >= 2, "both corners touch");
+        assert!(history.hits().touches().len() >= 2, "both corners touch");
         let momentum = |t: f64| -> DVec3 { (0..2).map(|b| history.motion(b, t).velocity * 2.0).sum() };
         within("momentum", (momentum(0.1) - momentum(0.0)).length(), 1e-12);
         let i2 = history.model().bodies[0].gyration2;
@@ -81,7 +81,8 @@ fn a_hit_between_girders_keeps_momentum_and_angular_momentum_up_to_the_couple() 
 fn couple(history: &History) -> f64 {
     let mut times: Vec<f64> = history.events().iter().map(|e| e.t).collect();
     times.dedup();
-    let moment = |t: f64| -> f64 { history.contacts(t).iter().map(|c| (c.point - c.anchor).cross(c.force).z).sum() };
+    let moment =
+        |t: f64| -> f64 { history.contacts().at(t).iter().map(|c| (c.point - c.anchor).cross(c.force).z).sum() };
     let mut sum = 0.0;
     for w in times.windows(2) {
         let n = 400;
@@ -134,7 +135,7 @@ fn a_steady_push_below_the_friction_limit_holds_under_return_mapping() {
     for push in [0.5, 1.0, 1.2, 1.4] {
         let history = run(&pressed(push, FrictionLaw::ReturnMapping));
         within(&format!("creep under {push} N"), speed(&history), 1e-12);
-        let contact = history.contacts(3.0);
+        let contact = history.contacts().at(3.0);
         assert!(contact.iter().all(|c| c.state == ContactState::Stick), "both corners stick");
         let held: f64 = contact.iter().map(|c| -c.tangential_force.y).sum();
         within("the push is held", held - push, 1e-9);
@@ -179,8 +180,8 @@ fn the_corners_get_what_the_point_gets() {
     scene.girders[0].initial.displacement = [0.0, 0.012, 0.0];
     scene.girders[0].initial.velocity = [0.5, 0.2, 0.0];
     let history = run(&scene);
-    let touch = history.hardest().expect("they hit");
-    let contact = history.contact_at(touch.contact, touch.peak_time).expect("closed at its peak");
+    let touch = history.hits().hardest().expect("they hit");
+    let contact = history.contacts().contact_at(touch.contact, touch.peak_time).expect("closed at its peak");
     let site = &history.model().sites[touch.contact];
     let owner = history.motion(site.face_body.expect("a girder's face"), touch.peak_time);
     let world = |v: DVec3| owner.place + owner.attitude * v;
@@ -200,13 +201,13 @@ fn the_corners_get_what_the_point_gets() {
 #[test]
 fn the_dashpots_impulse_over_a_flush_touch_is_nothing() {
     let history = run(&free_hit());
-    let touch = history.hardest().expect("it hits");
+    let touch = history.hits().hardest().expect("it hits");
     let n = 20_000;
     let h = (touch.end - touch.start) / f64::from(n);
     let impulse: f64 = (0..n)
         .map(|i| {
             let t = touch.start + h * (f64::from(i) + 0.5);
-            history.contacts(t).iter().map(|c| c.normal_damping).sum::<f64>() * h
+            history.contacts().at(t).iter().map(|c| c.normal_damping).sum::<f64>() * h
         })
         .sum();
     // The midpoint rule over 20,000 parts leaves (h ω)²/24 of the 0.7 N·s exchanged.
@@ -223,7 +224,7 @@ fn a_friction_force_lies_inside_its_cone_in_stick_and_on_it_in_slip() {
         let history = run(&scene);
         let mut seen = [0; 2];
         for i in 0..5000 {
-            for c in history.contacts(0.1 * f64::from(i) / 5000.0) {
+            for c in history.contacts().at(0.1 * f64::from(i) / 5000.0) {
                 let ratio = c.tangential_force.length() / c.normal_force;
                 if c.state == ContactState::Stick {
                     seen[0] += 1;
@@ -244,7 +245,7 @@ fn a_node_that_misses_a_face_is_ignored_until_it_is_in_front_again() {
     // Passes by, 1 mm beside: nobody touches, both planes are crossed.
     scene.girders[0].initial.displacement = [0.0, 0.071, 0.0];
     let history = run(&scene);
-    assert!(history.touches().is_empty(), "no touch");
+    assert!(history.hits().touches().is_empty(), "no touch");
     assert!(history.events().iter().all(|e| e.kind == EventKind::Missed), "only misses");
     assert_eq!(history.events().len(), 4, "two nodes of each girder");
     within("speed", history.motion(0, 0.1).velocity.x - 0.5, 1e-15);
@@ -288,7 +289,7 @@ fn equal_coefficients_of_friction_do_not_chatter() {
         scene.contact.stiffness = Some(stiffness);
         (scene.contact.mu_static, scene.contact.mu_kinetic) = (0.2, 0.2);
         let history = run(&scene);
-        let touches = history.touches().len();
+        let touches = history.hits().touches().len();
         assert!(
             history.events().len() < 12 * touches,
             "{stiffness:e}: {} events in {touches} touches",
@@ -345,6 +346,6 @@ fn a_long_search_misses_no_touch() {
         vertical_phase_deg: None,
     });
     let by_periods = run(&scene);
-    let first = |h: &History| h.touches().first().map(|touch| touch.start).expect("they meet");
+    let first = |h: &History| h.hits().touches().first().map(|touch| touch.start).expect("they meet");
     within("first touch", first(&at_once) - first(&by_periods), 1e-9);
 }

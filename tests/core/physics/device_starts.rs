@@ -58,7 +58,7 @@ fn ends_at(history: &History, wanted: f64, what: &str) {
     assert!(history.stop().is_none(), "{what}: {:?}", history.stop());
     let x = 1e3 * history.motion(0, 0.5).displacement.x;
     assert!((x - wanted).abs() < 1e-4, "{what}: {x} mm, {wanted} wanted");
-    assert!(history.balance().holds(), "{what}: {:?}", history.ledger(0.5));
+    assert!(history.energy().balance().holds(), "{what}: {:?}", history.energy().ledger(0.5));
 }
 
 #[test]
@@ -87,7 +87,7 @@ fn a_cable_that_is_pulled_on_yields_from_the_start() {
     // On the surface: T_y + K₂ (ε − T_y/K) of the largest elongation.
     let surface = 2e5 + 1e6 * (reading.deformation[1].value - 0.004 - 0.01);
     assert!((reading.force.value - surface).abs() < 1e-3, "{} N, {surface} N", reading.force.value);
-    assert!(pulled.balance().holds(), "{:?}", pulled.ledger(0.5));
+    assert!(pulled.energy().balance().holds(), "{:?}", pulled.energy().ledger(0.5));
 }
 
 #[test]

@@ -79,7 +79,7 @@ pub(super) fn agrees(name: &str, scene: &Scene, devices: Vec<Placed>, tolerance:
     let [place, rotation] = off(&history, name);
     within(&format!("{name}: places"), place, tolerance);
     within(&format!("{name}: rotation"), rotation, tolerance);
-    let books = history.ledger(scene.duration);
+    let books = history.energy().ledger(scene.duration);
     within(&format!("{name}: ledger"), books.residual / books.scale, 1e-8);
     history
 }
@@ -265,7 +265,7 @@ fn a_device_between_two_free_girders_keeps_momentum_angular_momentum_and_energy(
         for n in 0..3 {
             within(&format!("{name}: momentum {n}"), after[n] - before[n], 1e-10);
         }
-        let books = history.ledger(scene.duration);
+        let books = history.energy().ledger(scene.duration);
         within(&format!("{name}: ledger"), books.residual / books.scale, 1e-8);
     }
 }
@@ -324,7 +324,7 @@ fn bearings_that_do_not_yield_take_no_step_and_move_as_ones_of_their_first_stiff
             assert!(one.length() > 1e-6, "it moves: {one}");
             within("displacement [m]", (one - other).length(), 1e-15);
         }
-        let books = rubber.ledger(3.0);
+        let books = rubber.energy().ledger(3.0);
         within("ledger", books.residual / books.scale, 1e-13);
     }
 }
@@ -339,11 +339,11 @@ fn a_bearing_that_starts_displaced_beyond_its_yield_starts_with_its_yield_force(
              yield_displacement_m = 0.01, yields_per_axis = {per_axis} }}]"
         );
         let history = run(&girder(90.0, &words, [0.0, 1.0, 0.0], 0.6), Vec::new());
-        let books = history.ledger(0.6);
+        let books = history.energy().ledger(0.6);
         within("ledger", books.residual / books.scale, 1e-12);
         within(
             "energy at the start",
-            history.ledger(0.0).scale - (0.5 * 10.0 * 0.04 + 0.55 * 0.55 / (2.0 * 55.0)),
+            history.energy().ledger(0.0).scale - (0.5 * 10.0 * 0.04 + 0.55 * 0.55 / (2.0 * 55.0)),
             1e-13,
         );
         within("force at the start", history.connections().link(0, 0.0).expect("a link").force.x + 0.55, 1e-13);
@@ -392,7 +392,7 @@ fn a_stopper_or_a_cable_that_breaks_releases_its_energy() {
         let history = run(&free(0.3, 0.2), vec![placed]);
         let left = 0.3f64 * 0.3 - energy;
         within("speed after the break", history.motion(0, 0.2).velocity.x - left.sqrt(), 1e-10);
-        let books = history.ledger(0.2);
+        let books = history.energy().ledger(0.2);
         within("released", books.jump_device.abs() - energy, 1e-12);
         within("ledger", books.residual / books.scale, 1e-9);
     }

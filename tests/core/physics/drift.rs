@@ -83,7 +83,7 @@ fn elastic_hits_keep_the_energy_for_thousands_of_touches() {
              mu_kinetic = 0.0\n[solver]\ntolerance = 1e-12\n"
         );
         let history = run(&scene(&text));
-        let hits = history.touches().len() as f64;
+        let hits = history.hits().touches().len() as f64;
         assert!(hits > 80.0 * duration, "{kind}: it bounces: {hits}");
         let speed = history.motion(0, duration).velocity.length();
         // A tolerance a step, some ten steps a touch, and all of them one way at the worst.
@@ -111,7 +111,7 @@ fn quaternions_keep_their_length_and_held_directions_their_place() {
     };
     let free = run(&scene(&text("", 100.0)));
     let planar = run(&scene(&text("\"z\", \"roll\", \"pitch\"", 100.0)));
-    assert!(free.touches().len() > 100 && planar.touches().len() > 100, "contacts are in play");
+    assert!(free.hits().touches().len() > 100 && planar.hits().touches().len() > 100, "contacts are in play");
     for i in 0..=20_000 {
         let t = f64::from(i) * 0.005;
         for history in [&free, &planar] {

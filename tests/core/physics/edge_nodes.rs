@@ -38,7 +38,7 @@ fn after(history: &History) -> [f64; 6] {
 
 /// The ledger balances, and no overlap deeper than `hidden` \[m\] is without a contact that carries it.
 fn expect_carried(history: &History, hidden: f64) {
-    let balance = history.balance();
+    let balance = history.energy().balance();
     assert!(balance.residual <= balance.bound, "ledger: {balance:?}");
     let deepest = history.overlaps().iter().map(|overlap| overlap.depth.value).fold(0.0, f64::max);
     assert!(deepest <= hidden, "contacts carry all: {:?}", history.overlaps());
@@ -56,7 +56,7 @@ fn crossing_ends_hit_flush_with_the_restitution_asked_for() {
     within("momentum", (2.0 * one.velocity.x + 3.0 * other.velocity.x) / (2.0 * APPROACH) - 1.0, 1e-12);
     within("no spin", one.spin.length() + other.spin.length(), 1e-9);
     let lost = 0.5 * 1.2 * APPROACH * APPROACH * (1.0 - 0.4 * 0.4);
-    let ledger = history.ledger(history.end());
+    let ledger = history.energy().ledger(history.end());
     within("energy", (0.5 * 2.0 * APPROACH * APPROACH - ledger.kinetic) / lost - 1.0, 1e-9);
 }
 
@@ -111,8 +111,8 @@ fn deck(height: f64, duration: f64) -> History {
 fn figures(history: &History) -> (usize, [f64; 4]) {
     let times = (0..=4000).map(|i| history.end() * f64::from(i) / 4000.0);
     let turned = times.map(|t| history.motion(0, t).theta.abs()).fold(0.0, f64::max);
-    let force = |t: f64| history.contacts(t).iter().filter(|c| c.pair == 0).map(|c| c.normal_force).sum::<f64>();
-    let pressed = history.touches().iter().map(|touch| force(touch.peak_time)).fold(0.0, f64::max);
+    let force = |t: f64| history.contacts().at(t).iter().filter(|c| c.pair == 0).map(|c| c.normal_force).sum::<f64>();
+    let pressed = history.hits().touches().iter().map(|touch| force(touch.peak_time)).fold(0.0, f64::max);
     let last = history.motion(0, history.end()).displacement;
     (history.summary().hits, [turned, pressed, last.x, last.y])
 }
@@ -168,7 +168,7 @@ fn a_node_follows_its_crossing_without_energy() {
     expect_carried(&history, 0.0);
     let moves: Vec<_> = history.events().iter().filter(|event| event.kind == EventKind::Moved).collect();
     assert!(!moves.is_empty(), "it slides by more than a thousandth of the face");
-    let scale = history.ledger(history.end()).scale;
+    let scale = history.energy().ledger(history.end()).scale;
     let released = moves.iter().map(|event| event.released.abs()).fold(0.0, f64::max);
     within("energy of a move", released / scale, 1e-12);
 }

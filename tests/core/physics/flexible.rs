@@ -52,7 +52,7 @@ pub(super) fn with_degree(scene: &Scene, degree: usize) -> Scene {
 
 /// Force of all contacts on girder 0 \[N\].
 pub(super) fn force_on_first(history: &History, t: f64) -> DVec3 {
-    history.contacts(t).iter().fold(DVec3::ZERO, |sum, now| {
+    history.contacts().at(t).iter().fold(DVec3::ZERO, |sum, now| {
         let site = &history.model().sites[now.contact];
         sum + if site.node_body == Some(0) { now.force } else { -now.force }
     })

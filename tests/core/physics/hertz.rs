@@ -89,9 +89,9 @@ fn check(what: &str, scene: &Scene, nodes: usize) {
     let history = run(scene);
     let depth = (5.0 * MASS * SPEED * SPEED / (4.0 * STIFFNESS)).powf(0.4);
     let duration = DURATION * depth / SPEED;
-    assert_eq!(history.touches().len(), nodes, "{what}: one touch a node");
+    assert_eq!(history.hits().touches().len(), nodes, "{what}: one touch a node");
     let motion = |t: f64| history.motion(0, t);
-    for touch in history.touches() {
+    for touch in history.hits().touches() {
         within(&format!("{what}: start"), touch.start - GAP / SPEED, 1e-12);
         within(&format!("{what}: duration"), (touch.end - touch.start) / duration - 1.0, 1e-8);
         let force = STIFFNESS * depth.powf(1.5) / nodes as f64;
@@ -101,7 +101,7 @@ fn check(what: &str, scene: &Scene, nodes: usize) {
     within(&format!("{what}: depth"), deepest / depth - 1.0, 1e-8);
     within(&format!("{what}: rebound"), motion(scene.duration).velocity.x / SPEED + 1.0, 1e-8);
     let energy = |t: f64| {
-        let books = history.ledger(t);
+        let books = history.energy().ledger(t);
         books.kinetic + books.contact
     };
     within(&format!("{what}: energy"), energy(GAP / SPEED + 0.4 * duration) / energy(0.0) - 1.0, 1e-8);

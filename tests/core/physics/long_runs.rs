@@ -7,7 +7,7 @@ use girderbench::study::stability::family;
 
 /// The ledger's residual at the end, in parts of the largest energy in play.
 fn left_over(history: &History) -> f64 {
-    let at = |i: u32| history.ledger(history.end() * f64::from(i) / 20.0);
+    let at = |i: u32| history.energy().ledger(history.end() * f64::from(i) / 20.0);
     let scale = (1..=20).map(|i| at(i).scale).fold(0.0, f64::max);
     at(20).residual / scale
 }
@@ -34,7 +34,7 @@ fn a_touch_ends_as_exactly_as_its_steps() {
     // What starts from within a step's continuous answer, an order less exact, comes to 3.6e-8 at a tolerance of 1e-9.
     for tolerance in [1e-9, 1e-11] {
         let history = bounce(tolerance);
-        let touches = history.touches().len() as f64;
+        let touches = history.hits().touches().len() as f64;
         assert!(touches > 500.0, "it bounces: {touches}");
         let speed = history.motion(0, history.end()).velocity.length();
         within(&format!("{touches} touches at {tolerance:e}"), speed / 0.5 - 1.0, 0.012 * tolerance * touches);
@@ -44,7 +44,7 @@ fn a_touch_ends_as_exactly_as_its_steps() {
 #[test]
 fn two_thousand_elastic_corners_lose_no_more_than_their_places_round() {
     let history = run(&seed(8076));
-    assert!(history.touches().len() > 1500, "corners of two walls: {}", history.touches().len());
+    assert!(history.hits().touches().len() > 1500, "corners of two walls: {}", history.hits().touches().len());
     within("seed 8076", left_over(&history), 5e-9);
 }
 

@@ -46,7 +46,7 @@ fn held_flat(flat: &Scene) -> Scene {
 /// Every overlap is carried by a contact, and the ledger balances.
 fn expect_carried(history: &History) {
     assert_eq!(history.overlaps(), [], "contacts carry all");
-    let balance = history.balance();
+    let balance = history.energy().balance();
     assert!(balance.holds(), "{balance:?}");
 }
 
@@ -81,7 +81,7 @@ fn a_flush_hit_of_two_sides_returns_the_restitution() {
     // Twin decks 20 mm apart, closing at 1 m/s.
     let history = run(&girders(&["", "position_m = [0.0, 0.09, 0.0]\ninitial = { velocity_m_s = [0, -1] }\n"], 0.1));
     assert_eq!(history.overlaps(), [], "the sides carry");
-    let first = history.touches().iter().map(|touch| touch.start).fold(f64::INFINITY, f64::min);
+    let first = history.hits().touches().iter().map(|touch| touch.start).fold(f64::INFINITY, f64::min);
     within("time of the hit", first - 0.02, 1e-12);
     // (1 ∓ e)/2 of the speed before, equal masses.
     within("struck", velocity(&history, 0).y + 0.8, 1e-9);
@@ -98,7 +98,7 @@ fn an_end_that_meets_the_middle_of_a_side_returns_the_restitution() {
     within("parting", (b - a) / 0.5 - 0.6, 1e-9);
     within("momentum", a + b + 0.5, 1e-12);
     let pairs: Vec<&str> =
-        history.listed_pairs().iter().map(|&pair| history.model().pairs[pair].name.as_str()).collect();
+        history.hits().listed_pairs().iter().map(|&pair| history.model().pairs[pair].name.as_str()).collect();
     assert_eq!(pairs, ["g0+y|g1-x"], "only what touched is listed");
 }
 
@@ -109,11 +109,11 @@ fn a_corner_that_meets_a_side_moves_both_as_one_point_does() {
     // n nodes share and w₀ = 2/m is what the dashpot was made for.
     let striking = "position_m = [0.03, 0.15, 0.0]\nheading_deg = 30\ninitial = { velocity_m_s = [0, -0.5] }\n";
     let history = run(&girders(&["", striking], 0.2));
-    assert_eq!((history.overlaps(), history.touches().len()), (&[][..], 1), "one touch, carried");
-    let touch = &history.touches()[0];
+    assert_eq!((history.overlaps(), history.hits().touches().len()), (&[][..], 1), "one touch, carried");
+    let touch = &history.hits().touches()[0];
     let site = &history.model().sites[touch.contact];
     let at = history.motion(0, touch.start).place;
-    let node = history.contact_at(touch.contact, touch.start + 1e-6).expect("closed").point;
+    let node = history.contacts().contact_at(touch.contact, touch.start + 1e-6).expect("closed").point;
     let (m, i2) = (2.0, history.model().bodies[0].gyration2);
     let lever = [node - at, node - history.motion(1, touch.start).place].map(|arm| arm.x);
     let mobility: f64 = lever.iter().map(|x| (1.0 + x * x / i2) / m).sum();
@@ -173,7 +173,7 @@ fn girders_thrown_at_each_other_from_anywhere_do_not_pass_through() {
         let history = run(&scene);
         assert!(history.stop().is_none(), "seed {seed}: {:?}", history.stop());
         assert_eq!(history.overlaps(), [], "seed {seed}");
-        let balance = history.balance();
+        let balance = history.energy().balance();
         assert!(balance.holds(), "seed {seed}: {balance:?}");
     }
 }

@@ -4,8 +4,8 @@
 use girderbench::dynamics::Model;
 use girderbench::motion::support::GroundPath;
 use girderbench::scene::{Abutment, NamedGround, Scene, overrides, presets, validate};
-use girderbench::sim::History;
 use girderbench::sim::moving_ground::moved_supports;
+use girderbench::sim::{ErrorEstimate, History};
 use girderbench::tables::{Report, TableOptions, trajectory};
 use glam::DVec3;
 
@@ -39,7 +39,7 @@ fn shifted(mut scene: Scene, allowed: f64) {
     scene.piers.iter_mut().for_each(|pier| pier.delay = Some(DELAY));
     scene.duration += DELAY;
     let after = run(&scene);
-    assert!(after.balance().holds(), "{:?}", after.ledger(after.end()));
+    assert!(after.energy().balance().holds(), "{:?}", after.energy().ledger(after.end()));
     let bodies = scene.girders.len();
     let (mut worst, mut turned) = (0.0f64, 0.0f64);
     for t in times(before.end()) {
@@ -51,9 +51,9 @@ fn shifted(mut scene: Scene, allowed: f64) {
     }
     within("displacement", worst, allowed);
     within("rotation", turned, allowed);
-    let touches = |history: &History| history.touches().len();
+    let touches = |history: &History| history.hits().touches().len();
     assert_eq!(touches(&after), touches(&before), "the same touches");
-    let peak = |history: &History| history.touches().iter().map(|touch| touch.peak_force).fold(0.0, f64::max);
+    let peak = |history: &History| history.hits().touches().iter().map(|touch| touch.peak_force).fold(0.0, f64::max);
     within("peak force", (peak(&after) - peak(&before)) / peak(&before).max(1.0), 1e-7);
 }
 
@@ -198,7 +198,7 @@ fn a_wall_on_a_slider_before_soil_keeps_the_tolerance_on_ground_that_moves_later
             history.connections().link_phases(soil).iter().map(|(t, _)| *t).filter(|t| *t > 0.7).collect();
         within("turn", changes[1] - 0.721_529_4, allowed);
         within("apart", changes[2] - 0.729_723_4, allowed);
-        within("estimate", history.estimate_error().error, tolerance);
+        within("estimate", ErrorEstimate::of(&history).error, tolerance);
     }
 }
 
@@ -211,7 +211,7 @@ fn a_girder_on_springs_to_two_supports_follows_both() {
     // The faces are 30 m + 2 · 2 m apart.
     let delay = 34.0 / speed;
     let two = run(&between(springs, &format!("[wave]\nspeed_m_per_s = {speed:?}")));
-    assert!(two.balance().holds(), "{:?}", two.ledger(4.0));
+    assert!(two.energy().balance().holds(), "{:?}", two.energy().ledger(4.0));
     let mut worst = 0.0f64;
     for t in times(4.0) {
         let late = if t < delay { DVec3::ZERO } else { absolute(&one, 0, t - delay) };
@@ -268,8 +268,8 @@ fn a_wave_from_the_other_side_gives_the_mirrored_answer() {
     let girderbench::scene::Motion::Sine(sine) = &mut mirrored.motion else { panic!("a sine") };
     sine.amplitude_g = sine.amplitude_g.map(|a| -a);
     let back = run(&mirrored);
-    assert!(!there.touches().is_empty(), "it touches");
-    assert!(there.balance().holds(), "{:?}", there.ledger(4.0));
+    assert!(!there.hits().touches().is_empty(), "it touches");
+    assert!(there.energy().balance().holds(), "{:?}", there.energy().ledger(4.0));
     let mut worst = 0.0f64;
     for t in times(4.0) {
         worst = worst.max((there.motion(0, t).displacement.x + back.motion(0, t).displacement.x).abs());
@@ -310,7 +310,7 @@ fn supports_on_one_ground_of_their_own_are_a_scene_on_that_ground() {
         // Displacements are against the ground of [motion]: still, another sine, a record.
         for reference in [STILL, OTHER, RECORD] {
             let own = run(&on_grounds(springs, reference, [ground, ground]));
-            assert!(own.balance().holds(), "{:?}", own.ledger(4.0));
+            assert!(own.energy().balance().holds(), "{:?}", own.energy().ledger(4.0));
             let apart = |t: f64| (absolute(&own, 0, t) - absolute(&alone, 0, t)).length();
             within("displacement", times(4.0).map(apart).fold(0.0, f64::max), 1e-11);
         }
@@ -323,7 +323,7 @@ fn a_girder_between_two_grounds_is_the_mean_of_those_on_either() {
     let alone = [SINE, RECORD].map(|ground| run(&on_grounds(springs, STILL, [ground, ground])));
     for reference in [STILL, OTHER] {
         let both = run(&on_grounds(springs, reference, [SINE, RECORD]));
-        assert!(both.balance().holds(), "{:?}", both.ledger(4.0));
+        assert!(both.energy().balance().holds(), "{:?}", both.energy().ledger(4.0));
         let apart = |t: f64| {
             let mean = 0.5 * (absolute(&alone[0], 0, t) + absolute(&alone[1], 0, t));
             (absolute(&both, 0, t) - mean).length()
@@ -343,7 +343,7 @@ fn a_ground_of_its_own_under_a_pier_carries_it_as_motion_does() {
     scene.piers[0].delay = Some(DELAY);
     scene.duration += DELAY;
     let after = run(&scene);
-    assert!(after.balance().holds(), "{:?}", after.ledger(after.end()));
+    assert!(after.energy().balance().holds(), "{:?}", after.energy().ledger(after.end()));
     let apart = |t: f64| (absolute(&after, 0, t + DELAY) - absolute(&before, 0, t)).length();
     within("displacement", times(5.0).map(apart).fold(0.0, f64::max), 1e-9);
 }

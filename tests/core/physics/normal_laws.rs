@@ -41,7 +41,7 @@ fn a_force_held_at_zero_costs_the_ledger_no_digits() {
         let mut scene = hit("normal_law = \"hertz-viscous\"\ntension = \"clamp\"", 0.4, 0.5);
         scene.solver.tolerance = tolerance;
         let history = run(&scene);
-        let balance = history.balance();
+        let balance = history.energy().balance();
         assert!(balance.holds(), "{balance:?} at {tolerance:e}");
         within(&format!("residual at {tolerance:e}"), balance.residual, 100.0 * tolerance);
     }
@@ -101,7 +101,7 @@ fn a_head_on_hit_returns_its_restitution_depth_and_duration() {
         let history = run(&scene);
         let end = history.motion(0, scene.duration);
         within(&format!("{what}: e'"), -end.velocity.x / speed - returned, 1e-10);
-        let touches = history.touches();
+        let touches = history.hits().touches();
         assert_eq!(touches.len(), 2, "{what}: one touch of each corner");
         let [start, end] = [touches[0].start, touches[0].end];
         if duration.is_finite() {
@@ -109,7 +109,7 @@ fn a_head_on_hit_returns_its_restitution_depth_and_duration() {
         }
         let deepest = history.motion(0, reversal(&history, [start, end])).displacement.x - 0.005;
         within(&format!("{what}: depth"), deepest / (1e-3 * depth) - 1.0, 1e-9);
-        let books = history.ledger(scene.duration);
+        let books = history.energy().ledger(scene.duration);
         within(&format!("{what}: ledger"), books.residual / (speed * speed), 1e-9);
     }
 }
@@ -188,7 +188,7 @@ fn a_law_keeps_momentum_angular_momentum_and_energy_of_two_free_girders() {
             let scene = scene(&oblique(law, friction));
             let history = run(&scene);
             let what = format!("{law}, {friction}");
-            assert!(!history.touches().is_empty(), "{what}: they hit");
+            assert!(!history.hits().touches().is_empty(), "{what}: they hit");
             let [before, after] = [0.0, scene.duration].map(|t| momenta(&history, t));
             for n in 0..2 {
                 within(&format!("{what}: momentum {n}"), after[n] - before[n], 1e-11);
@@ -197,7 +197,7 @@ fn a_law_keeps_momentum_angular_momentum_and_energy_of_two_free_girders() {
             if law != "approach" {
                 within(&format!("{what}: angular momentum"), after[2] - before[2], 1e-11);
             }
-            let books = history.ledger(scene.duration);
+            let books = history.energy().ledger(scene.duration);
             within(&format!("{what}: ledger"), books.residual / books.scale, 1e-8);
         }
     }
@@ -211,7 +211,7 @@ fn a_node_that_takes_over_at_depth_brings_its_energy_into_the_ledger() {
         let sets = [format!("contact.normal_law={law}"), "duration_s=3.5".to_owned()];
         let scene = overrides::apply_all(&preset, &sets).unwrap_or_else(|errors| panic!("{errors}"));
         let history = run(&scene);
-        let books = history.ledger(scene.duration);
+        let books = history.energy().ledger(scene.duration);
         assert!(books.jump_entry < -100.0, "{law}: a node begins inside, {} J", books.jump_entry);
         within(&format!("{law}: ledger"), books.residual / books.scale, 1e-8);
     }

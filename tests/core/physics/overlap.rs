@@ -118,7 +118,7 @@ fn an_overlap_lasts_until_the_bodies_are_apart_again() {
     within("entered", from - (0.02 + 1e-6 * 0.07), 1e-9);
     within("left", until - (0.02 + 0.14 - 1e-6 * 0.07), 1e-9);
     assert!(overlap.lasts_at(0.1) && !overlap.lasts_at(0.01) && !overlap.lasts_at(0.19), "{overlap:?}");
-    within("half way in", history.overlap_depth(&overlap, 0.055) - 0.035, 1e-12);
+    within("half way in", overlap.depth_at(&history, 0.055) - 0.035, 1e-12);
 }
 
 #[test]
@@ -203,10 +203,10 @@ fn a_contact_that_is_pressed_too_deep_is_said() {
     let [speed, slower] = [2.0, 1.9];
     assert!(deepest(speed) > 7e-3 && deepest(slower) < 7e-3, "on either side of the limit");
     let history = against_the_wall(speed);
-    let [deep] = history.too_deep()[..] else { panic!("one: {:?}", history.too_deep()) };
+    let [deep] = history.contacts().too_deep()[..] else { panic!("one: {:?}", history.contacts().too_deep()) };
     within("depth", deep.depth.value - deepest(speed), 1e-9);
     within("allowed", deep.allowed - 7e-3, 1e-15);
-    assert_eq!(against_the_wall(slower).too_deep(), [], "within the limit");
+    assert_eq!(against_the_wall(slower).contacts().too_deep(), [], "within the limit");
 }
 
 #[test]
@@ -220,13 +220,21 @@ fn a_contact_that_leaves_its_face_with_energy_in_its_spring_is_said() {
         );
         History::of(&scene(&text)).expect("it runs")
     };
-    assert_eq!(left(0.0, "all").dropped(), None, "it stays before the wall");
-    assert_eq!(left(1.0, "all").dropped(), None, "the wall's corner takes over what the girder's leaves with");
+    assert_eq!(left(0.0, "all").contacts().dropped(), None, "it stays before the wall");
+    assert_eq!(
+        left(1.0, "all").contacts().dropped(),
+        None,
+        "the wall's corner takes over what the girder's leaves with"
+    );
     let history = left(1.0, "ends");
-    let dropped = history.dropped().expect("it leaves the wall");
-    within("the ledger's own", dropped.energy - history.ledger(history.end()).jump_edge, 1e-12);
+    let dropped = history.contacts().dropped().expect("it leaves the wall");
+    within("the ledger's own", dropped.energy - history.energy().ledger(history.end()).jump_edge, 1e-12);
     assert!(dropped.share > 1e-6 && dropped.count > 0, "{dropped:?}");
-    assert_eq!(history.too_deep(), [], "corners at the wall's edge touch its front, not its sides from within");
+    assert_eq!(
+        history.contacts().too_deep(),
+        [],
+        "corners at the wall's edge touch its front, not its sides from within"
+    );
 }
 
 #[test]
@@ -238,7 +246,7 @@ fn a_wall_thinner_than_the_girder_is_not_gone_through_in_silence() {
          [[girder]]\nname = \"a\"\n{deck}initial = {{ velocity_m_s = [0.5, 0.0] }}\n\
          [[abutment]]\nname = \"wall\"\nfaces = \"a\"\ngap_m = 0.005\ndepth_m = 0.1\n"
     )));
-    let [deep] = &history.too_deep()[..] else { panic!("{:?}", history.too_deep()) };
+    let [deep] = &history.contacts().too_deep()[..] else { panic!("{:?}", history.contacts().too_deep()) };
     within("a tenth of its depth", deep.allowed - 0.01, 1e-15);
     within("depth", deep.depth.value / (0.5 * (6e5_f64 / 1e8).sqrt()) - 1.0, 1e-6);
 }

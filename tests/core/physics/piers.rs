@@ -75,8 +75,8 @@ fn a_girder_let_go_on_a_pier_swings_in_two_modes() {
         worst = (0..2).map(|body| (here[body] - wanted[body]).abs()).fold(worst, f64::max);
     }
     within("two modes", worst, 1e-10 * start);
-    assert!(history.balance().holds(), "{:?}", history.ledger(6.0));
-    let ledger = history.ledger(6.0);
+    assert!(history.energy().balance().holds(), "{:?}", history.energy().ledger(6.0));
+    let ledger = history.energy().ledger(6.0);
     assert!(ledger.bearing > 0.0 && ledger.device == 0.0, "bearings on piers are bearings: {ledger:?}");
 }
 
@@ -215,10 +215,10 @@ fn a_pier_that_yields_is_a_mass_on_a_bearing_that_yields() {
         ["p.drift-along", "p.shear-along"].map(|name| Quantity::find(&pier, name).expect("a quantity of piers"));
     let at = |i: u32| [drift, shear].map(|quantity| quantity.at(&pier, f64::from(i) / 1e4));
     let area: f64 = (0..40_000).map(|i| (at(i), at(i + 1))).map(|(a, b)| 0.5 * (a[1] + b[1]) * (b[0] - a[0])).sum();
-    let ledger = pier.ledger(4.0);
+    let ledger = pier.energy().ledger(4.0);
     let wanted = ledger.loss_bearing + ledger.bearing + ledger.loss_device + ledger.device;
     assert!(wanted > 1.0 && (area - wanted).abs() < 1e-5 * wanted, "{area} J of {wanted} J");
-    assert!(pier.balance().holds(), "{:?}", pier.ledger(4.0));
+    assert!(pier.energy().balance().holds(), "{:?}", pier.energy().ledger(4.0));
 }
 
 #[test]
@@ -303,7 +303,7 @@ fn two_girders_that_hit_on_a_pier_without_a_column_keep_their_momentum() {
     let start = momentum(0.0);
     let drift = (0..=100).map(|i| (momentum(0.01 * f64::from(i)) - start).length()).fold(0.0, f64::max);
     within("momentum", drift / start.length(), 1e-9);
-    assert!(history.balance().holds(), "{:?}", history.ledger(1.0));
+    assert!(history.energy().balance().holds(), "{:?}", history.energy().ledger(1.0));
 }
 
 #[test]
@@ -337,7 +337,7 @@ fn in_space_a_deck_on_a_stiffer_and_stiffer_pier_comes_to_move_as_on_the_ground(
     let still = run(&ground);
     let [stiff, stiffer] = [1e10, 1e11].map(|stiffness| {
         let history = on_pier(stiffness);
-        assert!(history.balance().holds(), "{:?}", history.ledger(2.0));
+        assert!(history.energy().balance().holds(), "{:?}", history.energy().ledger(2.0));
         let apart = |t: f64| (history.motion(0, t).displacement - still.motion(0, t).displacement).length();
         (0..=100).map(|i| apart(0.02 * f64::from(i))).fold(0.0, f64::max)
     });

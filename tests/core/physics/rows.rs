@@ -6,7 +6,7 @@ use crate::support::{run, within};
 use girderbench::motion::{Ground, Samples};
 use girderbench::scene::facing;
 use girderbench::scene::{Motion, Scene, presets};
-use girderbench::sim::History;
+use girderbench::sim::{Comparison, History};
 
 #[test]
 fn three_that_touch_among_a_thousand_take_the_steps_of_three() {
@@ -136,7 +136,7 @@ fn a_row_answers_as_its_finer_self() {
     let row = Row { duration: 0.6, ..Row::many(8) };
     let (coarse, fine) = (run(&row.scene()), run(&Row { tolerance: 1e-13, ..row }.scene()));
     assert!(coarse.summary().hits > 10, "neighbours collide: {:?}", coarse.summary());
-    within("a row of 8 at 1e-9 against 1e-13", coarse.differences(&fine).place, 1e-9);
+    within("a row of 8 at 1e-9 against 1e-13", Comparison::of(&coarse, &fine).of_all().place, 1e-9);
 }
 
 #[test]

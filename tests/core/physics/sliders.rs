@@ -35,7 +35,7 @@ fn zero(f: impl Fn(f64) -> f64, from: f64, step: f64) -> f64 {
 }
 
 fn balanced(history: &History, allowed: f64) {
-    let books = history.ledger(history.end());
+    let books = history.energy().ledger(history.end());
     within("ledger", books.residual / books.scale, allowed);
 }
 

@@ -7,7 +7,7 @@ use girderbench::dynamics::model::coordinates::spatial;
 use girderbench::dynamics::model::rigid_body::{self, BearingMotion};
 use girderbench::dynamics::model::wrench::Wrench;
 use girderbench::scene::{Bearings, Direction, FrictionLaw, Kind, Motion, Scene, presets};
-use girderbench::sim::EventKind;
+use girderbench::sim::{Comparison, EventKind, History};
 use glam::{DQuat, DVec3};
 
 /// The paper's skewed girder as a planar scene and as a spatial one that is held flat, shaken gently enough for rotations
@@ -43,7 +43,7 @@ fn a_spatial_girder_held_flat_tends_to_the_planar_one_as_rotations_fall() {
                 apart = apart.max((m.displacement - n.displacement).length() / (0.02 * scale));
                 turn = turn.max(m.theta.abs());
             }
-            assert!(a.touches().len() > 4, "{law:?}, {scale}: contacts are in play");
+            assert!(a.hits().touches().len() > 4, "{law:?}, {scale}: contacts are in play");
             (apart, turn)
         });
         for w in differences.windows(2) {
@@ -63,7 +63,8 @@ fn a_deck_that_slides_on_four_nodes_comes_nearer_with_the_tolerance() {
         run(&deck)
     });
     assert_eq!(fine.events().len(), finest.events().len(), "the same events");
-    let (far, near) = (rough.differences(&finest).place, fine.differences(&finest).place);
+    let apart = |run: &History| Comparison::of(run, &finest).of_all().place;
+    let (far, near) = (apart(&rough), apart(&fine));
     // A millionth of its peak displacement, and a sixth of that.
     assert!(far < 2.99e-7, "{far} m at 2e-4");
     assert!(near < 5e-8, "{near} m at 1e-5");
@@ -91,7 +92,7 @@ fn a_free_prism_keeps_its_energy_and_its_angular_momentum() {
     );
     top.solver.tolerance = 1e-12;
     let history = run(&top);
-    let ledger = history.ledger(20.0);
+    let ledger = history.energy().ledger(20.0);
     assert!(ledger.work_push > 0.1, "the moment works");
     within("ledger", ledger.residual / ledger.scale, 1e-11);
     let i2 = history.model().bodies[0].gyration2;
@@ -182,7 +183,7 @@ fn a_deck_that_leaves_over_the_top_of_a_low_backwall_books_the_edge() {
     }
     let history = run(&low);
     assert!(history.events().iter().any(|e| e.kind == EventKind::LeftFace), "an edge is left: {:?}", history.events());
-    let ledger = history.ledger(1.0);
+    let ledger = history.energy().ledger(1.0);
     assert!(ledger.jump_edge > 0.0, "its spring energy goes to the ledger");
     within("ledger", ledger.residual / ledger.scale, 1e-11);
 }
@@ -198,10 +199,12 @@ fn the_tangential_dashpot_works_on_the_rate_of_the_stretch_as_it_turns() {
     scene.girders[0].initial.velocity = [0.3, 0.2, 0.1];
     scene.girders[0].push.force = [0.0, -300.0, 200.0];
     let history = run(&scene);
-    let touch = history.touches()[0];
+    let touch = history.hits().touches()[0];
     let (t, h) = (touch.start + 0.3 * (touch.end - touch.start), 1e-7);
-    let stretch = |t: f64| history.contact_at(touch.contact, t).map(|c| (c.point - c.anchor).reject_from(c.normal));
-    let (Some(before), Some(after), Some(now)) = (stretch(t - h), stretch(t + h), history.contact_at(touch.contact, t))
+    let stretch =
+        |t: f64| history.contacts().contact_at(touch.contact, t).map(|c| (c.point - c.anchor).reject_from(c.normal));
+    let (Some(before), Some(after), Some(now)) =
+        (stretch(t - h), stretch(t + h), history.contacts().contact_at(touch.contact, t))
     else {
         panic!("it touches from {} to {}", touch.start, touch.end)
     };

@@ -3,7 +3,7 @@
 
 use crate::support::reference::rows;
 use crate::support::{run, scene, within};
-use girderbench::sim::History;
+use girderbench::sim::{Comparison, ErrorEstimate, History};
 use glam::DVec3;
 
 const TOLERANCES: [f64; 4] = [1e-6, 1e-8, 1e-10, 1e-12];
@@ -37,7 +37,7 @@ fn converges(name: &str, trusted: f64) {
         assert_eq!(history.events().len(), finest.events().len(), "{name} at {tolerance:e}: the same events");
     }
     for (history, tolerance) in answers.iter().zip(TOLERANCES).take(3) {
-        let [error, estimate] = [history.differences(finest).place, history.estimate_error().error];
+        let [error, estimate] = [Comparison::of(history, finest).of_all().place, ErrorEstimate::of(history).error];
         assert!(
             estimate > 0.5 * error && estimate < 2.0 * error + 1e-13,
             "{name} at {tolerance:e}: {estimate:e} m estimated of {error:e} m"

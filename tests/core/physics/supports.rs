@@ -57,7 +57,7 @@ fn a_run_that_goes_on_is_without_the_bearing_and_releases_its_energy() {
         let left = history.connections().link(0, part * t).expect("the support").gap;
         within("left of its travel", left - (0.01 - 0.03 * (10.0 * part * t).sin()), 1e-12);
     }
-    let books = history.ledger(0.4);
+    let books = history.energy().ledger(0.4);
     within("released", books.jump_device - 0.5 * 100.0 * 0.01 * 0.01, 1e-13);
     within("ledger", books.residual / books.scale, 1e-10);
     let force = |name: &str, t: f64| Quantity::find(&history, name).expect("a quantity").at(&history, t);
@@ -87,7 +87,7 @@ fn a_bearing_that_yields_loses_its_support_with_what_it_had_stored() {
     within("as far without the loss", bound.motion(0, t).displacement.x - 0.02, 1e-13);
     // z = Q, k_t = 55 N/m.
     let stored = 0.5 * 10.0 * 0.02 * 0.02 + 0.55 * 0.55 / (2.0 * 55.0);
-    let books = lost.ledger(0.6);
+    let books = lost.energy().ledger(0.6);
     within("released", books.jump_device - stored, 1e-12);
     within("ledger", books.residual / books.scale, 1e-10);
     let after = lost.motion(0, 0.6);
@@ -148,7 +148,7 @@ fn a_girder_in_space_that_loses_all_legs_falls_freely_until_its_corners_have_dro
     let stop = history.stop().expect("it falls");
     within("a tenth of a metre down", stop.t - (0.1 + (2.0 * 0.1 / STANDARD_GRAVITY).sqrt()), 1e-10);
     assert!(stop.reason.to_string().contains("comes off its supports"), "{stop:?}");
-    let books = history.ledger(history.end());
+    let books = history.energy().ledger(history.end());
     // Springs under the weight: m g²/(2 ω²).
     let omega = std::f64::consts::TAU * 10.0;
     let springs = 6e4 * STANDARD_GRAVITY.powi(2) / (2.0 * omega * omega);
@@ -178,7 +178,7 @@ fn a_girder_in_space_loses_its_support_on_a_pier_and_on_ground_that_moves_otherw
         }
         let stop = history.stop().expect("it falls");
         within("a tenth of a metre down", stop.t - (0.1 + (2.0 * 0.1 / STANDARD_GRAVITY).sqrt()), 1e-4);
-        let books = history.ledger(history.end());
+        let books = history.energy().ledger(history.end());
         within("ledger", books.residual / books.scale, 1e-8);
     }
 }
@@ -209,7 +209,7 @@ fn a_girder_in_space_that_loses_two_legs_tips() {
     within("as fast as a rod", (stop.t - lost) / swing - 1.0, 0.1);
     let deeper = overrides::apply(&scene, "girder.deck.drop_m=0.2").expect("a key");
     assert!(History::of(&deeper).expect("a scene").stop().expect("later").t > stop.t + 0.02);
-    let books = history.ledger(history.end());
+    let books = history.energy().ledger(history.end());
     within("ledger", books.residual / books.scale, 1e-8);
 }
 

@@ -170,7 +170,7 @@ fn the_answer_is_the_same_to_the_bit_again_in_portions_and_on_any_number_of_thre
             scene.girders.push(far);
         }
         let first = run(&scene);
-        assert!(!first.touches().is_empty(), "{name}: contacts are in play");
+        assert!(!first.hits().touches().is_empty(), "{name}: contacts are in play");
         assert_eq!(first.digest(), run(&scene).digest(), "{name}: again");
         let mut session = Session::new(&scene).expect("valid");
         for until in [0.3, 1.0, 2.7, scene.duration, 4.0] {
@@ -196,8 +196,8 @@ fn an_answer_cut_short_is_that_of_a_shorter_scene() {
     let (cut, short) = (whole.cut(until), run(&Scene { duration: until, ..scene }));
     assert_eq!(cut.end(), short.end());
     assert_eq!(cut.events(), short.events());
-    assert_eq!(cut.touches().len(), short.touches().len());
-    for (a, b) in cut.touches().iter().zip(short.touches()) {
+    assert_eq!(cut.hits().touches().len(), short.hits().touches().len());
+    for (a, b) in cut.hits().touches().iter().zip(short.hits().touches()) {
         assert_eq!((a.contact, a.start, a.end), (b.contact, b.start, b.end));
         // The shorter run's last step ends where the other one is read within.
         within("peak force", (a.peak_force - b.peak_force).abs(), 1e-9 * b.peak_force);
@@ -205,7 +205,7 @@ fn an_answer_cut_short_is_that_of_a_shorter_scene() {
     for i in 0..=20 {
         let t = until * f64::from(i) / 20.0;
         within("place", (cut.motion(0, t).displacement - short.motion(0, t).displacement).length(), 1e-12);
-        let [a, b] = [cut.ledger(t), short.ledger(t)];
+        let [a, b] = [cut.energy().ledger(t), short.energy().ledger(t)];
         within("friction", (a.loss_friction - b.loss_friction).abs(), 1e-10 * b.scale.max(1e-6));
         within("residual", (a.residual - b.residual).abs(), 1e-10 * b.scale.max(1e-6));
     }

@@ -59,7 +59,7 @@ fn a_vertical_sine_moves_a_girder_on_its_bearings_by_the_steady_amplitude_and_ph
         let carried: f64 = legs.iter().map(|leg| leg.at(&history, t)).sum();
         within("what the bearings carry", carried / (MASS * (history.model().gravity + accelerated)) - 1.0, 1e-9);
     }
-    let ledger = history.ledger(12.0);
+    let ledger = history.energy().ledger(12.0);
     within("ledger", ledger.residual / ledger.scale, 1e-10);
     assert!(ledger.work_ground > 0.0, "the ground works against the dashpots");
 }
@@ -88,7 +88,7 @@ fn a_constant_moment_about_a_principal_axis_turns_by_half_alpha_t_squared() {
             within("½ α t²", (1.0 - apart).max(0.0).sqrt(), 1e-8);
             within("α t", (history.motion(0, t).spin - axis * (alpha * t)).length(), 1e-10 * alpha * t);
         }
-        let ledger = history.ledger(2.0);
+        let ledger = history.energy().ledger(2.0);
         let work = 0.5 * MASS * i2 * (alpha * 2.0).powi(2);
         within("work of the push", ledger.work_push / work - 1.0, 1e-9);
     }

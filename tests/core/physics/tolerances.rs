@@ -87,7 +87,7 @@ fn steps_do_not_go_over_the_opening_of_a_hertz_contact() {
         )
     };
     for tolerance in [1e-10, 1.24519e-10, 3e-10] {
-        let books = run(&scene(&text(tolerance))).ledger(3.69);
+        let books = run(&scene(&text(tolerance))).energy().ledger(3.69);
         let parts = books.residual.abs() / (books.scale * tolerance);
         assert!(parts < 20.0, "{parts} tolerances of the energy at {tolerance:e}");
     }

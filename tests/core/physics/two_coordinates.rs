@@ -224,7 +224,7 @@ fn between_contacts_it_swings_by_its_closed_form() {
     scene.girders[0].initial.velocity[0] = 0.0;
     let (omega, start) = (31.0, [0.002, -0.03, 0.05, 0.4]);
     let history = run(&scene, model(&scene, TwoCoordinates { omega, start }));
-    assert_eq!((history.touches().len(), history.effort().steps), (0, 0), "nothing touches, no step is taken");
+    assert_eq!((history.hits().touches().len(), history.effort().steps), (0, 0), "nothing touches, no step is taken");
     for i in 0..=100 {
         let t = scene.duration * f64::from(i) / 100.0;
         let (s, c) = (omega * t).sin_cos();
@@ -248,7 +248,7 @@ fn a_hit_gives_the_velocities_of_the_coefficient_of_restitution() {
         // Equal masses: the difference of velocities turns round times e, hit by hit along the row.
         let first = [0.5 * (1.0 - e) * SPEED, 0.5 * (1.0 + e) * SPEED];
         let second = [0.5 * (1.0 - e) * first[1], 0.5 * (1.0 + e) * first[1]];
-        let touches = history.touches();
+        let touches = history.hits().touches();
         let between = touches.iter().filter(|touch| touch.pair == 0).map(|touch| touch.end).fold(0.0, f64::max);
         let begins = touches.iter().filter(|touch| touch.pair == 1).map(|touch| touch.start).fold(1.0, f64::min);
         assert!(between < begins, "one hit after the other: {between} s, {begins} s");
@@ -265,7 +265,7 @@ fn a_hit_gives_the_velocities_of_the_coefficient_of_restitution() {
             let t = scene.duration * f64::from(i) / 100.0;
             let sum: f64 = velocities(&history, t).iter().sum();
             within("momentum", sum / SPEED - 1.0, 1e-12);
-            let books = history.ledger(t);
+            let books = history.energy().ledger(t);
             within("ledger", books.residual / books.scale, 1e-11);
         }
     }
@@ -291,7 +291,7 @@ fn under_a_moving_ground_the_books_balance() {
     assert!(history.motion(0, scene.duration).theta.abs() > 0.0, "friction turns a girder");
     for i in 0..=20 {
         let t = scene.duration * f64::from(i) / 20.0;
-        let books = history.ledger(t);
+        let books = history.energy().ledger(t);
         within("ledger", books.residual / books.scale, 1e-10);
     }
 }

@@ -241,8 +241,12 @@ fn ends(history: &History, t: f64) -> [f64; 2] {
 #[test]
 fn without_a_spring_the_end_that_is_hit_moves_alone() {
     let history = run(0.0, 0.03);
-    let ended = history.touches().iter().map(|touch| touch.end).fold(0.0, f64::max);
-    assert!(ended > 0.0 && history.touches().iter().all(|touch| touch.pair == 0), "one hit: {:?}", history.touches());
+    let ended = history.hits().touches().iter().map(|touch| touch.end).fold(0.0, f64::max);
+    assert!(
+        ended > 0.0 && history.hits().touches().iter().all(|touch| touch.pair == 0),
+        "one hit: {:?}",
+        history.hits().touches()
+    );
     let speed = |body: usize| history.motion(body, ended + 1e-4).velocity.x / SPEED;
     // A mass against half of it, elastic.
     within("the girder", speed(0) - 1.0 / 3.0, 1e-12);
@@ -259,21 +263,21 @@ fn without_a_spring_the_end_that_is_hit_moves_alone() {
 fn with_a_spring_the_ends_swing_and_momentum_and_energy_are_kept() {
     let omega = 260.0;
     let history = run(omega, 0.1);
-    let mut borders: Vec<f64> = history.touches().iter().flat_map(|touch| [touch.start, touch.end]).collect();
+    let mut borders: Vec<f64> = history.hits().touches().iter().flat_map(|touch| [touch.start, touch.end]).collect();
     borders.sort_by(f64::total_cmp);
-    let both = [0, 1].map(|pair| history.touches().iter().any(|touch| touch.pair == pair));
+    let both = [0, 1].map(|pair| history.hits().touches().iter().any(|touch| touch.pair == pair));
     assert_eq!(both, [true; 2], "both girders are touched");
     for i in 0..=100 {
         let t = 1e-3 * f64::from(i);
         let sum: f64 = (0..3).map(|body| history.motion(body, t).velocity.x).sum();
         within("momentum", sum / SPEED - 1.0, 1e-12);
-        let books = history.ledger(t);
+        let books = history.energy().ledger(t);
         within("ledger", books.residual / books.scale, 1e-11);
     }
     // Where nothing touches: the ends' distance is a harmonic function of time, their mean a straight line.
     let free = borders.windows(2).filter(|w| w[1] - w[0] > 2e-3).map(|w| 0.5 * (w[0] + w[1]));
     let free: Vec<f64> =
-        free.filter(|&t| history.touches().iter().all(|touch| t < touch.start || t > touch.end)).collect();
+        free.filter(|&t| history.hits().touches().iter().all(|touch| t < touch.start || t > touch.end)).collect();
     assert!(!free.is_empty(), "a flight between {borders:?}");
     for t in free {
         let h = 5e-4;

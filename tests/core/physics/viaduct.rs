@@ -235,7 +235,7 @@ fn three_skewed_spans_on_piers_that_turn_are_those_of_an_integration_by_hand() {
     let viaduct = Viaduct::new(60.0, 0.6, RATIO, 0.0);
     let (error, _) = apart(&history, &viaduct, &ground, 25_000);
     within("three spans", error, 1e-9);
-    assert!(history.balance().holds(), "{:?}", history.ledger(2.5));
+    assert!(history.energy().balance().holds(), "{:?}", history.energy().ledger(2.5));
 }
 
 #[test]
@@ -248,7 +248,7 @@ fn three_spans_that_pound_are_those_of_an_integration_by_hand() {
     let (error, kinks) = apart(&history, &viaduct, &ground, 50_000);
     assert!(kinks >= 4 && history.summary().hits >= 2, "they pound: {kinks}, {:?}", history.summary());
     within("three spans that pound", error, 1e-9);
-    assert!(history.balance().holds(), "{:?}", history.ledger(2.5));
+    assert!(history.energy().balance().holds(), "{:?}", history.energy().ledger(2.5));
 }
 
 #[test]
@@ -257,7 +257,7 @@ fn a_viaduct_that_nothing_hits_takes_no_step_and_keeps_its_energy() {
         run(&three_spans(60.0, 2.0, RATIO, "[motion]\nkind = \"sine\"\namplitude_g = 0.1\nfrequency_hz = 0.7"));
     assert_eq!(history.effort().steps, 0, "steps of the integrator");
     for t in [0.7, 1.9, 2.5] {
-        let ledger = history.ledger(t);
+        let ledger = history.energy().ledger(t);
         let part = ledger.residual.abs() / ledger.scale;
         assert!(part < 1e-13, "{part} of the energy at {t} s");
     }

@@ -242,7 +242,7 @@ fn devices_between_two_free_girders_in_space_keep_momentum_angular_momentum_and_
         for n in 0..2 {
             within(&format!("{words}: momentum {n}"), (after[n] - before[n]).length(), 1e-9);
         }
-        let books = history.ledger(1.0);
+        let books = history.energy().ledger(1.0);
         within(&format!("{words}: ledger"), books.residual / books.scale, 1e-8);
     }
 }

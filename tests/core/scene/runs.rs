@@ -13,7 +13,7 @@ fn every_preset_runs_to_its_end_and_every_pair_of_it_pounds() {
     for preset in presets::all() {
         let history = run(preset.name);
         assert_eq!((history.stop(), history.end()), (None, history.scene().duration), "{}", preset.name);
-        for pair in history.listed_pairs().into_iter().map(|number| &history.model().pairs[number]) {
+        for pair in history.hits().listed_pairs().into_iter().map(|number| &history.model().pairs[number]) {
             let touches =
                 history.events().iter().filter(|e| pair.sites.contains(&e.site()) && e.kind.is_touch()).count();
             assert!(touches > 0, "{}: {} never touches", preset.name, pair.name);

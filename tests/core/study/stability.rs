@@ -157,7 +157,7 @@ fn girders_that_touch_as_placed_and_are_shaken_alike_come_together_one_way_at_an
         scene.solver.tolerance = tolerance;
         let mut session = Session::new(&scene).unwrap_or_else(|e| panic!("{e}"));
         session.advance(scene.duration, &mut |_| true);
-        let contacts = session.finish().contacts(scene.duration);
+        let contacts = session.finish().contacts().at(scene.duration);
         // Those of the second girder and the third, of which the last is stopped by an abutment.
         (8..16).map(|number| contacts.iter().find(|c| c.contact == number).map(|c| c.state)).collect::<Vec<_>>()
     });

@@ -102,7 +102,7 @@ fn what_is_read_of_a_girder_ends_where_it_falls() {
     let reading = readings::reading(&history, 0);
     near(reading.bearings.expect("some").deformation.1.value, travel, 1e-9, "of the bearings");
     near(reading.drift[0].value, travel, 1e-9, "of a corner");
-    assert!(history.touches().is_empty(), "no touch before the fall: {:?}", history.touches());
+    assert!(history.hits().touches().is_empty(), "no touch before the fall: {:?}", history.hits().touches());
     let verdict = history.seats().verdict(0).expect("it falls");
     assert!(!verdict.stays() && verdict.words().starts_with("falls: "), "{}", verdict.words());
     let carrying = history.seats().carrying(0, history.end());
@@ -184,7 +184,7 @@ fn a_force_limit_is_passed_in_the_touch_that_reaches_it() {
     let passed = readings::passed(&history);
     let [force] = &passed[..] else { panic!("one pair: {passed:?}") };
     near(force.reached, peak, 1e-9 * peak, "the peak");
-    let first = history.touches().iter().find(|t| t.peak_force > 0.7 * peak).expect("one does");
+    let first = history.hits().touches().iter().find(|t| t.peak_force > 0.7 * peak).expect("one does");
     assert!((first.start..=first.peak_time).contains(&force.t), "between its closing and its peak: {}", force.t);
     scene.limits.force = Some(1.01 * peak);
     assert!(readings::passed(&History::of(&scene).expect("runs")).is_empty(), "just above the peak");
@@ -222,7 +222,7 @@ fn no_force_is_above_a_limit_before_it_is_passed() {
         let [passed] = &readings::passed(&history)[..] else { panic!("one pair") };
         for i in 0..2000 {
             let t = passed.t * f64::from(i) / 2000.0;
-            let most = history.contacts(t).iter().map(|now| now.force.length()).fold(0.0, f64::max);
+            let most = history.contacts().at(t).iter().map(|now| now.force.length()).fold(0.0, f64::max);
             assert!(most <= limit * (1.0 + 1e-6), "{most} N at {t} s before {passed:?}");
         }
     }
@@ -249,11 +249,11 @@ fn the_force_between_two_bodies_is_nowhere_above_its_peak() {
         let Motion::Sine(shaking) = &mut deck.motion else { panic!("a sine shakes it") };
         (shaking.angle_deg, deck.duration) = (angle, until);
         let history = History::of(&deck).expect("runs");
-        let hits = history.poundings().iter().flat_map(|of| of.hits.iter().map(|hit| (of.pair, hit)));
+        let hits = history.hits().poundings().iter().flat_map(|of| of.hits.iter().map(|hit| (of.pair, hit)));
         assert!(hits.clone().count() > 0, "it hits");
         for (pair, hit) in hits {
             let at = |look: u32| hit.start + (hit.end - hit.start) * f64::from(look) / 2000.0;
-            let highest = (0..2000).map(|look| history.resultant(pair, at(look)).length()).fold(0.0, f64::max);
+            let highest = (0..2000).map(|look| history.hits().resultant(pair, at(look)).length()).fold(0.0, f64::max);
             assert!(
                 highest <= hit.peak.value * (1.0 + 1e-9),
                 "{angle}°, {} s: {highest} N, told {:?}",
@@ -269,13 +269,13 @@ fn the_force_between_two_bodies_does_not_depend_on_how_many_corners_share_it() {
     let totals = [("planar", 0.0), ("planar", 1e-6), ("spatial", 0.0), ("spatial", 1e-6)].map(|(kind, aside)| {
         let history = hit(kind, aside);
         let summary = history.summary();
-        let [(pair, most)] = history.largest_resultants()[..] else { panic!("two bodies") };
+        let [(pair, most)] = history.hits().largest_resultants()[..] else { panic!("two bodies") };
         assert_eq!((summary.peak_total, summary.peak_total_time), (most.value, Some(most.t)));
-        near(history.resultant(pair, most.t).length(), most.value, 1e-6, "at that time");
+        near(history.hits().resultant(pair, most.t).length(), most.value, 1e-6, "at that time");
         near(Quantity::Pair(pair, OfPair::Total).at(&history, most.t), most.value, 1e-6, "as a curve");
         let [passed] = &readings::passed(&history)[..] else { panic!("one limit") };
         assert_eq!((passed.limit.key(), passed.reached), ("total_force_n", most.value));
-        near(history.resultant(pair, passed.t).length(), 8e6, 1e3, "when it is passed");
+        near(history.hits().resultant(pair, passed.t).length(), 8e6, 1e3, "when it is passed");
         most.value
     });
     // Kelvin and Voigt: the largest of F = K δ + C δ̇ with M = 200 t and the damping of e = 0.5, found by hand.
@@ -325,11 +325,11 @@ fn quantities_are_what_the_history_says() {
         .iter()
         .map(|of| value(&format!("energy.{of}")))
         .sum();
-    let ledger = history.ledger(t);
+    let ledger = history.energy().ledger(t);
     let jumps = ledger.jump_slip + ledger.jump_open + ledger.jump_edge + ledger.jump_entry;
     near(energy + jumps, value("energy.work"), 1e-9 * ledger.scale, "what is stored and lost was worked");
     assert_eq!(Quantity::find(&history, "deck.theta").map(Quantity::unit), Some(Unit::Radian), "its unit");
-    for now in history.contacts(t).iter().filter(|c| c.state == ContactState::Slip) {
+    for now in history.contacts().at(t).iter().filter(|c| c.state == ContactState::Slip) {
         near(Quantity::Contact(now.contact, OfContact::Use).at(&history, t), 1.0, 1e-9, "on the rim while it slips");
     }
     assert_eq!(Quantity::find(&history, "nobody.x"), None, "nobody");

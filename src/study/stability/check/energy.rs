@@ -15,11 +15,12 @@ pub(super) const CREATES: &str = "what bearings, normal and tangential dashpots 
 const READINGS: usize = 40;
 
 pub(super) fn check(history: &History, times: &[f64], figures: &mut Figures, complaints: &mut Vec<Complaint>) {
-    let readings: Vec<(f64, Ledger)> = instants(history).into_iter().map(|t| (t, history.ledger(t))).collect();
+    let readings: Vec<(f64, Ledger)> = instants(history).into_iter().map(|t| (t, history.energy().ledger(t))).collect();
     let scale = readings.iter().map(|(_, l)| l.scale).fold(f64::MIN_POSITIVE, f64::max);
-    let bound = history.residual_bound(scale, times.iter().flat_map(|&t| history.contacts(t)));
+    let bound = history.energy().residual_bound(scale, times.iter().flat_map(|&t| history.contacts().at(t)));
     balance(&readings, scale, bound, figures, complaints);
-    let open: Vec<(f64, Ledger)> = readings.iter().filter(|(t, _)| history.contacts(*t).is_empty()).copied().collect();
+    let open: Vec<(f64, Ledger)> =
+        readings.iter().filter(|(t, _)| history.contacts().at(*t).is_empty()).copied().collect();
     let paper = history.model().pairs.iter().all(|pair| pair.contact.law == FrictionLaw::Paper);
     if let Some((shrunk, detail)) = shrinks(&readings, always, scale) {
         figures.creates = shrunk.max(0.0);

@@ -15,7 +15,7 @@ const BEYOND: f64 = 1e-8;
 const ROUNDING: f64 = 64.0 * f64::EPSILON;
 
 pub(super) fn check(history: &History, times: &[f64], figures: &mut Figures, complaints: &mut Vec<Complaint>) {
-    let all: Vec<(f64, Vec<ContactNow>)> = times.iter().map(|&t| (t, history.contacts(t))).collect();
+    let all: Vec<(f64, Vec<ContactNow>)> = times.iter().map(|&t| (t, history.contacts().at(t))).collect();
     let peak = all.iter().flat_map(|(_, now)| now).map(|c| c.normal_force).fold(0.0, f64::max);
     let mut farthest = 0.0f64;
     for (t, now) in &all {

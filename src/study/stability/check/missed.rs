@@ -69,7 +69,7 @@ fn deepest(history: &History, contact: usize, times: &[f64], frames: &[Vec<Frame
         // Contacts that open together do so when the first of them does.
         let depth = here.penetration() - early_or_late(history, site.pair, here.gap_rate);
         let inside = depth > 0.0 && here.penetration() < site.face.depth && site.face.inset_at(here.at) > DEPTH * size;
-        let open = history.contact_at(contact, t).is_none();
+        let open = history.contacts().contact_at(contact, t).is_none();
         if open && inside && !ignored && !elsewhere(history, contact, t) && worst.is_none_or(|(_, d)| depth > d) {
             worst = Some((t, depth));
         }
@@ -87,7 +87,8 @@ fn elsewhere(history: &History, contact: usize, t: f64) -> bool {
     let sites = &history.model().sites;
     let mine = &sites[contact];
     history
-        .contacts(t)
+        .contacts()
+        .at(t)
         .iter()
         .map(|now| &sites[now.contact])
         .any(|s| s.node == mine.node && s.node_body == mine.node_body)

@@ -19,7 +19,9 @@ pub(super) fn check(history: &History, times: &[f64], complaints: &mut Vec<Compl
                 return complaints.push(Complaint::new(Check::Numbers, detail));
             }
         }
-        if let Some(contact) = history.contacts(t).iter().find(|c| !c.force.is_finite() || !c.penetration.is_finite()) {
+        if let Some(contact) =
+            history.contacts().at(t).iter().find(|c| !c.force.is_finite() || !c.penetration.is_finite())
+        {
             let name = &history.model().sites[contact.contact].node;
             let detail = format!("a force that is not finite at t = {t} s: {name}");
             return complaints.push(Complaint::new(Check::Numbers, detail));

@@ -4,7 +4,7 @@ use std::f64::consts::PI;
 
 use super::{Bar, bars, case, force_on_first, moving, on_a_wall};
 use crate::support::{run, within};
-use girderbench::sim::{History, OfSection};
+use girderbench::sim::{Comparison, History, OfSection};
 
 /// Force of (F11) in parts of F₀, where touching begins at 0: `a` is K/Z of the wall, 2K/Z of two bars.
 pub(super) fn st_venant(a: f64, back: f64, t: f64) -> f64 {
@@ -19,7 +19,7 @@ pub(super) fn st_venant(a: f64, back: f64, t: f64) -> f64 {
 
 /// Contact time in parts of T, and e.
 fn touch(history: &History) -> [f64; 2] {
-    let touches = history.touches();
+    let touches = history.hits().touches();
     let (start, end) = touches.iter().fold((f64::INFINITY, 0.0f64), |(a, b), t| (a.min(t.start), b.max(t.end)));
     let speed = |t: f64| {
         let of = |girder: usize| history.motion(girder, t).velocity.x;
@@ -39,7 +39,7 @@ fn two_equal_bars_meet_as_st_venant_says() {
         let [lasted, returned] = touch(&history);
         within(&format!("κ = {kappa}: contact time"), lasted / time - 1.0, 2e-4);
         within(&format!("κ = {kappa}: e"), returned - restitution, 1e-4);
-        let start = history.touches()[0].start;
+        let start = history.hits().touches()[0].start;
         let [back, z] = [Bar::DECK.there_and_back(), Bar::DECK.impedance()];
         let a = 4.0 * kappa / back;
         let largest = 0.25 * z;
@@ -63,7 +63,7 @@ fn unequal_bars_leave_the_long_one_ringing() {
     within("unequal bars: e", returned - 0.729, 2e-2);
     let momentum = |t: f64| 6e5 * history.motion(0, t).velocity.x + 4e5 * history.motion(1, t).velocity.x;
     within("momentum", (momentum(0.2) - momentum(0.0)) / momentum(0.0), 1e-12);
-    let books = history.ledger(history.end());
+    let books = history.energy().ledger(history.end());
     within("ledger", books.residual / books.scale, 1e-11);
 }
 
@@ -92,9 +92,9 @@ fn a_bar_against_a_rigid_girder_swings_in_the_roots_of_its_frequency_equation() 
             [w, 2.0 * speed / (w * w * slope)]
         })
         .collect();
-    let start = history.touches()[0].start;
-    let end = history.touches().iter().map(|touch| touch.end).fold(0.0, f64::max);
-    let largest = history.largest_force() * 2.0;
+    let start = history.hits().touches()[0].start;
+    let end = history.hits().touches().iter().map(|touch| touch.end).fold(0.0, f64::max);
+    let largest = history.hits().largest_force() * 2.0;
     let worst = (1..200).map(|i| {
         let t = (end - start) * f64::from(i) / 200.0;
         let wanted: f64 = terms.iter().map(|[w, size]| size * (w * t).sin()).sum();
@@ -121,10 +121,11 @@ fn a_stiffer_bar_on_a_wall_comes_to_a_mass_on_a_spring() {
             scene.girders[0].elastic.as_mut().expect("elastic").modes = girderbench::scene::Degree(Some(20.0));
         }
         let history = run(&scene);
-        let (start, end) = (history.touches()[0].start, history.touches().iter().map(|t| t.end).fold(0.0, f64::max));
+        let (start, end) =
+            (history.hits().touches()[0].start, history.hits().touches().iter().map(|t| t.end).fold(0.0, f64::max));
         let time = (end - start) / (PI * (bar.mass / stiffness).sqrt()) - 1.0;
         within(&format!("κ = {kappa}: contact time longer by {time:.4e}"), time - longer, 1e-3 * longer + 1e-6);
-        let most = 2.0 * history.largest_force() / (0.5 * (stiffness * bar.mass).sqrt());
+        let most = 2.0 * history.hits().largest_force() / (0.5 * (stiffness * bar.mass).sqrt());
         within(&format!("κ = {kappa}: peak force {most:.5}"), most - peak, 2e-4);
         let e = -history.motion(0, history.end()).velocity.x / 0.5;
         within(&format!("κ = {kappa}: 1 − e = {:.2e}", 1.0 - e), 1.0 - e, 1.5 * lost + 1e-8);
@@ -138,10 +139,10 @@ fn a_wave_runs_through_a_bar_and_comes_back_as_tension() {
     let mut scene = on_a_wall(bar, stiffness, 0.5, 0.05);
     scene.girders[0].elastic.as_mut().expect("elastic").modes = girderbench::scene::Degree(Some(40.0));
     let history = run(&scene);
-    let start = history.touches()[0].start;
+    let start = history.hits().touches()[0].start;
     let force = |t: f64| if t <= start { 0.0 } else { force_on_first(&history, t).x.abs() };
     let (c, half) = (bar.wave_speed(), 0.5 * bar.length);
-    let largest = 2.0 * history.largest_force();
+    let largest = 2.0 * history.hits().largest_force();
     let mut worst = 0.0f64;
     for station in [-10.0, 0.0, 7.5] {
         for i in 1..300 {
@@ -181,7 +182,7 @@ fn a_whole_scene_comes_to_the_rigid_one_like_one_over_e() {
             let mut scene = base.scene.clone();
             scene.duration = 1.5;
             scene.girders[0].elastic.as_mut().expect("elastic").young_modulus *= factor;
-            run(&scene).differences(&rigid).place
+            Comparison::of(&run(&scene), &rigid).of_all().place
         })
         .collect();
     let slope = |a: f64, b: f64, ratio: f64| (b / a).ln() / f64::ln(ratio);

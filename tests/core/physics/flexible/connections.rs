@@ -238,7 +238,7 @@ fn the_ledger_of_a_deck_with_devices_that_bends_closes() {
     for name in ["deck.bearing1", "rubber", "cable"] {
         assert!(changes(name) > 2, "{name} acts: {} phases", changes(name));
     }
-    let ledger = history.ledger(history.end());
+    let ledger = history.energy().ledger(history.end());
     within("residual in parts of the largest energy", ledger.residual.abs() / ledger.scale, 1e-9);
     assert!(ledger.loss_device > 1e4 && ledger.loss_girder > 0.0, "{ledger:?}");
 }
@@ -254,7 +254,7 @@ fn a_bearing_that_loses_its_support_bears_no_more() {
     assert!(history.model().links[number].device.is_lost(&phase) && lost < history.end(), "{phase:?} at {lost} s");
     let after = history.connections().bearing_loop(0, 0, 0.5 * (lost + history.end())).expect("it").resistance;
     within("resistance", after[0].abs() + after[1].abs(), 1e-6);
-    let ledger = history.ledger(history.end());
+    let ledger = history.energy().ledger(history.end());
     within("residual in parts of the largest energy", ledger.residual.abs() / ledger.scale, 1e-9);
 }
 

@@ -71,7 +71,7 @@ fn a_free_scene_may_be_turned() {
             within("rotation", a.theta - b.theta, 1e-10);
         }
     }
-    assert!(straight.hits() > 0, "they meet");
+    assert!(straight.hits().count() > 0, "they meet");
 }
 
 #[test]
@@ -86,7 +86,7 @@ fn more_polynomials_change_little_and_the_check_says_how_little() {
     within("n → 3n/2: N at mid-span", check.section, 5e-3);
     assert!(check.force > 0.0 && check.ends > 0.0, "they do differ");
     let finer = run(&with_degree(&case.scene, 12));
-    let part = (finer.largest_force() - history.largest_force()).abs() / finer.largest_force();
+    let part = (finer.hits().largest_force() - history.hits().largest_force()).abs() / finer.hits().largest_force();
     within("it is the difference of two runs", part - check.force, 1e-12);
 }
 
@@ -172,7 +172,7 @@ fn a_record_that_is_flown_through_balances_and_costs_no_steps() {
     let history = run(&scene);
     assert_eq!(history.effort().steps, 0, "a flight costs no steps");
     for i in 1..=12 {
-        let books = history.ledger(f64::from(i));
+        let books = history.energy().ledger(f64::from(i));
         within("ledger", books.residual / books.scale, 1e-11);
         assert!(books.loss_girder > 0.0, "modes lose energy");
     }
@@ -184,8 +184,8 @@ fn a_record_that_is_flown_through_balances_and_costs_no_steps() {
 fn section_forces_vanish_at_free_ends_and_agree_with_strain_in_the_middle() {
     let (case, _) = case("f4_skew60_friction_C0", Some(16));
     let history = run(&case.scene);
-    let hit = history.hardest().expect("a hit").peak_time;
-    let largest = history.largest_force();
+    let hit = history.hits().hardest().expect("a hit").peak_time;
+    let largest = history.hits().largest_force();
     for t in [hit - 0.01, hit, hit + 0.005, hit + 0.2] {
         let equilibrium = history.sections().equilibrium(0, t).expect("it bends");
         let strained = history.sections().strained(0, t).expect("it bends");
@@ -219,6 +219,6 @@ fn rayleighs_damping_is_that_of_its_frequencies() {
     for omega in made.frequencies() {
         within("2ζω", made.damping().dashpot(omega) - (0.3 + 2e-5 * omega * omega), 1e-9 * omega);
     }
-    let books = history.ledger(history.end());
+    let books = history.energy().ledger(history.end());
     within("ledger", books.residual / books.scale, 1e-10);
 }

@@ -110,7 +110,7 @@ angle_deg = 57
 #[test]
 fn a_corner_that_took_over_opens_once_and_for_all() {
     let history = History::of(&scene(BRIDGE)).expect("runs");
-    let balance = history.balance();
+    let balance = history.energy().balance();
     assert!(balance.holds(), "{balance:?}");
     // Displaced by what the corner before it was deeper, it opens behind the plane of its face.
     let opened: Vec<f64> = history.events().iter().filter(|e| e.kind == EventKind::Opened).map(|e| e.t).collect();
@@ -146,7 +146,7 @@ fn turned(angle: f64) -> Scene {
 fn spans_that_pass_at_a_joint_do_not_enter_each_other_however_the_bridge_lies() {
     let of = |angle| {
         let history = History::of(&turned(angle)).expect("runs");
-        assert!(history.balance().holds(), "turned by {angle}°: {:?}", history.balance());
+        assert!(history.energy().balance().holds(), "turned by {angle}°: {:?}", history.energy().balance());
         let passed = |event: &&Event| event.kind == EventKind::LeftFace;
         assert!(history.events().iter().filter(passed).count() > 1, "turned by {angle}°: their corners pass");
         assert_eq!(history.overlaps(), [], "turned by {angle}°");

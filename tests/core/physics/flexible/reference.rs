@@ -51,7 +51,7 @@ fn compare(name: &str, degree: Option<usize>, allowed: [f64; 3]) {
         let ours = history.model().pairs[0].law.dashpots().normal;
         within(&format!("{name}: C_n, (F8)"), ours - dashpot, 1e-9 * dashpot);
     }
-    let worst = (1..=40).map(|i| history.ledger(history.end() * f64::from(i) / 40.0));
+    let worst = (1..=40).map(|i| history.energy().ledger(history.end() * f64::from(i) / 40.0));
     let worst = worst.map(|books| (books.residual / books.scale).abs()).fold(0.0, f64::max);
     within(&format!("{name}: ledger"), worst, 1e-11);
 }

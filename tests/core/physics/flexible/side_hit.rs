@@ -38,9 +38,9 @@ fn momentum_energy_and_section_forces_balance_and_the_side_load_is_told() {
     // What acts along a face acts at the node and before it, a penetration apart: a couple. Friction is left out here, and the
     // tangential dashpot has 80 N at the most.
     let history = hit("planar", 0.0);
-    assert!(history.balance().holds(), "{:?}", history.balance());
+    assert!(history.energy().balance().holds(), "{:?}", history.energy().balance());
     assert_eq!(history.overlaps(), []);
-    let touch = *history.touches().first().expect("a hit");
+    let touch = *history.hits().touches().first().expect("a hit");
     assert!(touch.peak_force > 1e6 && touch.end < history.end(), "{touch:?}");
     let momentum = |t: f64| {
         let of = |girder: usize| {

@@ -29,9 +29,9 @@ fn crossing(kind: &str, stiffness: f64, [heading, lateral]: [f64; 2]) -> Scene {
 
 /// Impulses on the thrown girder along the side's normal and along the side \[N·s\], from the limit of a short touch.
 fn impulses(history: &History) -> [f64; 2] {
-    let touch = &history.touches()[0];
+    let touch = &history.hits().touches()[0];
     let pair = history.model().sites[touch.contact].pair;
-    let node = history.contact_at(touch.contact, touch.start + 1e-7).expect("closed").point;
+    let node = history.contacts().contact_at(touch.contact, touch.start + 1e-7).expect("closed").point;
     let (m, i2) = (2.0, history.model().bodies[0].gyration2);
     let arms = [0, 1].map(|girder| node - history.motion(girder, touch.start).place);
     // Velocity along an axis at the point by a unit impulse along another; the girder slides towards +x.
@@ -41,7 +41,7 @@ fn impulses(history: &History) -> [f64; 2] {
     let (w_n, w_ns) = (mobility(normal, normal), mobility(normal, along));
     let driven = w_n - MU * w_ns;
     // In space the edge of the corner has a node at its top and one at its foot.
-    let nodes = site_sharers(history, pair, touch.start) / history.touches().len() as f64;
+    let nodes = site_sharers(history, pair, touch.start) / history.hits().touches().len() as f64;
     let returned = restitution(damping_ratio(0.6) * w_n / (nodes * 2.0 / m * driven).sqrt());
     let normal = (1.0 + returned) * SPEED / driven;
     [normal, -MU * normal]

@@ -40,8 +40,8 @@ pub(super) fn angular_momentum(history: &History, t: f64) -> DVec3 {
 
 /// Mobility of both bodies at the point of a touch along its normal, here z \[1/kg\].
 fn mobility(history: &History) -> f64 {
-    let touch = &history.touches()[0];
-    let at = history.contact_at(touch.contact, touch.start + 1e-7).expect("closed");
+    let touch = &history.hits().touches()[0];
+    let at = history.contacts().contact_at(touch.contact, touch.start + 1e-7).expect("closed");
     let of = |girder: usize| {
         let (m, body) = (history.motion(girder, touch.start), &history.model().bodies[girder]);
         let turn = (at.point - m.place).cross(DVec3::Z);
@@ -59,14 +59,14 @@ fn edges_that_cross_at_their_middles_return_the_restitution() {
             let history = run(&bars(stiffness, rolls, [heading, 0.02]));
             expect_carried(&history);
             assert!(history.events().iter().all(|event| !event.kind.is_touch() || event.t < 0.1), "one hit");
-            let nodes = history.touches().len() as f64;
+            let nodes = history.hits().touches().len() as f64;
             assert!(nodes <= 2.0, "one point of contact, of either edge");
             let w = mobility(&history);
             // K and C are divided among the vertices of the polygon in which the two faces overlap, of which one touches; C was
             // made for all of them and for the masses of both at their centres, m/2 = 1 kg (65).
             let damping = damping_ratio(0.6) * (w / VERTICES).sqrt();
             let frequency = (stiffness / VERTICES * w * (1.0 - damping * damping)).sqrt();
-            let touch = &history.touches()[0];
+            let touch = &history.hits().touches()[0];
             within("time of the touch", (touch.end - touch.start) * frequency / PI - 1.0, 20.0 / stiffness.sqrt());
             let returned = restitution(damping);
             let impulse = (1.0 + returned) * SPEED / w;
@@ -107,7 +107,7 @@ fn edges_that_cross_at_a_degree_do_not_pass_through_each_other() {
         let history = run(&ridges(turned, beside));
         expect_carried(&history);
         assert!(history.events().iter().any(|event| event.kind.is_touch()), "they touch");
-        let scale = history.ledger(history.end()).scale;
+        let scale = history.energy().ledger(history.end()).scale;
         let appeared = history.events().iter().map(|event| -event.released).fold(0.0, f64::max);
         within("energy that appears", appeared / scale, 1e-9);
     }

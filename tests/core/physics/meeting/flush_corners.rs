@@ -49,7 +49,7 @@ fn scenes() -> [(&'static str, Scene); 4] {
 /// Largest rotation of the first deck \[rad\], and the speeds of all at the end \[m/s\].
 fn answer(history: &History) -> Vec<f64> {
     assert_eq!(history.overlaps(), [], "contacts carry all");
-    assert!(history.balance().holds(), "{:?}", history.balance());
+    assert!(history.energy().balance().holds(), "{:?}", history.energy().balance());
     let turned = (0..=200).map(|i| history.motion(0, f64::from(i) * 1e-3).theta.abs()).fold(0.0, f64::max);
     let speeds = (0..history.model().girders().len()).map(|girder| history.motion(girder, 0.2).velocity.length());
     std::iter::once(turned).chain(speeds).collect()

@@ -29,9 +29,9 @@ fn a_pair_that_waits_is_searched_though_the_first_of_its_bodies_has_nothing_to_c
     for law in ["kelvin-voigt", "hertz"] {
         let history = run(&shaken_behind_a_wall(law));
         assert!(history.overlaps().is_empty(), "{law}: {:?}", history.overlaps());
-        let ledger = history.ledger(history.end());
+        let ledger = history.energy().ledger(history.end());
         assert!(ledger.jump_entry > -1e-12 * ledger.scale, "{law}: no spring appears pressed: {} J", ledger.jump_entry);
-        assert!(history.touches().iter().any(|touch| touch.start > 2.0), "{law}: it comes back");
+        assert!(history.hits().touches().iter().any(|touch| touch.start > 2.0), "{law}: it comes back");
     }
 }
 

@@ -40,7 +40,7 @@ fn miss(history: &History, shift: [f64; 2]) -> f64 {
     expect_carried(history);
     let (velocity, spin) = after(shift);
     // Later a girder that turns about two axes precesses.
-    let parted = history.touches().iter().map(|touch| touch.end).fold(0.0, f64::max);
+    let parted = history.hits().touches().iter().map(|touch| touch.end).fold(0.0, f64::max);
     let motion = history.motion(0, parted);
     let spun = (motion.spin - spin).length() / spin.length();
     spun.max((motion.velocity.x - velocity).abs() / SPEED)

@@ -41,7 +41,7 @@ fn ends_whose_corners_pass_one_another_return_the_restitution() {
         let [plan, space] = ["planar", "spatial"].map(|kind| {
             let history = decks(kind, false, aside);
             expect_carried(&history);
-            assert!(history.dropped().is_none(), "{kind}, {aside} m: {:?}", history.dropped());
+            assert!(history.contacts().dropped().is_none(), "{kind}, {aside} m: {:?}", history.contacts().dropped());
             outcome(&history, false)
         });
         // The girders turn, so that their ends part by a little more or less than their centres.

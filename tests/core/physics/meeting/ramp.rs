@@ -63,7 +63,7 @@ fn a_corner_slides_along_an_oblique_side_as_on_an_inclined_plane() {
 fn gained_at_the_end(kind: &str, stiffness: f64) -> f64 {
     let history = run(&ramp(kind, stiffness, 0.8));
     expect_carried(&history);
-    let left = history.touches().iter().map(|touch| touch.end).fold(0.0, f64::max);
+    let left = history.hits().touches().iter().map(|touch| touch.end).fold(0.0, f64::max);
     assert!(left > 0.6 && left < 0.7, "{kind}: it leaves the ramp: {left}");
     let flown = DVec3::X * PUSH / 2.0 * (0.8 - left);
     (velocity(&history, 0) - flown).dot(directions()[1]) - speed_along(stiffness, left)

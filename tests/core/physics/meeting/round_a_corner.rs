@@ -38,7 +38,7 @@ fn passes(way: f64) -> [f64; 2] {
 }
 
 fn forces(history: &History, t: f64) -> f64 {
-    history.contacts(t).iter().map(|contact| contact.force.dot(contact.normal)).sum()
+    history.contacts().at(t).iter().map(|contact| contact.force.dot(contact.normal)).sum()
 }
 
 /// Until when a node of the wall's edge holds on to the girder that has left it: a thousandth of the face \[s\].
@@ -56,15 +56,20 @@ fn a_girder_goes_round_the_end_of_a_wall_and_comes_back_against_its_side() {
         // Pressed by the push, then free, when its last corner has passed the edge.
         within("pressed", forces(&history, out - 1e-6) - PUSH[0], 1e-9);
         within("free", forces(&history, out + late + 1e-6), 0.0);
-        let ends = history.touches().iter().filter(|touch| touch.start < out).map(|touch| touch.end);
+        let ends = history.hits().touches().iter().filter(|touch| touch.start < out).map(|touch| touch.end);
         within("leaves the front", ends.fold(0.0, f64::max) - out, late);
         // Past the wall it is pushed on beside it, by less than the push while nodes of the edge hold on.
         let flown = back - out;
         let deep = history.motion(0, back).displacement.x;
         let free = PUSH[0] / STIFFNESS + 0.5 * PUSH[0] / MASS * flown * flown;
         within("beside the wall", deep - free, 1e-9 + late * PUSH[0] / MASS * flown);
-        let hit =
-            history.touches().iter().map(|touch| touch.start).find(|&start| start > out).expect("the side is hit");
+        let hit = history
+            .hits()
+            .touches()
+            .iter()
+            .map(|touch| touch.start)
+            .find(|&start| start > out)
+            .expect("the side is hit");
         within("meets the side", hit - back, 1e-9);
     }
 }
@@ -86,6 +91,7 @@ fn the_side_of_the_wall_returns_the_restitution() {
         let [_, back] = passes(HALVES);
         let history = run(&short_wall(kind, back + 0.2));
         let parted = history
+            .hits()
             .touches()
             .iter()
             .filter(|touch| touch.start >= back - 1e-6)

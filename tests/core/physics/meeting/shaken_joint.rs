@@ -119,7 +119,7 @@ impl Joint {
         let [plan, space] = [run(&flat), run(&held_flat(&flat))];
         assert!(plan.events().iter().any(|event| event.kind == EventKind::LeftFace), "corners pass");
         assert_eq!(plan.overlaps(), [], "contacts carry all");
-        let left = plan.dropped().map_or(0.0, |dropped| dropped.share);
+        let left = plan.contacts().dropped().map_or(0.0, |dropped| dropped.share);
         assert!(left < 1e-3, "{left} of the largest energy left over an edge");
         let at = |t: f64| (plan.motion(0, t).displacement - space.motion(0, t).displacement).length();
         within("place [m]", (0..=150).map(|i| at(0.01 * f64::from(i))).fold(0.0, f64::max), apart);

@@ -2,7 +2,7 @@
 //! ends are pressed together, and the touch goes on from that corner to the other.
 
 use girderbench::scene::Scene;
-use girderbench::sim::History;
+use girderbench::sim::{ErrorEstimate, History};
 
 use super::expect_carried;
 use crate::support::{run, scene, within};
@@ -33,7 +33,7 @@ fn bridge(skew: f64, angle: f64) -> Scene {
 
 /// Largest force of a corner \[N\].
 fn peak(history: &History) -> f64 {
-    history.touches().iter().fold(0.0, |peak, touch| peak.max(touch.peak_force))
+    history.hits().touches().iter().fold(0.0, |peak, touch| peak.max(touch.peak_force))
 }
 
 #[test]
@@ -41,11 +41,11 @@ fn contact_goes_on_from_corner_to_corner_at_any_skew() {
     for skew in [35.0, 40.0, 45.0, 50.0, 60.0] {
         let history = run(&bridge(skew, 0.0));
         expect_carried(&history);
-        within("converged", history.estimate_error().error, 1e-9);
-        let deepest = history.touches().iter().any(|touch| touch.peak_force > 5e6);
+        within("converged", ErrorEstimate::of(&history).error, 1e-9);
+        let deepest = history.hits().touches().iter().any(|touch| touch.peak_force > 5e6);
         assert!(deepest, "a hit at {skew}°");
         // What the one corner lets go of the other takes up, but for the angle between the ends and the stretch along them.
-        let lost = history.dropped().map_or(0.0, |dropped| dropped.share);
+        let lost = history.contacts().dropped().map_or(0.0, |dropped| dropped.share);
         assert!(lost < 1e-3, "{lost} of the energy in play at {skew}°");
     }
 }

@@ -53,7 +53,7 @@ fn a_girder_between_two_others_carries_the_upper_one() {
     let tilted = yields(1.0) * ((0.05_f64 / 0.4).powi(2) + (0.02_f64 / 0.14).powi(2));
     within("top", sunk(2) + 2.0 * gap + yields(2.0) + yields(1.0) + tilted, 1e-6);
     let pressed = |lower: usize, upper: usize| {
-        let of = history.contacts(end);
+        let of = history.contacts().at(end);
         let between = of.iter().filter(|c| {
             let site = &history.model().sites[c.contact];
             [site.node_body, site.face_body] == [Some(lower), Some(upper)]
@@ -113,7 +113,7 @@ fn what_slides_over_the_end_falls_beyond_it() {
     let duration = passed + 0.15;
     let history = run(&lying(0.0, speed, duration));
     expect_carried(&history);
-    let last = history.touches().iter().map(|touch| touch.end).fold(0.0, f64::max);
+    let last = history.hits().touches().iter().map(|touch| touch.end).fold(0.0, f64::max);
     // Nodes of its edges hold on for a thousandth of the face, 1.2 mm at 1.2 m/s.
     within("leaves the top", last / passed - 1.0, 2.5e-3);
     let motion = history.motion(1, duration);
@@ -138,11 +138,11 @@ fn a_girder_thrown_over_another_lands_beyond_it() {
     // Above the base's ends it is lower than at the top by what it falls in 0.35 m of way.
     let drop = 0.5 * STANDARD_GRAVITY * (0.35_f64 / 3.0).powi(2);
     let clear = run(&thrown_over(drop + 1e-3));
-    assert_eq!((clear.overlaps(), clear.touches().len()), (&[][..], 0), "it clears the base");
+    assert_eq!((clear.overlaps(), clear.hits().touches().len()), (&[][..], 0), "it clears the base");
     within("returns to the height of its start", clear.motion(1, clear.end()).displacement.z, 1e-9);
     let touching = run(&thrown_over(drop - 1e-3));
     expect_carried(&touching);
-    assert!(!touching.touches().is_empty(), "a millimetre lower it touches");
+    assert!(!touching.hits().touches().is_empty(), "a millimetre lower it touches");
 }
 
 #[test]
@@ -159,7 +159,7 @@ fn a_girder_laid_across_another_rests_on_the_crossings_of_their_edges() {
         let tilt = yields(1.0) * y / 0.15_f64.powi(2);
         within("rests", rest.displacement.z + 0.005 + yields(1.0) + tilt * y, 1e-7);
         within("tilt", (rest.attitude * DVec3::Z).truncate().length() - tilt, 1e-5);
-        let pressed: f64 = history.contacts(1.0).iter().map(|c| c.normal_force * c.normal.z.abs()).sum();
+        let pressed: f64 = history.contacts().at(1.0).iter().map(|c| c.normal_force * c.normal.z.abs()).sum();
         within("weight", pressed / (MASS * STANDARD_GRAVITY) - 1.0, 1e-3);
     }
 }
@@ -203,7 +203,7 @@ fn what_touches_as_placed_lies_on_what_is_below() {
         within("at rest", places[0] + weights * sunk, 1e-3 * sunk);
         within("as from a nanometre above", places[0] - places[1], 1e-8);
     }
-    assert_eq!(touching.hits(), apart.hits(), "touches of pairs");
+    assert_eq!(touching.hits().count(), apart.hits().count(), "touches of pairs");
     expect_carried(&touching);
 }
 
@@ -226,7 +226,7 @@ fn abreast(widths: [f64; 2], gap: f64) -> Scene {
 fn decks_that_touch_side_by_side_as_placed_do_not_pass_through_each_other() {
     for widths in [[0.05, 0.17], [0.05, 0.1], [0.1, 0.17], [0.07, 0.19], [0.11, 0.13]] {
         let [touching, apart] = [0.0, 1e-9].map(|gap| run(&abreast(widths, gap)));
-        assert!(touching.hits() > 0, "{widths:?}: they touch");
+        assert!(touching.hits().count() > 0, "{widths:?}: they touch");
         let end = touching.end();
         let places = [&touching, &apart].map(|history| history.motion(0, end).displacement.y);
         within(&format!("{widths:?}"), places[0] - places[1], 1e-7);

@@ -54,7 +54,7 @@ fn scale(history: &History) -> f64 {
 fn girders_thrown_at_each_other_in_space_do_not_pass_through() {
     for (seed, history) in &*RUNS {
         assert!(history.stop().is_none(), "seed {seed}: {:?}", history.stop());
-        let balance = history.balance();
+        let balance = history.energy().balance();
         assert!(balance.holds(), "seed {seed}: {balance:?}");
         assert_eq!(history.overlaps(), [], "seed {seed}");
         let gained = momentum(history, history.end()) - momentum(history, 0.0);
@@ -77,7 +77,7 @@ fn forces_along_the_normals_keep_angular_momentum() {
 fn an_edge_that_slides_along_another_gains_no_energy() {
     let mut moves = 0;
     for (seed, history) in &*RUNS {
-        let energy = history.ledger(0.0).scale;
+        let energy = history.energy().ledger(0.0).scale;
         for event in history.events().iter().filter(|event| event.kind == EventKind::Moved) {
             within(&format!("seed {seed} at {} s", event.t), event.released / energy, 1e-13);
             moves += 1;

@@ -2,12 +2,12 @@
 
 use std::collections::BTreeMap;
 
-use super::History;
-use super::peaks::largest;
-use super::report::{Event, EventKind, Extreme};
+use super::view::Contacts;
 use crate::contact::normal::NormalLaw;
 use crate::scene::Kind;
 use crate::scene::facing::SolidId;
+use crate::sim::peaks::largest;
+use crate::sim::report::{Event, EventKind, Extreme};
 
 /// Deepest penetration in parts of the shortest side of either girder: a penalty spring stands for what bodies give where
 /// they touch; a tenth of a body is a deformation of the whole. Chosen, as no law has a limit of its own.
@@ -64,27 +64,28 @@ impl HandOver {
     }
 }
 
-impl History {
+impl<'a> Contacts<'a> {
     /// Contacts whose penetration exceeds a tenth of the shortest side, at most one a pair, in the order of the pairs.
-    pub fn too_deep(&self) -> Vec<TooDeep> {
-        (0..self.model().pairs.len()).filter_map(|pair| self.too_deep_of(pair)).collect()
+    pub fn too_deep(self) -> Vec<TooDeep> {
+        (0..self.history.model().pairs.len()).filter_map(|pair| self.too_deep_of(pair)).collect()
     }
 
-    fn too_deep_of(&self, pair: usize) -> Option<TooDeep> {
-        let own = &self.model().pairs[pair];
+    fn too_deep_of(self, pair: usize) -> Option<TooDeep> {
+        let own = &self.history.model().pairs[pair];
         let sides = own.bodies.into_iter().flatten().map(|body| {
-            let prism = &self.model().bodies[body].prism;
+            let prism = &self.history.model().bodies[body].prism;
             // Heights have no meaning in plan.
-            let thickness = if self.model().kind == Kind::Planar { f64::INFINITY } else { prism.thickness };
+            let thickness = if self.history.model().kind == Kind::Planar { f64::INFINITY } else { prism.thickness };
             prism.length.min(prism.width).min(thickness)
         });
         // What stands behind a face can be thinner than every girder: a backwall.
-        let behind = own.nodes().map(|site| self.model().sites[site].face.depth);
+        let behind = own.nodes().map(|site| self.history.model().sites[site].face.depth);
         let allowed = DEEPEST * sides.chain(behind).fold(f64::INFINITY, f64::min);
         // At its deepest a contact has no normal velocity: its force is no less than the spring's. A node has at least the
         // whole law's share of one of them all.
         let force = own.law.normal.elastic(allowed) / own.nodes().count().max(1) as f64;
-        let touches = self.touches().iter().filter(|touch| touch.pair == pair && touch.peak_force >= force);
+        let touches =
+            self.history.hits().touches().iter().filter(|touch| touch.pair == pair && touch.peak_force >= force);
         let deepest = touches.map(|touch| {
             let part = (touch.end - touch.start) / f64::from(PARTS);
             let times: Vec<f64> = (0..=PARTS).map(|i| touch.start + part * f64::from(i)).collect();
@@ -97,8 +98,8 @@ impl History {
     }
 
     /// Contacts that left a face with energy in their springs; `None` where that is nothing beside the energy in play.
-    pub fn dropped(&self) -> Option<Dropped> {
-        let scale = self.ledger(self.end()).scale;
+    pub fn dropped(self) -> Option<Dropped> {
+        let scale = self.history.energy().ledger(self.history.end()).scale;
         let left = self.lost_over_edges();
         let (most, _) = left.iter().copied().reduce(|a, b| if b.1 > a.1 { b } else { a })?;
         let energy: f64 = left.iter().map(|(_, lost)| lost).sum();
@@ -113,11 +114,11 @@ impl History {
 
     /// Contacts that left a face, with the energy of their springs \[J\] less what contacts between the same two bodies took over: what
     /// they came in with at a depth during the same touch of the two, or at the instant at which this one left.
-    fn lost_over_edges(&self) -> Vec<(&Event, f64)> {
+    fn lost_over_edges(self) -> Vec<(&'a Event, f64)> {
         let mut left: Vec<(&Event, f64)> = Vec::new();
         let mut between: BTreeMap<[SolidId; 2], HandOver> = BTreeMap::new();
-        for event in self.events() {
-            let pair = &self.model().pairs[self.model().sites[event.site()].pair];
+        for event in self.history.events() {
+            let pair = &self.history.model().pairs[self.history.model().sites[event.site()].pair];
             let solids = pair.solids();
             let hand_over = between.entry(solids).or_default();
             match event.kind {

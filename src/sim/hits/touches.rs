@@ -2,43 +2,35 @@
 
 use rayon::prelude::*;
 
-use super::peaks;
-use super::report::Extreme;
-use super::{History, Touch, impact};
+use super::view::Hits;
 use crate::contact::Mode;
-use crate::dynamics::free_flight::body_motion::BodyMotion;
 use crate::dynamics::penalty3d::contact_state::Contact;
+use crate::sim::report::Extreme;
+use crate::sim::{History, Touch, impact, peaks};
 
 /// Looks per step of an integrator when a peak is searched; a step is short against the contact's period. Chosen: with six, and a search
 /// about the highest alone, the peaks of 1000 colliding girders print alike.
 const LOOKS: usize = 3;
-/// Looks per period of the fastest motion in free flight \[–\]: a sine rises above the nearest look by at most 1 − cos(π/24) = 0.9 % of
-/// its amplitude.
-const PER_PERIOD: f64 = 24.0;
 
-/// Fewest and most looks in a stretch of a flight, and looks in a step \[–\]. Chosen: a step is short against every period of its bodies; at
-/// most a flight of some thousand of its periods is looked at.
-pub(super) const LEAST_LOOKS: f64 = 4.0;
-pub(super) const MOST_LOOKS: f64 = 2e5;
-
-impl History {
+impl<'a> Hits<'a> {
     /// All touches, ordered by their start.
-    pub fn touches(&self) -> &[Touch] {
-        self.found.touches.get_or_init(|| match self.impact() {
-            Some(record) => impact::touches::of(self, record),
-            None => find(self),
+    pub fn touches(self) -> &'a [Touch] {
+        let history = self.history;
+        history.found.touches.get_or_init(|| match history.impact() {
+            Some(record) => impact::touches::of(history, record),
+            None => find(history),
         })
     }
 
     /// The touch with the largest force; of the impact model one that lasts, if there is one.
-    pub(super) fn strongest(&self) -> Option<&Touch> {
+    pub(in crate::sim) fn strongest(self) -> Option<&'a Touch> {
         // Of equals the first.
-        let touches = self.touches().iter().filter(|touch| self.impact().is_none() || touch.peak_force > 0.0);
+        let touches = self.touches().iter().filter(|touch| self.history.impact().is_none() || touch.peak_force > 0.0);
         touches.rev().max_by(|a, b| a.peak_force.total_cmp(&b.peak_force))
     }
 
     /// The hardest touch: that of the largest force, of the impact model that of the largest impulse.
-    pub fn hardest(&self) -> Option<&Touch> {
+    pub fn hardest(self) -> Option<&'a Touch> {
         // Of equals the first; an impulse outweighs every force that takes its time.
         let size = |touch: &Touch| (touch.impulse, touch.peak_force);
         let heavier = |a: &&Touch, b: &&Touch| {
@@ -102,12 +94,12 @@ fn of_contact(history: &History, contact: usize) -> Vec<Touch> {
 
 /// Largest force of a contact in one state, and when.
 fn peak(history: &History, contact: usize, from: f64, until: f64) -> Extreme {
-    let force = |t: f64| history.contact(contact, t.min(until)).map_or(0.0, |now| now.force.length());
+    let force = |t: f64| history.contacts().contact(contact, t.min(until)).map_or(0.0, |now| now.force.length());
     peaks::largest(&in_order(looks_in_state(history, contact, from, until)), &force)
 }
 
 /// Times at which the forces of a hit are looked at: the beginning of every state of every contact, and in every step.
-pub(super) fn looks_in_hit(history: &History, hit: &[&Touch]) -> Vec<f64> {
+pub(in crate::sim) fn looks_in_hit(history: &History, hit: &[&Touch]) -> Vec<f64> {
     if history.impact().is_some() {
         let of_touch = |touch: &&Touch| impact::touches::looks(touch.start, touch.end).chain([touch.peak_time]);
         return in_order(hit.iter().flat_map(of_touch).collect());
@@ -143,49 +135,4 @@ fn looks_in_state(history: &History, contact: usize, from: f64, until: f64) -> V
     // Just inside: at its very end the next state begins.
     times.push(until - (until - from) * 1e-9);
     times
-}
-
-/// Touches of pairs: contacts of one pair whose touches overlap in time are one hit.
-pub(super) fn hits(touches: &[Touch]) -> usize {
-    let mut until: std::collections::BTreeMap<usize, f64> = std::collections::BTreeMap::new();
-    let mut count = 0;
-    for touch in touches {
-        let end = until.entry(touch.pair).or_insert(f64::NEG_INFINITY);
-        if touch.start > *end {
-            count += 1;
-        }
-        *end = end.max(touch.end);
-    }
-    count
-}
-
-/// Times at which a body's extremes are looked for: every step of an integrator several times, flights at a rate that
-/// neither its bearings nor the ground can outrun; none after it has fallen.
-pub(super) fn looks(history: &History, body: usize) -> Vec<f64> {
-    let (rate, last) = (flight_rate(history, body), history.seats().sound_until(body));
-    let mut times = Vec::new();
-    for span in history.trajectories.path(body).spans().take_while(|span| span.from < last) {
-        let (from, until) = (span.from, span.until.min(last));
-        #[expect(clippy::cast_possible_truncation, clippy::cast_sign_loss, reason = "a count of looks, clamped")]
-        let count =
-            if span.flies { ((until - from) * rate).clamp(LEAST_LOOKS, MOST_LOOKS) } else { LEAST_LOOKS } as usize;
-        times.extend((0..count).map(|i| from + (until - from) * i as f64 / count as f64));
-    }
-    times.push(last);
-    times
-}
-
-/// Looks per second in free flight.
-pub(super) fn flight_rate(history: &History, body: usize) -> f64 {
-    use crate::motion::Ground;
-    let model = history.model();
-    let together = history.trajectories.free_motion(body).map_or(0.0, BodyMotion::fastest);
-    let on_springs = history.trajectories.path(body).fastest_on_springs().unwrap_or(0.0);
-    let omega = model.bodies[body].fastest().max(together).max(on_springs);
-    let drive = match &model.ground {
-        Ground::Still => 0.0,
-        Ground::Sine { omega, .. } => *omega,
-        Ground::Record { dt, .. } => std::f64::consts::TAU / (8.0 * dt),
-    };
-    PER_PERIOD * omega.max(drive) / std::f64::consts::TAU
 }

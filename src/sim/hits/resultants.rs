@@ -6,28 +6,28 @@ use std::collections::BTreeMap;
 use glam::DVec3;
 use rayon::prelude::*;
 
-use super::peaks;
-use super::report::{Extreme, Pounding, PoundingHit};
 use super::touches::looks_in_hit;
-use super::{History, Touch};
+use super::view::Hits;
 use crate::dynamics::model::pair::Pair;
 use crate::scene::facing::SolidId;
+use crate::sim::report::{Extreme, Pounding, PoundingHit};
+use crate::sim::{Touch, peaks};
 
-impl History {
+impl<'a> Hits<'a> {
     /// Force of the second body of a pair on its first, of all contacts between the two \[N\].
-    pub fn resultant(&self, pair: usize, t: f64) -> DVec3 {
-        let Some(own) = self.model().pairs.get(pair) else { return DVec3::ZERO };
+    pub fn resultant(self, pair: usize, t: f64) -> DVec3 {
+        let Some(own) = self.history.model().pairs.get(pair) else { return DVec3::ZERO };
         let solids = [own.first.solid(), own.second.solid()];
-        let between = self.model().pairs.iter().filter(|pair| pair.is_between(solids));
-        let closed = between.flat_map(Pair::nodes).filter_map(|contact| self.contact_at(contact, t));
+        let between = self.history.model().pairs.iter().filter(|pair| pair.is_between(solids));
+        let closed = between.flat_map(Pair::nodes).filter_map(|contact| self.history.contacts().contact_at(contact, t));
         closed.filter_map(|now| Some(now.force * self.sign(now.contact, solids)?)).sum()
     }
 
     /// 1 where a contact's node is on the first of two bodies and its face on the second, −1 the other way round; `None` where it is
     /// between others.
-    fn sign(&self, contact: usize, [first, second]: [SolidId; 2]) -> Option<f64> {
-        let site = &self.model().sites[contact];
-        let pair = &self.model().pairs[site.pair];
+    fn sign(self, contact: usize, [first, second]: [SolidId; 2]) -> Option<f64> {
+        let site = &self.history.model().sites[contact];
+        let pair = &self.history.model().pairs[site.pair];
         let own = [pair.first.solid(), pair.second.solid()];
         let of_first = if site.node_body == pair.bodies[0] { 1.0 } else { -1.0 };
         if own == [first, second] {
@@ -40,10 +40,10 @@ impl History {
     }
 
     /// The largest |force| between any two bodies at an instant \[N\].
-    pub fn largest_resultant(&self, t: f64) -> f64 {
+    pub fn largest_resultant(self, t: f64) -> f64 {
         let mut between: BTreeMap<[SolidId; 2], DVec3> = BTreeMap::new();
-        for now in self.contacts(t) {
-            let pair = &self.model().pairs[now.pair];
+        for now in self.history.contacts().at(t) {
+            let pair = &self.history.model().pairs[now.pair];
             let solids = pair.solids();
             *between.entry(solids).or_default() += now.force * self.sign(now.contact, solids).unwrap_or_default();
         }
@@ -51,45 +51,46 @@ impl History {
     }
 
     /// The hits of the two bodies with the largest force between them, and that force; none where all touches are impulses.
-    pub fn hardest_pounding(&self) -> Option<(&Pounding, Extreme)> {
+    pub fn hardest_pounding(self) -> Option<(&'a Pounding, Extreme)> {
         let most = |of: &'_ Pounding| of.most().map_or(0.0, |most| most.value);
         let hardest = self.poundings().iter().reduce(|a, b| if most(b) > most(a) { b } else { a })?;
         hardest.most().filter(|most| most.value > 0.0).map(|most| (hardest, most))
     }
 
     /// The closed contact with the largest force between the bodies of a pair.
-    pub fn strongest_contact(&self, pair: usize, t: f64) -> Option<usize> {
-        let own = self.model().pairs.get(pair)?;
+    pub fn strongest_contact(self, pair: usize, t: f64) -> Option<usize> {
+        let own = self.history.model().pairs.get(pair)?;
         let solids = [own.first.solid(), own.second.solid()];
-        let closed = self.contacts(t).into_iter().filter(|now| self.sign(now.contact, solids).is_some());
+        let closed = self.history.contacts().at(t).into_iter().filter(|now| self.sign(now.contact, solids).is_some());
         closed.max_by(|a, b| a.force.length().total_cmp(&b.force.length())).map(|now| now.contact)
     }
 
     /// The largest |force| between any two bodies that touched, by the pair of their hardest touch \[N\]; one entry for every two bodies,
     /// in the order of these pairs; none where all touches are impulses.
-    pub fn largest_resultants(&self) -> Vec<(usize, Extreme)> {
+    pub fn largest_resultants(self) -> Vec<(usize, Extreme)> {
         let most = |of: &Pounding| Some((of.pair, of.most().filter(|most| most.value > 0.0)?));
         self.poundings().iter().filter_map(most).collect()
     }
 
     /// The hits of every two bodies that touched, in the order of their pairs.
-    pub fn poundings(&self) -> &[Pounding] {
-        self.found.poundings.get_or_init(|| self.find_poundings())
+    pub fn poundings(self) -> &'a [Pounding] {
+        self.history.found.poundings.get_or_init(|| self.find_poundings())
     }
 
     /// The largest force between a girder and another body, all their contacts together, with the number of a pair of the two \[N\];
     /// `None` where the girder touched nobody.
-    pub fn largest_total_on(&self, girder: usize) -> Option<(usize, Extreme)> {
-        let on = self.poundings().iter().filter(|of| self.model().pairs[of.pair].bodies.contains(&Some(girder)));
+    pub fn largest_total_on(self, girder: usize) -> Option<(usize, Extreme)> {
+        let on =
+            self.poundings().iter().filter(|of| self.history.model().pairs[of.pair].bodies.contains(&Some(girder)));
         let most = on.filter_map(|of| Some((of.pair, of.most().filter(|most| most.value > 0.0)?)));
         most.reduce(|a, b| if b.1.value > a.1.value { b } else { a })
     }
 
-    fn find_poundings(&self) -> Vec<Pounding> {
+    fn find_poundings(self) -> Vec<Pounding> {
         let mut between: BTreeMap<[SolidId; 2], Vec<&Touch>> = BTreeMap::new();
         // In order of their start.
         for touch in self.touches() {
-            let pair = &self.model().pairs[touch.pair];
+            let pair = &self.history.model().pairs[touch.pair];
             let solids = pair.solids();
             between.entry(solids).or_default().push(touch);
         }
@@ -109,7 +110,7 @@ impl History {
         all
     }
 
-    fn largest_of_hit(&self, hit: &[&Touch], solids: [SolidId; 2]) -> Extreme {
+    fn largest_of_hit(self, hit: &[&Touch], solids: [SolidId; 2]) -> Extreme {
         // The force of one contact is all there is.
         if let [touch] = hit {
             return Extreme { value: touch.peak_force, t: touch.peak_time };
@@ -124,10 +125,11 @@ impl History {
         };
         let sum = |t: f64| {
             let touching = of_contact.iter().filter(|(_, own)| touches(own, t));
-            let force = |contact| Some(self.contact_at(contact, t)?.force * self.sign(contact, solids)?);
+            let force =
+                |contact| Some(self.history.contacts().contact_at(contact, t)?.force * self.sign(contact, solids)?);
             touching.filter_map(|(&contact, _)| force(contact)).sum::<DVec3>().length()
         };
-        peaks::largest(&looks_in_hit(self, hit), &sum)
+        peaks::largest(&looks_in_hit(self.history, hit), &sum)
     }
 }
 

@@ -3,11 +3,12 @@
 //! A stiff contact is pressed by less than the last digit of the positions of its bodies. Node and face are therefore measured as during
 //! the run: from the reference poses of the bodies.
 
-use super::{ContactNow, ContactState, History, impact};
+use super::view::Contacts;
 use crate::contact::{ContactGeometry, Frame, Mode};
 use crate::dynamics::model::reference_pose::seen_from;
 use crate::dynamics::penalty3d::contact_force::{Action, act_in, to_world};
 use crate::dynamics::penalty3d::contact_state::ClosedContact;
+use crate::sim::{ContactNow, ContactState, impact};
 
 /// A closed contact at one instant.
 struct Seen {
@@ -21,19 +22,21 @@ struct Seen {
     sides: [Frame; 2],
 }
 
-impl History {
+impl Contacts<'_> {
     /// A closed contact at `t` with its sides, measured from the reference poses of its bodies as during the run.
-    fn closed(&self, contact: usize, t: f64) -> Option<Seen> {
-        let site = &self.model().sites[contact];
-        let log = self.trajectories.log(contact);
+    fn closed(self, contact: usize, t: f64) -> Option<Seen> {
+        let site = &self.history.model().sites[contact];
+        let log = self.history.trajectories.log(contact);
         let closed = log.since(t)?;
         // At the end of a run that gave up, the state of a contact may be relative to the reference pose of a step that was not kept:
         // there the state relative to the placed poses is taken.
-        let step_is_kept = self.stop().is_none() || t < self.end();
-        let sections = self.model().sections(contact);
+        let step_is_kept = self.history.stop().is_none() || t < self.history.end();
+        let sections = self.history.model().sections(contact);
         let side = |body: Option<usize>, which: usize| match body {
             Some(_) if !step_is_kept => None,
-            Some(body) => self.trajectories.since(body, sections[which], t).map(|(base, frame)| (Some(base), frame)),
+            Some(body) => {
+                self.history.trajectories.since(body, sections[which], t).map(|(base, frame)| (Some(base), frame))
+            }
             None => Some((None, site.stand)),
         };
         if let (Some((node, at_node)), Some((face, at_face))) = (side(site.node_body, 0), side(site.face_body, 1)) {
@@ -41,36 +44,37 @@ impl History {
             let whole = [(node, at_node), (face, at_face)].map(|(base, at)| base.map_or(at, |base| base.whole(&at)));
             return Some(Seen { closed, geometry, since: [at_node, at_face], sides: whole });
         }
-        let (closed, sides) = (*log.at(t).closed()?, self.trajectories.sides(contact, t));
+        let (closed, sides) = (*log.at(t).closed()?, self.history.trajectories.sides(contact, t));
         Some(Seen { closed, geometry: site.geometry_at(&closed.place), since: sides, sides })
     }
 
     /// Forces of a contact that is closed at `t`, and its state; nothing when it is open.
-    pub(super) fn acting(&self, contact: usize, t: f64) -> Option<(ClosedContact, Action)> {
+    pub(in crate::sim) fn acting(self, contact: usize, t: f64) -> Option<(ClosedContact, Action)> {
         let Seen { closed, geometry, since: [node, face], .. } = self.closed(contact, t)?;
         Some((closed, act_in(&geometry, &closed, &closed.mode, &node, &face)))
     }
 
     /// Contacts closed at `t`, in the order of their numbers.
-    pub fn contacts(&self, t: f64) -> Vec<ContactNow> {
-        let t = t.clamp(0.0, self.end());
-        if let Some(record) = self.impact() {
-            return impact::forces::contacts(self, record, t);
+    pub fn at(self, t: f64) -> Vec<ContactNow> {
+        let t = t.clamp(0.0, self.history.end());
+        if let Some(record) = self.history.impact() {
+            return impact::forces::contacts(self.history, record, t);
         }
-        (0..self.model().sites.len()).filter_map(|contact| self.contact(contact, t)).collect()
+        (0..self.history.model().sites.len()).filter_map(|contact| self.contact(contact, t)).collect()
     }
 
     /// One contact at `t`; nothing when it is open.
-    pub fn contact_at(&self, contact: usize, t: f64) -> Option<ContactNow> {
-        let t = t.clamp(0.0, self.end());
-        if let Some(record) = self.impact() {
-            return impact::forces::contacts(self, record, t).into_iter().find(|now| now.contact == contact);
+    pub fn contact_at(self, contact: usize, t: f64) -> Option<ContactNow> {
+        let t = t.clamp(0.0, self.history.end());
+        if let Some(record) = self.history.impact() {
+            return impact::forces::contacts(self.history, record, t).into_iter().find(|now| now.contact == contact);
         }
-        (contact < self.model().sites.len()).then(|| self.contact(contact, t))?
+        (contact < self.history.model().sites.len()).then(|| self.contact(contact, t))?
     }
 
-    pub(super) fn contact(&self, contact: usize, t: f64) -> Option<ContactNow> {
-        let site = &self.model().sites[contact];
+    /// One contact of the contact model at `t` within the run; nothing when it is open.
+    pub(in crate::sim) fn contact(self, contact: usize, t: f64) -> Option<ContactNow> {
+        let site = &self.history.model().sites[contact];
         let Seen { closed, geometry, since, sides: [node, face] } = self.closed(contact, t)?;
         let action = act_in(&geometry, &closed, &closed.mode, &since[0], &since[1]);
         let forces = &action.forces;
