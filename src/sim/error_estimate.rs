@@ -142,6 +142,19 @@ mod tests {
         assert_eq!(ErrorEstimate::of(&fine).stress, None, "at a fine tolerance it is known");
     }
 
+    /// At 1e-4 every step is as long as an interval of the record, at 1e-6 as well.
+    #[test]
+    fn steps_that_end_at_samples_at_every_tolerance_are_compared_with_shorter_ones() {
+        let [rough, finest] = [1e-4, 1e-11].map(|tolerance| {
+            let mut scene = crate::scene::presets::load("viaduct-5").expect("ships");
+            (scene.duration, scene.solver.tolerance) = (6.0, tolerance);
+            History::of(&scene).expect("runs")
+        });
+        let off = Comparison::of(&rough, &finest).of_all().place;
+        let told = ErrorEstimate::of(&rough).error;
+        assert!(off > 1e-13 && (0.5 * off..3.0 * off).contains(&told), "{told} m is told where it is {off} m");
+    }
+
     #[test]
     fn a_girder_that_only_tumbles_errs_in_its_attitude() {
         let scene = format::parse(

@@ -154,15 +154,15 @@ fn a_spring_that_yields_and_parts_follows_the_closed_form() {
     let rebound = omega * YIELD;
     let deepest = (omega * YIELD / SPEED).asin() / omega + MASS * at_yield / force;
     let duration = deepest + FRAC_PI_2 / omega + (depth - YIELD) / rebound;
-    assert_eq!(history.touches().len(), 2, "one touch a corner");
-    for touch in history.touches() {
+    assert_eq!(history.hits().touches().len(), 2, "one touch a corner");
+    for touch in history.hits().touches() {
         within("start", touch.start - GAP / SPEED, 1e-12);
         within("duration", (touch.end - touch.start) / duration - 1.0, 1e-9);
         within("a corner's share of the peak force", touch.peak_force / (0.5 * force) - 1.0, 1e-9);
     }
     within("depth", (history.motion(0, GAP / SPEED + deepest).displacement.x - GAP) / depth - 1.0, 1e-9);
     within("rebound", history.motion(0, scene.duration).velocity.x / rebound + 1.0, 1e-9);
-    let books = history.ledger(scene.duration);
+    let books = history.energy().ledger(scene.duration);
     within("work of yielding", books.loss_normal / (force * (depth - YIELD)) - 1.0, 1e-9);
     within("balance", books.residual / books.scale, 1e-12);
 }

@@ -130,7 +130,7 @@ fn check(what: &str, scene: &Scene, tolerance: f64) {
     // At rest, but for what the spring makes of a speed of v_stick.
     let rest = v_stick / (K / MASS).sqrt();
     within(&format!("{what}: at rest"), way(scene.duration) - (from_way + slid(slide)), rest + tolerance);
-    let [first, last] = [0.0, scene.duration].map(|t| history.ledger(t));
+    let [first, last] = [0.0, scene.duration].map(|t| history.energy().ledger(t));
     within(&format!("{what}: energy"), (last.residual - first.residual) / last.scale, 1e-10);
     assert!(last.loss_friction > 0.9 * 0.5 * MASS * SPEED * SPEED, "{what}: friction takes the energy");
 }
