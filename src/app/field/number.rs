@@ -138,7 +138,8 @@ impl Field<'_> {
                 let (response, shown, typed) = self.drag(ui, value, given);
                 let response = response.labelled_by(name);
                 if ui.data_mut(|data| data.remove_temp::<()>(awaited())).is_some() {
-                    ui.data_mut(|data| data.insert_temp(awaited(), Some(response.id)));
+                    let led_to = (response.id, ui.cumulative_pass_nr());
+                    ui.data_mut(|data| data.insert_temp(awaited(), led_to));
                     ui.request_repaint();
                 }
                 let menu = frame::menu(&response, own);
@@ -163,7 +164,10 @@ impl Field<'_> {
 
     fn drag(&self, ui: &mut Ui, value: f64, given: bool) -> (Response, f64, Typed) {
         // A number selects its digits where it has the keyboard before it is shown.
-        if let Some(id) = ui.data_mut(|data| data.remove_temp::<Option<Id>>(awaited())).flatten() {
+        let frame = ui.cumulative_pass_nr();
+        let led_to = ui.data(|data| data.get_temp::<(Id, u64)>(awaited()));
+        if let Some((id, _)) = led_to.filter(|(_, known)| *known < frame) {
+            ui.data_mut(|data| data.remove::<(Id, u64)>(awaited()));
             ui.memory_mut(|memory| memory.request_focus(id));
         }
         let (unit, typed) = (self.unit, Typed::default());
