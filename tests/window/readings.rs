@@ -276,7 +276,7 @@ fn a_force_that_is_followed_leaves_its_girder_selected() {
     harness.state_mut().apply(SelectCommand::Only(Some(Target::Girder(0))));
     settle(&mut harness);
     let answer = harness.state().replay.runner.answer().expect("run").clone();
-    let (_, most) = answer.history.largest_total_on(0).expect("it hits");
+    let (_, most) = answer.history.hits().largest_total_on(0).expect("it hits");
     let words = behind(&harness, "peak force");
     let here = harness.query_all_by_role_and_label(Role::Button, &words).next().expect("a button");
     here.scroll_to_me();
