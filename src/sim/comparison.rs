@@ -90,7 +90,8 @@ mod tests {
     /// A girder that flies along X at a speed and turns at a rate \[m/s, °/s\].
     fn flying(speed: f64, spin: f64) -> History {
         let text = format!(
-            "name = \"flight\"\nduration_s = 2.0\n[[girder]]\nname = \"deck\"\nlength_m = 10.0\nwidth_m = 3.0\nmass_kg = 2e4\n\
+            "name = \"flight\"\nduration_s = 2.0\n[[girder]]\nname = \"deck\"\nlength_m = 10.0\nwidth_m = 3.0\n\
+             thickness_m = 1.0\nmass_kg = 2e4\n\
              initial = {{ velocity_m_s = [{speed:?}, 0.0], spin_deg_s = {spin:?} }}\n"
         );
         History::of(&format::parse(&text, "flight").expect("a scene")).expect("runs")
