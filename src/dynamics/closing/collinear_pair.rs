@@ -259,3 +259,66 @@ impl<'a> Side<'a> {
         }
     }
 }
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::dynamics::model::coordinates::planar::PlanarState;
+    use crate::dynamics::penalty3d::example::{free_to_turn, row, wall};
+    use crate::dynamics::world::example::{in_flight, planned};
+
+    const GAP: f64 = 1e-3;
+
+    fn along(x: f64, speed: f64) -> PlanarState {
+        [x, 0.0, 0.0, speed, 0.0, 0.0]
+    }
+
+    fn near(got: f64, expected: f64) {
+        assert!((got - expected).abs() <= 1e-12 * expected.abs(), "{got} s is not {expected} s");
+    }
+
+    #[test]
+    fn girders_in_flight_meet_after_their_gap_over_their_relative_speed() {
+        for speeds in [[0.5, 0.0], [0.5, 0.2], [0.1, -0.4], [-0.1, -0.3]] {
+            let mut world = in_flight(&row(), &[along(0.0, speeds[0]), along(GAP, speeds[1])]);
+            let next = search(&mut world, 0, 0.0).expect("a pair on one axis");
+            near(next.due, GAP / (speeds[0] - speeds[1]));
+            for contact in world.pairs[0].contacts.clone() {
+                assert_eq!(world.contacts[contact].found.closing, Some(next.due), "all nodes have one gap");
+            }
+        }
+    }
+
+    #[test]
+    fn girders_that_part_or_are_too_slow_for_the_run_do_not_meet() {
+        for speeds in [[0.0, 0.0], [-0.1, 0.1], [0.9 * GAP, 0.0]] {
+            let mut world = in_flight(&row(), &[along(0.0, speeds[0]), along(GAP, speeds[1])]);
+            let next = search(&mut world, 0, 0.0).expect("a pair on one axis");
+            assert_eq!(next.due, f64::INFINITY, "within 1 s at {speeds:?} m/s");
+            assert_eq!(world.contacts[0].found, GapClosing { closing: None, rearmed_at: None });
+        }
+    }
+
+    #[test]
+    fn a_girder_at_its_wall_closes_at_once_where_it_moves_in() {
+        let mut world = in_flight(&wall(), &[along(0.0, 0.5)]);
+        assert_eq!(search(&mut world, 0, 0.0).map(|next| next.due), Some(0.0));
+        let mut world = in_flight(&wall(), &[along(0.0, -0.5)]);
+        assert_eq!(search(&mut world, 0, 0.0).map(|next| next.due), Some(f64::INFINITY));
+    }
+
+    #[test]
+    fn contacts_that_are_not_open_and_armed_and_motions_across_are_left_to_the_general_search() {
+        let mut world = in_flight(&wall(), &[along(-GAP, 0.5)]);
+        world.contacts[1].state = Contact::Open { armed: false };
+        assert!(search(&mut world, 0, 0.0).is_none(), "a disarmed node");
+        let mut closed = planned(&wall(), &[along(0.0, 0.5)]);
+        assert!(search(&mut closed, 0, 0.0).is_none(), "closed nodes");
+        for state in [[-GAP, 0.0, 0.1, 0.5, 0.0, 0.0], [-GAP, 0.0, 0.0, 0.5, 0.0, 0.2]] {
+            let mut turning = in_flight(&free_to_turn(wall()), &[state]);
+            assert!(search(&mut turning, 0, 0.0).is_none(), "a girder that is turned or turns: {state:?}");
+        }
+        let mut across = in_flight(&wall(), &[[-GAP, 0.0, 0.0, 0.5, 0.1, 0.0]]);
+        assert!(search(&mut across, 0, 0.0).is_none(), "a girder that moves along its wall as well");
+    }
+}

@@ -220,3 +220,69 @@ fn with_simultaneous(
     }
     closed
 }
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::dynamics::model::coordinates::planar::PlanarState;
+    use crate::dynamics::penalty3d::example::{free_to_turn, wall};
+    use crate::dynamics::world::example::in_flight;
+
+    /// Half of the girder's length and width \[m\].
+    const HALF: [f64; 2] = [0.095, 0.035];
+
+    fn flight(state: PlanarState) -> World {
+        in_flight(&free_to_turn(wall()), &[state])
+    }
+
+    fn due(world: &mut World) -> f64 {
+        super::search(world, 0, 0.0, &mut Shared::default()).due
+    }
+
+    #[test]
+    fn a_girder_that_turns_in_place_reaches_its_wall_with_the_corner_that_swings_out() {
+        let gap = 2e-3;
+        // The corner at (95, ∓35) mm swings on a circle, at the angle ∓φ at first: out to the wall where its cosine is (95 + 2)/r.
+        let (radius, first) = (HALF[0].hypot(HALF[1]), (HALF[1] / HALF[0]).atan());
+        for spin in [0.8, -0.8] {
+            let mut world = flight([-gap, 0.0, 0.0, 0.0, 0.0, spin]);
+            let swing = first - ((HALF[0] + gap) / radius).acos();
+            let expected = swing / f64::abs(spin);
+            let found = due(&mut world);
+            assert!((found - expected).abs() < 1e-12, "{found} s is not {expected} s at {spin} rad/s");
+            for contact in [0, 1] {
+                let swings_out = world.site(contact).point.y * spin < 0.0;
+                assert_eq!(world.contacts[contact].found.closing.is_some(), swings_out, "contact {contact}");
+            }
+        }
+    }
+
+    #[test]
+    fn both_corners_of_an_end_that_comes_squarely_close_together() {
+        let mut world = flight([-1e-3, 0.0, 0.0, 0.5, 0.1, 0.0]);
+        let found = due(&mut world);
+        assert!((found - 2e-3).abs() < 1e-14, "1 mm at 0.5 m/s: {found} s");
+        assert!([0, 1].iter().all(|&contact| world.contacts[contact].found.closing.is_some()));
+    }
+
+    #[test]
+    fn a_girder_that_flies_off_closes_nothing_for_the_rest_of_the_run() {
+        let mut world = flight([-1e-3, 0.0, 0.0, -0.5, 0.1, 0.0]);
+        world.contacts[0].found.closing = Some(0.3);
+        assert_eq!(due(&mut world), f64::INFINITY);
+        assert_eq!(world.contacts[0].found.closing, None, "what an earlier search has found is forgotten");
+    }
+
+    #[test]
+    fn a_disarmed_corner_closes_once_its_gap_has_been_positive_again() {
+        for (x, armed) in [(-1e-3, true), (1e-3, false)] {
+            let mut world = flight([x, 0.0, 0.0, 0.5, 0.1, 0.0]);
+            for contact in [0, 1] {
+                world.contacts[contact].state = Contact::Open { armed: false };
+            }
+            let found = due(&mut world);
+            assert_eq!(found.is_finite(), armed, "at {x} m it moves in, found at {found} s");
+            assert_eq!(world.contacts[0].state, Contact::Open { armed }, "at {x} m");
+        }
+    }
+}

@@ -157,3 +157,76 @@ fn resolution_of(link: &Link, frames: &[Frame; 2]) -> f64 {
     let moved: f64 = frames.iter().map(|frame| frame.shift.length()).sum();
     RESOLUTION * (link.size() + moved)
 }
+
+#[cfg(test)]
+mod tests {
+    use std::sync::Arc;
+
+    use glam::DMat3;
+
+    use super::*;
+    use crate::dynamics::Model;
+    use crate::dynamics::connection::{Anchor, Device, Phase};
+    use crate::dynamics::devices::{Failure, Restrainer, Stopper};
+    use crate::dynamics::model::coordinates::planar::PlanarState;
+    use crate::dynamics::penalty3d::example::wall;
+    use crate::dynamics::world::example::flying;
+
+    /// A girder in flight from this state, with a device between its G and a point of the ground.
+    fn linked(device: Arc<dyn Device>, kinematics: Kinematics, ground: DVec3, state: PlanarState) -> World {
+        let mut model = Model::compile(&wall()).unwrap_or_else(|errors| panic!("{errors}"));
+        let ends = [Anchor::Body { body: 0, point: DVec3::ZERO }, Anchor::Ground(ground)];
+        model.link_by("device", ends, (DMat3::IDENTITY, kinematics), device).expect("a link in the plane");
+        flying(model, &[state])
+    }
+
+    fn stopper() -> Arc<dyn Device> {
+        Arc::new(Stopper { gap: 1e-3, stiffness: 1e5, failure: Failure::Never })
+    }
+
+    /// A cable of 1 m with 0.25 m of slack.
+    fn cable() -> Arc<dyn Device> {
+        let (slack, break_elongation) = (0.25, f64::INFINITY);
+        Arc::new(Restrainer { length: 1.0, slack, stiffness: 1e3, yielding: None, break_elongation })
+    }
+
+    fn near(got: f64, expected: f64) {
+        assert!((got - expected).abs() <= 1e-11 * expected, "{got} s is not {expected} s");
+    }
+
+    #[test]
+    fn a_stopper_touches_after_its_gap_over_the_speed() {
+        for kinematics in [Kinematics::Points, Kinematics::Linear, Kinematics::Carried] {
+            let mut world = linked(stopper(), kinematics, DVec3::ZERO, [0.0, 0.0, 0.0, -0.5, 0.3, 0.0]);
+            assert_eq!(search(&mut world, 0, 0.0).due, f64::INFINITY, "it moves away");
+            assert_eq!(world.links[0].ends, None);
+            let mut world = linked(stopper(), kinematics, DVec3::ZERO, [-2e-3, 0.0, 0.0, 0.5, 0.3, 0.0]);
+            near(search(&mut world, 0, 0.0).due, 3e-3 / 0.5);
+            assert_eq!(world.links[0].ends.map(|(_, event)| event), Some(Switch::Closing));
+        }
+    }
+
+    #[test]
+    fn a_cable_is_taut_where_a_girder_that_flies_past_its_anchor_is_at_its_length() {
+        // Across the cable at 2 m/s: (1² + 4 t²) = 1.25².
+        let mut world = linked(cable(), Kinematics::Points, DVec3::NEG_X, [0.0, 0.0, 0.0, 0.0, 2.0, 0.0]);
+        near(search(&mut world, 0, 0.0).due, 0.375);
+        // Towards the anchor, past it and on: 1 m and 1.25 m at 4 m/s.
+        let mut world = linked(cable(), Kinematics::Points, DVec3::NEG_X, [0.0, 0.0, 0.0, -4.0, 0.0, 0.0]);
+        near(search(&mut world, 0, 0.0).due, 2.25 / 4.0);
+        // At 0.2 m/s it is not used up within 1 s.
+        let mut world = linked(cable(), Kinematics::Points, DVec3::NEG_X, [0.0, 0.0, 0.0, 0.2, 0.0, 0.0]);
+        assert_eq!(search(&mut world, 0, 0.0).due, f64::INFINITY);
+    }
+
+    #[test]
+    fn a_device_that_has_broken_begins_no_more() {
+        let brittle = Stopper { gap: 1e-3, stiffness: 1e5, failure: Failure::Brittle { force: 1.0 } };
+        let mut world = linked(Arc::new(brittle), Kinematics::Points, DVec3::ZERO, [0.0, 0.0, 0.0, 0.5, 0.0, 0.0]);
+        let broken = Phase { branch: 3, ..Phase::default() };
+        assert_eq!(world.model_link(0).device.activity(&broken), Activity::Ended);
+        (world.links[0].phase, world.links[0].ends) = (broken, Some((0.1, Switch::Closing)));
+        assert_eq!(search(&mut world, 0, 0.0).due, f64::INFINITY);
+        assert_eq!(world.links[0].ends, None);
+    }
+}

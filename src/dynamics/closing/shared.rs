@@ -194,3 +194,114 @@ fn approach(world: &mut World, pair: usize, t: f64) {
         }
     }
 }
+
+#[cfg(test)]
+mod tests {
+    use glam::DVec2;
+
+    use super::*;
+    use crate::contact::Mode;
+    use crate::dynamics::penalty3d::contact_state::ClosedContact;
+    use crate::dynamics::penalty3d::example::{met, row};
+    use crate::dynamics::world::example::{flying, in_flight};
+
+    /// Distance of two girders at t = 0 \[m\].
+    const APART: f64 = 0.02;
+
+    /// Two girders in a row that have met, the second `apart` beyond the first, which moves towards it at a speed; with the first
+    /// of the pairs that their meeting has added.
+    fn approaching(apart: f64, speed: f64) -> (World, usize) {
+        let states = [[0.0, 0.0, 0.0, speed, 0.0, 0.0], [apart, 0.0, 0.0, 0.0, 0.0, 0.0]];
+        let world = flying(met(&row()), &states);
+        let pair = world.pairs.iter().position(|pair| pair.meeting.is_some()).expect("a pair of the meeting");
+        (world, pair)
+    }
+
+    fn parted(world: &mut World, pair: usize) -> Parted {
+        Shared::default().parted(world, pair, (0.0, None))
+    }
+
+    fn near(world: &World) -> f64 {
+        NEAR * world.model.meetings[0].least_side
+    }
+
+    #[test]
+    fn bodies_that_face_each_other_as_placed_are_searched_from_the_start() {
+        let mut world = in_flight(&row(), &[[0.0; 6], [1.0, 0.0, 0.0, 0.0, 0.0, 0.0]]);
+        assert_eq!(parted(&mut world, 0), Parted::Near);
+    }
+
+    #[test]
+    fn bodies_that_approach_are_searched_from_just_before_their_touch() {
+        let (world, _) = approaching(APART, 0.0);
+        let near = near(&world);
+        for (apart, speed) in [(APART, 0.1), (3.0 * near, 0.1), (3.0 * near, 1e-3)] {
+            let (mut world, pair) = approaching(apart, speed);
+            let Parted::Until(from) = parted(&mut world, pair) else { panic!("they touch within the run") };
+            let left = apart - speed * from;
+            assert!(left > 0.99 * near && left <= 2.0 * near * (1.0 + 1e-9), "{left} m are left, {near} m is near");
+            assert_eq!(world.pairs[pair].search_state, SearchState::Searched);
+        }
+        let (mut world, pair) = approaching(2.0 * near * (1.0 - 1e-6), 1e-3);
+        assert_eq!(parted(&mut world, pair), Parted::Near, "within twice that they are near");
+    }
+
+    #[test]
+    fn bodies_that_do_not_meet_within_the_run_are_not_searched() {
+        // At 1 cm/s the girders are 1 cm apart at the end of the run of 1 s; the others part.
+        for speed in [0.01, 0.0, -0.1] {
+            let (mut world, pair) = approaching(APART, speed);
+            let first = world.pairs[pair].contacts.start;
+            world.contacts[first].found.closing = Some(0.5);
+            assert_eq!(parted(&mut world, pair), Parted::Throughout(f64::INFINITY), "at {speed} m/s");
+            assert_eq!(world.pairs[pair].search_state, SearchState::Idle);
+            assert_eq!(world.contacts[first].found.closing, None, "what an earlier search has found is forgotten");
+        }
+    }
+
+    #[test]
+    fn bodies_apart_with_a_closed_contact_are_searched() {
+        let (mut world, pair) = approaching(APART, -0.1);
+        let law = world.model_pair(pair).law;
+        let closed = ClosedContact::new(law, Mode::Slip { direction: DVec2::X }, 0.0);
+        let first = world.pairs[pair].contacts.start;
+        world.contacts[first].state = Contact::Closed(closed);
+        assert_eq!(parted(&mut world, pair), Parted::Near);
+    }
+
+    #[test]
+    fn near_each_other_open_nodes_are_armed_by_the_side_of_their_plane_once() {
+        let (mut world, pair) = approaching(0.0, 0.1);
+        world.pairs[pair].search_state = SearchState::Idle;
+        assert_eq!(parted(&mut world, pair), Parted::Near);
+        let contacts = world.pairs[pair].contacts.clone();
+        for contact in contacts.clone() {
+            let armed = world.local(contact, 0.0).gap > 0.0;
+            assert_eq!(world.contacts[contact].state, Contact::Open { armed });
+            world.contacts[contact].state = Contact::Open { armed: !armed };
+        }
+        assert_eq!(parted(&mut world, pair), Parted::Near);
+        for contact in contacts {
+            let armed = world.local(contact, 0.0).gap <= 0.0;
+            assert_eq!(world.contacts[contact].state, Contact::Open { armed }, "searches see to them from then on");
+        }
+    }
+
+    #[test]
+    fn all_pairs_of_a_meeting_share_one_look() {
+        let (mut world, pair) = approaching(APART, 0.1);
+        let mut shared = Shared::default();
+        let first = shared.parted(&mut world, pair, (0.0, None));
+        assert_eq!(shared.parted(&mut world, pair + 1, (0.0, None)), first);
+        assert_eq!(shared.parted, Some((0, first)));
+    }
+
+    #[test]
+    fn the_soonest_time_is_that_of_a_constant_acceleration() {
+        for (way, speed, gain) in [(0.3, 0.2, 9.81), (0.3, 0.0, 2.0), (1e-9, 0.5, 1e3)] {
+            let t = soonest(way, speed, gain);
+            assert!((speed * t + 0.5 * gain * t * t - way).abs() < 1e-15 + 1e-14 * way, "{t} s for {way} m");
+        }
+        assert_eq!((soonest(0.3, 0.5, 0.0), soonest(0.3, 0.0, 0.0)), (0.6, f64::INFINITY));
+    }
+}

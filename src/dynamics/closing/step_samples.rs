@@ -215,3 +215,80 @@ pub(super) fn excursion(world: &World, slot: usize, arm: f64, from: f64, until: 
         }
     }
 }
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::dynamics::model::coordinates::planar::PlanarState;
+    use crate::dynamics::penalty3d::example::{SPEED, free_to_turn, wall};
+    use crate::dynamics::world::example::{in_flight, planned};
+
+    /// A girder that hits its wall, slides along it and turns.
+    const HIT: PlanarState = [0.0, 0.0, 0.0, SPEED, 0.1, 2.0];
+
+    fn hit() -> (World, [f64; 2]) {
+        let world = planned(&free_to_turn(wall()), &[HIT]);
+        let step = &world.islands[0].as_ref().expect("an island").step;
+        let span = [step.from, step.until];
+        (world, span)
+    }
+
+    #[test]
+    fn samples_are_at_equal_intervals_and_have_the_poses_of_their_times() {
+        let (world, [t, until]) = hit();
+        let mut samples = StepSamples::begin(&world, 0, t, until);
+        samples.fill(&world);
+        for i in 0..STEP_SAMPLES {
+            let at = t + (until - t) * i as f64 / (STEP_SAMPLES - 1) as f64;
+            assert!((samples.times[i] - at).abs() <= 1e-15 * until, "sample {i}");
+            assert_eq!(*samples.side(Some(0), i), world.frame(0, 0, samples.times[i]));
+            for contact in [0, 1] {
+                assert_eq!(samples.corner(&world, contact, i), world.local(contact, samples.times[i]));
+                let local = world.local(contact, samples.times[i]);
+                let sample = samples.gap(&world, contact, i);
+                assert_eq!((sample.gap, sample.rate), (local.gap, local.gap_rate));
+            }
+        }
+        assert!(samples.are_of(&world, 0, [t, until]));
+        assert!(!samples.are_of(&world, 0, [t, 0.5 * until]), "another stretch");
+    }
+
+    #[test]
+    fn no_point_of_a_body_goes_farther_in_a_step_than_its_excursion() {
+        let (world, [t, until]) = hit();
+        for arm in [0.0, 0.1, 1.0] {
+            let bound = excursion(&world, 0, arm, t, until);
+            let at = |t: f64| {
+                let frame = world.frame(0, 0, t);
+                frame.shift + frame.turn(glam::DVec3::new(0.6, -0.8, 0.0) * arm)
+            };
+            let way = (at(until) - at(t)).length();
+            assert!(way <= bound && bound < 3.0 * way, "{way} m of at most {bound} m at {arm} m");
+        }
+    }
+
+    #[test]
+    fn in_flight_the_excursion_is_the_way_at_the_speed_and_as_placed_there_is_no_bound() {
+        let mut world = in_flight(&free_to_turn(wall()), &[[0.0, 0.0, 0.0, 0.3, 0.4, 2.0]]);
+        let bound = excursion(&world, 0, 0.1, 0.1, 0.3);
+        assert!((bound - 0.2 * (0.5 + 2.0 * 0.1)).abs() < 1e-12, "{bound} m");
+        world.bodies[0].now = Trajectory::Placed;
+        assert_eq!(excursion(&world, 0, 0.1, 0.1, 0.3), f64::INFINITY);
+    }
+
+    #[test]
+    fn the_error_of_a_rate_is_the_tolerance_times_the_speeds_of_node_and_face() {
+        let world = in_flight(&free_to_turn(wall()), &[[0.0, 0.0, 0.0, 0.3, 0.4, 2.0]]);
+        let [node, face] = [world.side(0, 0, 0.0), world.side(0, 1, 0.0)];
+        let arm = 0.095_f64.hypot(0.035);
+        let error = rate_error(&world, 0, [&node, &face]);
+        assert!((error / (1e-12 * (0.5 + 2.0 * arm)) - 1.0).abs() < 1e-12, "{error} m/s at a tolerance of 1e-12");
+    }
+
+    #[test]
+    fn what_rounds_grows_with_the_distance_from_where_bodies_were_placed() {
+        let world = in_flight(&wall(), &[[0.0, 0.0, 0.0, 0.3, 0.4, 0.0]]);
+        let [placed, moved] = [0.0, 0.5].map(|t| resolution(&world, 0, t));
+        assert!((moved - placed - RESOLUTION * 0.25).abs() < 1e-9 * moved, "0.25 m at 0.5 m/s");
+    }
+}

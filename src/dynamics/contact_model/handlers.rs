@@ -165,3 +165,150 @@ fn ascending(slots: [Option<usize>; 2]) -> Vec<usize> {
 fn first_of_touch(controller: ControllerState) -> ControllerState {
     if controller.stiff { ControllerState { step: 0.0, ..controller } } else { controller }
 }
+
+#[cfg(test)]
+mod tests {
+    use glam::{DMat3, DVec3};
+
+    use super::*;
+    use crate::dynamics::Model;
+    use crate::dynamics::connection::{Activity, Anchor};
+    use crate::dynamics::devices::{Failure, Stopper};
+    use crate::dynamics::event_loop::event_driven::EventDriven;
+    use crate::dynamics::penalty3d::example::{MASS, SPEED, STIFFNESS, wall};
+    use crate::dynamics::record::event::EventKind;
+    use crate::scene::Scene;
+
+    /// Distance of the girder from its wall or its stopper \[m\].
+    const GAP: f64 = 1e-3;
+
+    /// A girder that moves along x and y before an elastic wall.
+    fn scene(velocity: [f64; 2]) -> Scene {
+        let mut scene = wall();
+        scene.abutments[0].gap = Some(GAP);
+        scene.girders[0].initial.velocity = [velocity[0], velocity[1], 0.0];
+        scene
+    }
+
+    fn thrown(velocity: [f64; 2]) -> ContactRun {
+        let model = Model::compile(&scene(velocity)).unwrap_or_else(|errors| panic!("{errors}"));
+        ContactRun::new(&Arc::new(model), 0)
+    }
+
+    /// A girder far from its wall that moves towards a stopper of the ground.
+    fn stopped() -> ContactRun {
+        let mut scene = scene([SPEED, 0.0]);
+        scene.abutments[0].gap = Some(1.0);
+        let mut model = Model::compile(&scene).unwrap_or_else(|errors| panic!("{errors}"));
+        let ends = [Anchor::Body { body: 0, point: DVec3::ZERO }, Anchor::Ground(DVec3::ZERO)];
+        let stopper = Stopper { gap: GAP, stiffness: STIFFNESS, failure: Failure::Never };
+        model.link("stopper", ends, DMat3::IDENTITY, Arc::new(stopper)).expect("a link in the plane");
+        ContactRun::new(&Arc::new(model), 0)
+    }
+
+    /// Time for which the girder is in touch, half a period of its mass on the pair's stiffness \[s\].
+    fn touch() -> f64 {
+        std::f64::consts::PI / (STIFFNESS / MASS).sqrt()
+    }
+
+    fn near(got: f64, expected: f64, what: &str) {
+        assert!((got - expected).abs() <= 1e-9 * expected.abs(), "{what}: {got} is not {expected}");
+    }
+
+    #[test]
+    fn a_girder_that_meets_its_wall_squarely_closes_both_corners_and_is_thrown_back_after_half_a_period() {
+        let mut run = thrown([SPEED, 0.0]);
+        let due = run.world.pairs[0].due;
+        near(due, GAP / SPEED, "it closes");
+        run.close_pair(0, due);
+        let kinds: Vec<EventKind> = run.events.iter().map(|event| event.kind).collect();
+        assert_eq!(kinds, [EventKind::OpenToStick; 2]);
+        assert!(matches!(run.world.bodies[0].now, Trajectory::Island { .. }), "it is integrated");
+        run.advance(0.5);
+        let opened: Vec<f64> = run.events[2..].iter().map(|event| event.t).collect();
+        assert_eq!(opened.len(), 2, "both corners open: {:?}", run.events);
+        near(opened[0], GAP / SPEED + touch(), "they open");
+        assert!(matches!(run.world.bodies[0].now, Trajectory::Flight(_)), "it flies");
+        let state = run.world.state(0, 0.5);
+        near(state[3], -SPEED, "as fast as it came");
+        near(state[0], GAP - SPEED * (0.5 - opened[0]), "from the wall on");
+        assert!(run.world.islands.iter().all(Option::is_none), "no island is left");
+    }
+
+    #[test]
+    fn the_end_of_a_step_without_an_event_is_the_beginning_of_the_next() {
+        let mut run = thrown([SPEED, 0.0]);
+        let due = run.world.pairs[0].due;
+        run.close_pair(0, due);
+        let step = |run: &ContactRun| {
+            let island = run.world.islands[0].as_ref().expect("in touch");
+            (island.step.from, island.step.until, island.step.due.len())
+        };
+        let (from, until, events) = step(&run);
+        assert!(from == due && until < due + touch() && events == 0, "a step within the touch: {from} to {until} s");
+        run.end_step(0, until);
+        assert_eq!(step(&run).0, until);
+        assert_eq!(run.events.len(), 2, "nothing but the closings");
+    }
+
+    #[test]
+    fn a_pair_before_its_closing_is_searched_again_and_stays_open() {
+        let mut run = thrown([SPEED, 0.0]);
+        let searches = run.schedule.effort.searches;
+        run.close_pair(0, 0.25 * GAP / SPEED);
+        assert_eq!((run.events.len(), run.schedule.effort.searches), (0, searches + 1));
+        near(run.world.pairs[0].due, GAP / SPEED, "the same closing");
+        assert!(matches!(run.world.bodies[0].now, Trajectory::Flight(_)));
+    }
+
+    #[test]
+    fn a_girder_that_passes_beside_its_wall_misses_it_and_flies_on() {
+        // Its corner comes past the end of the wall at 1 m before it reaches the plane.
+        let along = 1.1 / (GAP / SPEED);
+        let mut run = thrown([SPEED, along]);
+        run.advance(2.0 * GAP / SPEED);
+        assert!(run.events.iter().all(|event| event.kind == EventKind::Missed), "{:?}", run.events);
+        let states = [0, 1].map(|contact| run.world.contacts[contact].state);
+        assert_eq!(states, [Contact::Open { armed: false }; 2]);
+        let state = run.world.state(0, 2.0 * GAP / SPEED);
+        near(state[0], 2.0 * GAP, "through the plane");
+    }
+
+    #[test]
+    fn a_stopper_begins_where_its_gap_closes_and_not_before() {
+        let mut run = stopped();
+        let acts = |run: &ContactRun| {
+            let track = &run.world.links[0];
+            run.world.model.links[track.link].device.activity(&track.phase)
+        };
+        let (at, event) = run.world.links[0].ends.expect("a beginning");
+        near(at, GAP / SPEED, "it touches");
+        assert_eq!(event, Switch::Closing);
+        run.change_phase(0, 0.5 * at);
+        assert_eq!(
+            (acts(&run), run.world.links[0].ends.map(|(_, event)| event)),
+            (Activity::Idle, Some(Switch::Closing))
+        );
+        let (at, _) = run.world.links[0].ends.expect("a beginning");
+        run.change_phase(0, at);
+        assert_eq!(acts(&run), Activity::Acts);
+        run.advance(0.5);
+        assert_eq!(acts(&run), Activity::Idle, "it has opened");
+        near(run.world.state(0, 0.5)[3], -SPEED, "as fast as the girder came");
+    }
+
+    #[test]
+    fn the_bodies_of_a_pair_are_taken_in_ascending_order_without_the_ground() {
+        assert_eq!(ascending([Some(3), Some(1)]), [1, 3]);
+        assert_eq!(ascending([None, Some(2)]), [2]);
+        assert!(ascending([None, None]).is_empty());
+    }
+
+    #[test]
+    fn after_a_closing_an_implicit_step_begins_with_a_length_of_its_own_and_an_explicit_one_goes_on() {
+        for (stiff, step) in [(true, 0.0), (false, 1e-3)] {
+            let before = ControllerState { step: 1e-3, stiff };
+            assert_eq!(first_of_touch(before).step, step, "implicit: {stiff}");
+        }
+    }
+}

@@ -227,3 +227,125 @@ impl ContactPoses<'_> {
         if pair.bodies[0] == self.site(contact).face_body { pair.first } else { pair.second }
     }
 }
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::dynamics::contact_model::example::AtEvent;
+    use crate::dynamics::penalty3d::contact_state::{ClosedContact, Contact};
+    use crate::dynamics::penalty3d::example::{closed, met, row, stick, wall};
+
+    /// Overlap of the two girders along x and along y \[m\].
+    const OVERLAP: [f64; 2] = [0.05, 0.01];
+
+    /// Two girders of 0.19 m by 0.07 m that have met, the second beside the first: they overlap by 50 mm along and by 10 mm across.
+    fn beside() -> AtEvent {
+        let second = [-OVERLAP[0], 0.07 - OVERLAP[1], 0.0, 0.0, 0.0, 0.0];
+        AtEvent::of(met(&row()), &[], &[[0.0; 6], second])
+    }
+
+    /// Contacts of the group whose node is this deep behind their face.
+    fn as_deep(event: &AtEvent, depth: f64) -> Vec<usize> {
+        let at = event.poses();
+        (0..event.world.contacts.len()).filter(|&c| (at.local(c).penetration() - depth).abs() < 1e-12).collect()
+    }
+
+    /// The contact with the face whose normal is along an axis that is the deepest, of a node inside the polygon.
+    fn inside(event: &AtEvent, axis: usize, depth: f64) -> usize {
+        let at = event.poses();
+        let is_inside = |&c: &usize| {
+            let site = event.world.site(c);
+            at.normal(c)[axis].abs() > 0.9 && site.over_edge(&at.local(c)) < 0.0
+        };
+        as_deep(event, depth).into_iter().find(is_inside).expect("a node behind a face, inside its edges")
+    }
+
+    /// Closes a contact as another one of the pair would be.
+    fn close(event: &mut AtEvent, contact: usize) {
+        let law = event.world.model_pair(event.world.contacts[contact].pair).law;
+        let here = event.poses().local(contact);
+        event.world.contacts[contact].state = Contact::Closed(ClosedContact::new(law, stick(&here), 0.0));
+    }
+
+    #[test]
+    fn girders_that_overlap_less_across_than_along_part_across() {
+        let event = beside();
+        let way = event.poses().shortest_way(0).expect("they have met");
+        assert!((way.overlap - OVERLAP[1]).abs() < 1e-15, "{} m", way.overlap);
+        // Of the smallest side, the thickness of 20 mm or in plan the width of 70 mm.
+        let side = event.world.model.meetings[0].least_side;
+        assert!((side == 0.02 || side == 0.07) && way.tolerated == UNCARRIED * side, "{way:?}");
+        let contact = way.contact.expect("a contact along that way");
+        let at = event.poses();
+        assert!((at.normal(contact).y.abs() - 1.0).abs() < 1e-15, "across: {}", at.normal(contact));
+        assert!((at.local(contact).penetration() - OVERLAP[1]).abs() < 1e-15, "as deep as the overlap");
+    }
+
+    #[test]
+    fn the_faces_of_two_bodies_are_ordered_by_the_overlap_along_their_normals() {
+        let event = beside();
+        let depths: Vec<f64> = event.poses().overlaps(0).iter().map(|least| least.depth).collect();
+        assert_eq!(depths.len(), 8, "four faces of each of the two");
+        // Out over the faces that look at the other girder, and over those behind: the rest of both lengths or widths.
+        let [along, across] = [2.0 * 0.19 - OVERLAP[0], 2.0 * 0.07 - OVERLAP[1]];
+        for (depth, expected) in
+            depths.iter().zip([OVERLAP[1], OVERLAP[1], OVERLAP[0], OVERLAP[0], across, across, along, along])
+        {
+            assert!((depth - expected).abs() < 1e-15, "{depths:?}");
+        }
+    }
+
+    #[test]
+    fn a_node_that_crosses_an_end_of_girders_that_part_across_closes_with_the_side() {
+        let event = beside();
+        let crossed = inside(&event, 0, OVERLAP[0]);
+        let by = event.poses().contact_to_close(crossed).expect("nothing carries the overlap");
+        assert_eq!(event.world.site(by).node, event.world.site(crossed).node, "the same node");
+        assert!(event.poses().normal(by).y.abs() > 0.9, "with the face along which they part");
+        let side = inside(&event, 1, OVERLAP[1]);
+        assert_eq!(event.poses().contact_to_close(side), Some(side), "which a node that crosses it closes with");
+    }
+
+    #[test]
+    fn a_contact_of_half_the_overlap_carries_it_and_a_shallower_one_does_not() {
+        let mut event = beside();
+        let [side, end] = [inside(&event, 1, OVERLAP[1]), inside(&event, 0, OVERLAP[0])];
+        assert!(!event.poses().is_carried_beside(end, 1e-9), "nothing is closed");
+        close(&mut event, side);
+        let carried = |depth: f64| event.poses().is_carried_beside(end, depth);
+        assert!(carried(2.0 * OVERLAP[1] * (1.0 - 1e-9)) && !carried(2.0 * OVERLAP[1] * (1.0 + 1e-9)));
+        assert!(!event.poses().is_carried_beside(side, 1e-9), "not beside itself");
+        assert_eq!(event.poses().contact_to_close(end), None, "the closed one carries the overlap");
+        assert!(event.poses().contact_taking_over(end).is_none());
+    }
+
+    #[test]
+    fn where_nothing_carries_the_overlap_a_node_inside_the_side_takes_over() {
+        let event = beside();
+        let end = inside(&event, 0, OVERLAP[0]);
+        let over = event.poses().contact_taking_over(end).expect("the bodies overlap");
+        assert!((over.depth - OVERLAP[1]).abs() < 1e-15, "{} m", over.depth);
+        assert!(event.poses().normal(over.contact).y.abs() > 0.9, "along the least overlap");
+    }
+
+    #[test]
+    fn girders_apart_part_by_no_way_and_close_with_the_face_that_is_crossed() {
+        let event = AtEvent::of(met(&row()), &[], &[[0.0; 6], [-0.05, 0.08, 0.0, 0.0, 0.0, 0.0]]);
+        let way = event.poses().shortest_way(0).expect("they have met");
+        assert!((way.overlap + 0.01).abs() < 1e-15, "10 mm apart: {}", way.overlap);
+        for contact in 0..event.world.contacts.len() {
+            assert_eq!(event.poses().contact_to_close(contact), Some(contact));
+            assert!(event.poses().contact_taking_over(contact).is_none(), "nothing to take over");
+        }
+    }
+
+    #[test]
+    fn a_declared_pair_is_closed_by_the_face_that_is_crossed_and_taken_over_by_none() {
+        let (model, _) = closed(&wall(), stick);
+        let event = AtEvent::of(model, &[], &[[1e-3, 0.0, 0.0, 0.0, 0.0, 0.0]]);
+        let at = event.poses();
+        assert!(at.shortest_way(0).is_none(), "the girder and its wall have not met");
+        assert_eq!((at.contact_to_close(0), at.begins_inside_by(0)), (Some(0), true));
+        assert!(at.contact_taking_over(0).is_none());
+    }
+}

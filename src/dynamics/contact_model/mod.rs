@@ -10,6 +10,8 @@ pub(in crate::dynamics) mod event_forecast;
 pub(in crate::dynamics) mod event_poses;
 pub(in crate::dynamics) mod event_source;
 pub(in crate::dynamics) mod event_state;
+#[cfg(test)]
+mod example;
 pub(in crate::dynamics) mod handlers;
 pub(in crate::dynamics) mod islands;
 pub(in crate::dynamics) mod least_overlap;

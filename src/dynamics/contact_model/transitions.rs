@@ -148,3 +148,154 @@ impl<'a> Transitions<'_, 'a> {
         }
     }
 }
+
+#[cfg(test)]
+mod tests {
+    use glam::DVec2;
+
+    use super::*;
+    use crate::contact::{FrictionLaw, Local};
+    use crate::dynamics::contact_model::example::{AtEvent, TIME};
+    use crate::dynamics::penalty3d::example::{STIFFNESS, closed, stick, wall};
+    use crate::scene::{Direction, Kind};
+
+    /// Penetration \[m\].
+    const DEPTH: f64 = 1e-3;
+    /// Displacement along the wall, at the cone of `μ_s` = 0.5 under a tangential spring as stiff as the normal one \[m\].
+    const WAY: f64 = 0.5e-3;
+    /// Part of the pair's stiffness of each of the two corners \[N/m\].
+    const NODE: f64 = 0.5 * STIFFNESS;
+    const SLIP: Mode = Mode::Slip { direction: DVec2::X };
+
+    fn slip(_: &Local) -> Mode {
+        SLIP
+    }
+
+    /// A girder pressed into its wall by `depth` and displaced along it by [`WAY`] since its two corners have closed in this mode.
+    fn pressed(mode: fn(&Local) -> Mode, friction: FrictionLaw, depth: f64) -> AtEvent {
+        let (model, mut active) = closed(&wall(), mode);
+        assert_eq!(active.len(), 2, "two corners");
+        for contact in &mut active {
+            let law = &mut contact.closed.law;
+            (law.friction, law.mu_s, law.mu_k) = (friction.into(), 0.5, 0.4);
+        }
+        AtEvent::of(model, &active, &[[depth, WAY, 0.0, 0.0, 0.0, 0.0]])
+    }
+
+    /// The same in space, with four corners that slide along the wall under law `paper` in two directions of sliding, pushed along the
+    /// wall by a part of the force that their stick could hold.
+    fn stopped(part: f64) -> AtEvent {
+        let mut scene = wall();
+        (scene.kind, scene.gravity) = (Kind::Spatial, 0.0);
+        scene.girders[0].held = vec![Direction::Roll, Direction::Pitch, Direction::Yaw];
+        let (mut model, mut active) = closed(&scene, slip);
+        assert_eq!(active.len(), 4, "four corners");
+        model.bodies[0].push.y = part * 0.5 * STIFFNESS * DEPTH;
+        for contact in &mut active {
+            let law = &mut contact.closed.law;
+            (law.friction, law.mu_s, law.mu_k, law.v_stick) = (FrictionLaw::Paper.into(), 0.5, 0.4, 1e-6);
+        }
+        AtEvent::of(model, &active, &[[DEPTH, 0.0, 0.0, 0.0, 0.0, 0.0]])
+    }
+
+    fn change(event: &mut AtEvent, contact: usize, reason: Reason) {
+        Transitions { states: &mut event.states() }.change(contact, reason);
+    }
+
+    fn close(got: f64, expected: f64, what: &str) {
+        assert!((got - expected).abs() <= 1e-9 * expected.abs().max(1e-9), "{what}: {got} is not {expected}");
+    }
+
+    #[test]
+    fn a_breakaway_begins_a_slip_along_the_stretch_and_releases_what_its_law_gives_up() {
+        // The whole spring, or its part beyond μ_k N/k_t = 0.4 mm.
+        let released = [(FrictionLaw::Paper, WAY * WAY), (FrictionLaw::ReturnMapping, WAY * WAY - 0.4e-3 * 0.4e-3)];
+        for (friction, squares) in released {
+            let mut event = pressed(stick, friction, DEPTH);
+            change(&mut event, 0, Reason::Switching);
+            assert_eq!(event.kinds(), [(0, EventKind::StickToSlip)], "{friction:?}");
+            close(event.released(), 0.5 * NODE * squares, "released");
+            let Some(Mode::Slip { direction }) = event.closed(0).map(|closed| closed.mode) else { panic!("a slip") };
+            let along = event.world.site(0).geometry.axes.x_axis * direction.x;
+            close(along.y, 1.0, "the girder has moved along +y");
+        }
+    }
+
+    #[test]
+    fn a_slip_counts_as_retries_the_changes_of_its_contact_at_that_instant() {
+        for (t, retries) in [(TIME, 3), (0.9 * TIME, 0)] {
+            let mut event = pressed(stick, FrictionLaw::Paper, DEPTH);
+            event.world.contacts[0].changes = ChangeCount { of_touch: 5, t, at_instant: 3 };
+            change(&mut event, 0, Reason::Switching);
+            assert_eq!(event.closed(0).expect("a slip").solver.retries, retries, "last changed at {t} s");
+        }
+    }
+
+    #[test]
+    fn a_stop_in_one_direction_of_sliding_sticks_with_the_force_of_its_law() {
+        for (friction, force) in [(FrictionLaw::Paper, 0.0), (FrictionLaw::ReturnMapping, 0.4 * NODE * DEPTH)] {
+            let mut event = pressed(slip, friction, DEPTH);
+            change(&mut event, 0, Reason::Switching);
+            assert_eq!(event.kinds(), [(0, EventKind::SlipToStick)], "{friction:?}");
+            assert_eq!(event.released(), 0.0, "{friction:?}");
+            let closed = event.closed(0).expect("in stick");
+            let here = event.states().here(0);
+            close(closed.forces(&here).tangential.length(), force, "tangential force");
+            assert_eq!((closed.solver.passing_stop, closed.solver.retries), (false, 0));
+        }
+    }
+
+    #[test]
+    fn a_stop_in_two_directions_sticks_where_friction_can_hold_the_push_and_is_passed_where_it_cannot() {
+        for part in [-0.999, 0.0, 0.999] {
+            let mut event = stopped(part);
+            change(&mut event, 0, Reason::Switching);
+            assert_eq!(event.kinds(), [(0, EventKind::SlipToStick)], "{part} of the limit");
+        }
+        for part in [-1.001, 1.001] {
+            let mut event = stopped(part);
+            change(&mut event, 0, Reason::Switching);
+            assert!(event.events.is_empty(), "no event at {part} of the limit");
+            let closed = event.closed(0).expect("in slip");
+            assert_eq!((closed.mode, closed.solver.passing_stop), (SLIP, true), "it goes on");
+            assert_eq!(event.world.contacts[0].changes.at_instant, 1, "and is counted");
+        }
+    }
+
+    #[test]
+    fn an_opening_releases_the_stretch_and_is_armed_and_a_face_left_releases_the_penetration_too_and_is_not() {
+        for (reason, kind, depth) in
+            [(Reason::Opening, EventKind::Opened, 0.0), (Reason::Edge, EventKind::LeftFace, DEPTH)]
+        {
+            let mut event = pressed(stick, FrictionLaw::Paper, depth);
+            change(&mut event, 0, reason);
+            assert_eq!(event.kinds(), [(0, kind)], "alone");
+            close(event.released(), 0.5 * NODE * (depth * depth + WAY * WAY), "released");
+            assert_eq!(event.world.contacts[0].state, Contact::Open { armed: kind == EventKind::Opened });
+            assert!(event.world.is_closed(1), "the other corner stays");
+        }
+    }
+
+    #[test]
+    fn the_shares_of_stiffness_last_until_the_last_contact_opens() {
+        let mut event = pressed(stick, FrictionLaw::Paper, 0.0);
+        event.world.pairs[0].sharers = 2;
+        change(&mut event, 0, Reason::Opening);
+        assert_eq!(event.world.pairs[0].sharers, 2);
+        change(&mut event, 1, Reason::Opening);
+        assert_eq!(event.world.pairs[0].sharers, 0);
+    }
+
+    #[test]
+    fn a_kink_changes_the_force_without_an_event_and_an_open_contact_not_at_all() {
+        let mut event = pressed(stick, FrictionLaw::Paper, DEPTH);
+        change(&mut event, 0, Reason::Kink);
+        assert!(event.closed(0).expect("closed").held_at_zero && event.events.is_empty());
+        event.world.contacts[1].state = Contact::Open { armed: false };
+        for reason in [Reason::Opening, Reason::Edge, Reason::Overlap, Reason::Switching, Reason::Kink] {
+            change(&mut event, 1, reason);
+        }
+        assert_eq!((event.events.len(), event.world.contacts[1].changes.of_touch), (0, 0));
+        assert_eq!(event.world.contacts[1].state, Contact::Open { armed: false });
+    }
+}

@@ -270,3 +270,6 @@ fn stretch(closed: &ClosedContact, here: &Local) -> DVec2 {
         Mode::Slip { .. } => DVec2::ZERO,
     }
 }
+
+#[cfg(test)]
+mod tests;

@@ -297,4 +297,61 @@ mod tests {
             assert!((gain + lost - work).abs() < 1e-6 * work, "{gain} + {lost} for {work}");
         }
     }
+
+    #[test]
+    fn work_up_to_the_failed_soil_is_what_it_stores_and_loses_and_unloading_gives_back_the_stored_part() {
+        let soil = Backfill::new(0.002, Envelope::bilinear(1e4, 30.0), 4e4).expect("a law");
+        let placed = |push: f64, rate: f64| at(0.002 + push, rate);
+        let loaded = soil.next(Switch::Closing, &soil.initial(&placed(-1e-6, 0.1)), &placed(0.0, 0.1)).0;
+        assert_eq!(loaded.branch, ENVELOPE);
+        let (failed, released) = soil.next(Switch::Function(1), &loaded, &placed(0.003, 0.1));
+        assert_eq!(failed.branch, FAILED, "30 N at 3 mm");
+        assert!(released.abs() < 1e-15, "no step of the stored energy: {released} J");
+        // A triangle of 3 mm and a rectangle of 2 mm; lost at a power that rises linearly for 30 ms, then at a constant one for 20 ms.
+        let work = 0.5 * 30.0 * 0.003 + 30.0 * 0.002;
+        let lost = 0.5 * soil.dissipated_power(&loaded, &placed(0.003, 0.1)) * 0.03
+            + soil.dissipated_power(&failed, &placed(0.004, 0.1)) * 0.02;
+        close("work", soil.stored_energy(&failed, &placed(0.005, 0.0)) + lost, work);
+        let (elastic, released) = soil.next(Switch::Function(0), &failed, &placed(0.005, 0.0));
+        assert_eq!(elastic.branch, ELASTIC);
+        assert!(released.abs() < 1e-15, "{released} J");
+        // 30 N / 40 kN/m back from 5 mm.
+        close("a gap stays", soil.gap(&elastic, &placed(0.0, 0.0))[0], 0.005 - 0.000_75);
+        close(
+            "the triangle that it gives back",
+            soil.stored_energy(&elastic, &placed(0.005, 0.0)),
+            0.5 * 30.0 * 0.000_75,
+        );
+        assert_eq!(soil.dissipated_power(&elastic, &placed(0.0045, -0.1)), 0.0);
+        assert_eq!(soil.next(Switch::Function(0), &elastic, &placed(0.005, 0.1)).0.branch, FAILED, "it bears no more");
+    }
+
+    #[test]
+    fn pushed_at_the_start_it_is_on_its_envelope() {
+        let soil = Backfill::new(0.0, Envelope::bilinear(1e4, 30.0), 4e4).expect("a law");
+        let branches = [-1e-9, 0.0, 1e-9, 0.0029, 0.0031].map(|push| soil.initial(&at(push, 0.1)).branch);
+        assert_eq!(branches, [APART, APART, ENVELOPE, ENVELOPE, FAILED]);
+    }
+
+    #[test]
+    fn an_event_is_out_of_reach_of_a_motion_smaller_than_the_distance_to_it() {
+        let soil = Backfill::new(0.0, Envelope::bilinear(1e4, 30.0), 4e4).expect("a law");
+        let loaded = Phase { branch: ENVELOPE, ..Phase::default() };
+        // Unloading from 2 mm and 20 N leaves 1.5 mm.
+        let elastic = Phase { branch: ELASTIC, memory: [0.002, 0.0, 0.0] };
+        let cases = [
+            (0, loaded, at(0.001, 0.2), SwitchUnit::Speed, 0.2),
+            (1, loaded, at(0.001, 0.2), SwitchUnit::Length, 0.002),
+            (0, elastic, at(0.0018, 0.2), SwitchUnit::Length, 0.0002),
+            (1, elastic, at(0.0018, 0.2), SwitchUnit::Length, 0.0003),
+        ];
+        for (number, phase, motion, unit, distance) in cases {
+            let within = |part: f64| match unit {
+                SwitchUnit::Length => Excursion { way: part * distance, rate: 9.0 },
+                SwitchUnit::Speed => Excursion { way: 9.0, rate: part * distance },
+            };
+            assert!(soil.stays_below(number, &phase, &motion, within(0.99)), "{number} of {phase:?}");
+            assert!(!soil.stays_below(number, &phase, &motion, within(1.01)), "{number} of {phase:?}");
+        }
+    }
 }

@@ -224,4 +224,77 @@ mod tests {
         }
         assert_eq!(phase.branch, OPEN);
     }
+
+    /// Two straight lines, of 1500 and 3000 N/m, behind 10 mm.
+    fn bumper(damping: f64) -> Bumper {
+        Bumper::new(0.01, &[[0.002, 3.0], [0.005, 12.0]], damping).expect("rising")
+    }
+
+    /// Pressed in by `depth` at a rate.
+    fn pressed(depth: f64, rate: f64) -> Separation {
+        let (placed, moved) = (DVec3::X * 0.02, DVec3::X * (-0.03 - depth));
+        Separation { placed, moved, rate: -DVec3::X * rate }
+    }
+
+    #[test]
+    fn its_force_is_the_table_and_the_dashpot_and_its_energy_the_area_under_the_table() {
+        let bumper = bumper(30.0);
+        // The last line goes on beyond the table.
+        for (line, depth, force, energy) in
+            [(0, 0.001, 1.5, 0.75e-3), (1, 0.004, 9.0, 3e-3 + 12e-3), (1, 0.006, 15.0, 3e-3 + 36e-3)]
+        {
+            let (phase, motion) = (Bumper::on_line(ON, line), pressed(depth, 0.1));
+            assert_eq!(bumper.initial(&motion), phase, "at {depth} m");
+            let [got, stored] = [bumper.force(&phase, &motion).x - 3.0, bumper.stored_energy(&phase, &motion)];
+            assert!((got - force).abs() < 1e-12, "{got} N of the rubber at {depth} m, beside 3 N of the dashpot");
+            assert!((stored - energy).abs() < 1e-15, "{stored} J at {depth} m");
+            assert!((bumper.dissipated_power(&phase, &motion) - 0.3).abs() < 1e-15, "c v² W");
+        }
+        assert_eq!(bumper.initial(&pressed(-1e-6, 1.0)).branch, OPEN);
+    }
+
+    #[test]
+    fn it_lets_go_where_dashpot_and_rubber_are_equal_and_takes_hold_there_again() {
+        let bumper = bumper(30.0);
+        // 9 N at 4 mm against 30 N s/m.
+        let (on, off) = (Bumper::on_line(ON, 1), Bumper::on_line(OFF, 1));
+        for (rate, lets_go) in [(-0.29, false), (-0.31, true)] {
+            assert_eq!(bumper.switch(2, &on, &pressed(0.004, rate)) > 0.0, lets_go, "{rate} m/s");
+            assert_eq!(bumper.switch(2, &off, &pressed(0.004, rate)) < 0.0, lets_go, "{rate} m/s");
+        }
+        let balance = pressed(0.004, -0.3);
+        assert!(bumper.force(&on, &balance).length() < 1e-12, "without a step in its force");
+        assert_eq!(bumper.next(Switch::Function(2), &on, &balance), (off, 0.0));
+        assert_eq!(bumper.next(Switch::Function(2), &off, &balance), (on, 0.0));
+        assert_eq!(bumper.force(&off, &balance), DVec3::ZERO);
+        let rubber = self::bumper(0.0);
+        assert!(rubber.switch(2, &on, &pressed(0.004, -9.0)) < 0.0, "rubber alone does not let go before it is open");
+    }
+
+    #[test]
+    fn it_goes_from_line_to_line_of_its_table_both_ways() {
+        let bumper = bumper(30.0);
+        let (first, second) = (Bumper::on_line(ON, 0), Bumper::on_line(ON, 1));
+        assert_eq!(bumper.next(Switch::Closing, &Phase::default(), &pressed(0.0, 0.1)).0, first);
+        assert!(bumper.switch(1, &first, &pressed(0.0019, 0.1)) < 0.0);
+        assert!(bumper.switch(1, &first, &pressed(0.0021, 0.1)) > 0.0);
+        assert_eq!(bumper.next(Switch::Function(1), &first, &pressed(0.002, 0.1)).0, second);
+        assert!(bumper.switch(1, &second, &pressed(9.0, 0.1)) < 0.0, "the last line has no end");
+        assert!(bumper.switch(0, &second, &pressed(0.0021, -0.1)) < 0.0);
+        assert!(bumper.switch(0, &second, &pressed(0.0019, -0.1)) > 0.0);
+        assert_eq!(bumper.next(Switch::Function(0), &second, &pressed(0.002, -0.1)).0, first);
+        let opened = bumper.next(Switch::Function(0), &first, &pressed(0.0, -0.01)).0;
+        assert_eq!((opened.branch, bumper.activity(&opened)), (OPEN, Activity::Idle));
+        let [gap, rate] = bumper.gap(&opened, &pressed(-0.004, -0.01));
+        assert!((gap - 0.004).abs() < 1e-15 && rate == 0.01, "{gap} m apart, opening at {rate} m/s");
+    }
+
+    #[test]
+    fn a_table_that_does_not_rise_is_none() {
+        for table in [&[][..], &[[0.0, 1.0]], &[[0.1, 0.0]], &[[0.1, 2.0], [0.2, 2.0]], &[[0.1, 2.0], [0.1, 3.0]]] {
+            assert_eq!(Bumper::new(0.0, table, 1.0), None, "{table:?}");
+        }
+        let line = &[[0.1, 2.0]];
+        assert_eq!([Bumper::new(0.0, line, -1.0), Bumper::new(f64::NAN, line, 1.0)], [None, None]);
+    }
 }

@@ -79,3 +79,35 @@ impl DeviceReadings for DropWatch {
         Vec::new()
     }
 }
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn it_exerts_no_force_and_ends_the_run_once_its_point_has_dropped_by_the_depth() {
+        let (watch, up) = (DropWatch(0.25), Phase::default());
+        let sinking = Separation { moved: DVec3::new(3.0, 2.0, -0.1), rate: DVec3::Z * -0.4, ..Separation::default() };
+        let [left, rate] = watch.gap(&up, &sinking);
+        assert!((left - 0.15).abs() < 1e-15, "of 0.25 m 0.1 are used up, got {left}");
+        assert_eq!(rate, -0.4, "as fast as it sinks, whatever it does in plan");
+        assert_eq!(watch.initial(&sinking), up);
+        assert_eq!((watch.activity(&up), watch.ends_run(&up)), (Activity::Idle, false));
+        let (dropped, released) = watch.next(Switch::Closing, &up, &sinking);
+        assert_eq!((watch.activity(&dropped), watch.ends_run(&dropped), released), (Activity::Ended, true, 0.0));
+        for phase in [up, dropped] {
+            assert_eq!(watch.force(&phase, &sinking), DVec3::ZERO);
+            assert_eq!([watch.stored_energy(&phase, &sinking), watch.dissipated_power(&phase, &sinking)], [0.0; 2]);
+        }
+    }
+
+    #[test]
+    fn in_free_fall_the_second_derivative_of_its_gap_is_the_bound() {
+        let (watch, up) = (DropWatch(0.25), Phase::default());
+        let fallen = |t: f64| Separation { moved: DVec3::Z * (-0.5 * 9.81 * t * t), ..Separation::default() };
+        let gap = |t: f64| watch.gap(&up, &fallen(t))[0];
+        let second = (gap(0.2) - 2.0 * gap(0.1) + gap(0.0)) / 0.01;
+        let bound = watch.gap_curvature(&up, &SeparationBounds { distance: 9.0, speed: 9.0, acceleration: 9.81 });
+        assert!((second + bound).abs() < 1e-12, "{second} m/s² against {bound}");
+    }
+}

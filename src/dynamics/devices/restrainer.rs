@@ -221,3 +221,151 @@ impl DeviceReadings for Restrainer {
         phase.branch == YIELD
     }
 }
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    /// 2 m long with 10 mm of slack, 1000 N/m; yields at 20 N, at 20 mm beyond the slack, with 100 N/m from there; breaks at 50 mm.
+    fn cable() -> Restrainer {
+        let yielding = Some(Yielding { force: 20.0, stiffness: 100.0 });
+        Restrainer { length: 2.0, slack: 0.01, stiffness: 1000.0, yielding, break_elongation: 0.05 }
+    }
+
+    /// Stretched beyond the slack by `elongation`, along its own line.
+    fn at(elongation: f64, rate: f64) -> Separation {
+        Separation { placed: DVec3::Y * 2.0, moved: DVec3::Y * (0.01 + elongation), rate: DVec3::Y * rate }
+    }
+
+    fn phase(branch: u32, plastic: f64, from: f64) -> Phase {
+        Phase { branch, memory: [plastic, from, 0.0] }
+    }
+
+    fn close(got: f64, expected: f64, what: &str) {
+        assert!((got - expected).abs() <= 1e-11 * expected.abs().max(1e-3), "{what}: {got} is not {expected}");
+    }
+
+    #[test]
+    fn taut_it_pulls_along_its_line_and_slack_or_broken_it_does_not() {
+        let cable = cable();
+        let force = cable.force(&phase(TAUT, 0.0, 0.0), &at(0.01, 0.0));
+        close(force.y, -10.0, "its first point is pulled towards the second");
+        assert_eq!((force.x, force.z), (0.0, 0.0));
+        close(cable.stored_energy(&phase(TAUT, 0.0, 0.0), &at(0.01, 0.0)), 0.5 * 10.0 * 0.01, "the triangle");
+        for idle in [SLACK, BROKEN] {
+            assert_eq!(cable.force(&phase(idle, 0.0, 0.0), &at(0.01, 1.0)).length(), 0.0);
+            assert_eq!(cable.stored_energy(&phase(idle, 0.0, 0.0), &at(0.01, 1.0)), 0.0);
+        }
+    }
+
+    #[test]
+    fn in_yield_the_force_rises_by_the_second_stiffness_and_stays_on_the_yield_surface() {
+        let cable = cable();
+        let (yielding, released) = cable.next(Switch::Function(1), &phase(TAUT, 0.0, 0.0), &at(0.02, 0.1));
+        assert_eq!((yielding.branch, released), (YIELD, 0.0));
+        for elongation in [0.02, 0.03, 0.05] {
+            let expected = 20.0 + 100.0 * (elongation - 0.02);
+            close(-cable.force(&yielding, &at(elongation, 0.1)).y, expected, "T_y + K2 (e - e0)");
+            let plastic = cable.plastic(&yielding, elongation);
+            close(cable.yield_force(plastic), expected, "T_y + H e_p");
+        }
+    }
+
+    #[test]
+    fn the_work_up_to_the_break_in_yield_is_lost_or_released() {
+        let cable = cable();
+        let (yielding, _) = cable.next(Switch::Function(1), &phase(TAUT, 0.0, 0.0), &at(0.02, 0.1));
+        let (broken, released) = cable.next(Switch::Function(2), &yielding, &at(0.05, 0.1));
+        assert_eq!((broken.branch, cable.activity(&broken)), (BROKEN, Activity::Ended));
+        // Under the two straight lines of the force, from 0 to 20 N and from 20 to 23 N.
+        let work = 0.5 * 20.0 * 0.02 + 0.5 * (20.0 + 23.0) * 0.03;
+        // The power is linear in time at a constant rate: its mean is that of its ends, for 0.3 s.
+        let [first, last] = [0.02, 0.05].map(|elongation| cable.dissipated_power(&yielding, &at(elongation, 0.1)));
+        close(released + 0.5 * (first + last) * 0.3, work, "the whole work");
+        close(released, 23.0 * 23.0 / 2000.0, "what the elastic stiffness has stored");
+    }
+
+    #[test]
+    fn a_cable_that_breaks_before_it_yields_releases_the_triangle() {
+        let cable = Restrainer { yielding: None, break_elongation: 0.015, ..cable() };
+        let (broken, released) = cable.next(Switch::Function(2), &phase(TAUT, 0.0, 0.0), &at(0.015, 0.1));
+        assert_eq!(broken.branch, BROKEN);
+        close(released, 0.5 * 15.0 * 0.015, "15 N at 15 mm");
+        close(cable.strength().expect("it breaks"), 15.0, "the force of its break");
+    }
+
+    #[test]
+    fn unloaded_after_yield_it_is_slack_and_taut_again_where_its_plastic_elongation_is_used_up() {
+        let cable = cable();
+        // From 20 to 40 mm nine tenths of the elongation are plastic.
+        let (elastic, released) = cable.next(Switch::Function(1), &phase(YIELD, 0.0, 0.02), &at(0.04, 0.0));
+        assert_eq!((elastic.branch, released), (TAUT, 0.0));
+        close(elastic.memory[0], 0.018, "plastic elongation");
+        close(-cable.force(&elastic, &at(0.04, 0.0)).y, 22.0, "continuous at the turn");
+        close(-cable.force(&elastic, &at(0.03, 0.0)).y, 12.0, "10 mm less by the elastic stiffness");
+        assert!(
+            cable.switch(0, &elastic, &at(0.0181, -0.1)) < 0.0 && cable.switch(0, &elastic, &at(0.0179, -0.1)) > 0.0
+        );
+        let (slack, released) = cable.next(Switch::Function(0), &elastic, &at(0.018, -0.1));
+        assert_eq!((slack.branch, released), (SLACK, 0.0));
+        close(cable.gap(&slack, &at(0.018, 0.1))[0], 0.0, "there it is taut again");
+        close(cable.gap(&slack, &at(0.018, 0.1))[1], -0.1, "and there its gap falls by the stretch");
+        let (taut, released) = cable.next(Switch::Closing, &slack, &at(0.018, 0.1));
+        assert_eq!((taut.branch, released), (TAUT, 0.0));
+        // The surface has risen with the yield: 22 N.
+        assert!(cable.switch(1, &taut, &at(0.0399, 0.1)) < 0.0 && cable.switch(1, &taut, &at(0.0401, 0.1)) > 0.0);
+    }
+
+    #[test]
+    fn at_the_start_it_is_as_if_pulled_there_once() {
+        let cable = cable();
+        assert_eq!(cable.initial(&at(-1e-9, 1.0)).branch, SLACK);
+        assert_eq!(cable.initial(&at(0.01, 1.0)), phase(TAUT, 0.0, 0.0));
+        assert_eq!(cable.initial(&at(0.051, 1.0)).branch, BROKEN, "1 mm beyond its break");
+        for (rate, branch) in [(1.0, YIELD), (-1.0, TAUT)] {
+            let phase = cable.initial(&at(0.04, rate));
+            assert_eq!(phase.branch, branch, "at {rate} m/s");
+            close(-cable.force(&phase, &at(0.04, rate)).y, 22.0, "on the yield surface");
+        }
+        let drawn_in = cable.initial(&at(0.04, -1.0));
+        assert!(cable.switch(1, &drawn_in, &at(0.04, -1.0)) < 0.0, "yield does not begin by rounding");
+    }
+
+    #[test]
+    fn the_gap_is_smooth_where_the_points_meet_and_its_curvature_is_bounded() {
+        let (cable, slack) = (Restrainer { slack: 0.0, ..cable() }, phase(SLACK, 0.0, 0.0));
+        let met = Separation { placed: DVec3::Y * 2.0, moved: DVec3::Y * -2.0, rate: DVec3::new(0.3, 0.4, 0.0) };
+        let [gap, rate] = cable.gap(&slack, &met);
+        close(gap, 1.0, "half of its length");
+        assert_eq!(rate, 0.0, "the least distance of the points");
+        // (l² − r²)/(2l) with r = 0.5 t has the second derivative −0.5²/l.
+        let bounds = SeparationBounds { distance: 1.0, speed: 0.5, acceleration: 0.0 };
+        close(cable.gap_curvature(&slack, &bounds), 0.25 / 2.0, "v²/l without acceleration");
+        assert!(cable.stays_idle(&slack, &SeparationBounds { distance: 1.99, ..bounds }));
+        assert!(!cable.stays_idle(&slack, &SeparationBounds { distance: 2.0, ..bounds }), "it can be taut");
+    }
+
+    #[test]
+    fn what_cannot_yield_or_break_has_no_such_event() {
+        let cable = Restrainer { yielding: None, break_elongation: f64::INFINITY, ..cable() };
+        let taut = phase(TAUT, 0.0, 0.0);
+        assert_eq!([1, 2].map(|number| cable.switch(number, &taut, &at(1.0, 1.0))), [-1.0; 2]);
+        assert_eq!(cable.strength(), None);
+    }
+
+    #[test]
+    fn an_event_is_out_of_reach_of_a_motion_smaller_than_the_distance_to_it() {
+        let (cable, taut) = (cable(), phase(TAUT, 0.0, 0.0));
+        // Stretched by 5 mm of the 20 to yield and the 50 to the break.
+        for (number, distance) in [(0, 0.005), (1, 0.015), (2, 0.045)] {
+            let within = |way: f64| Excursion { way, rate: 9.0 };
+            assert!(cable.stays_below(number, &taut, &at(0.005, 0.0), within(0.99 * distance)));
+            assert!(!cable.stays_below(number, &taut, &at(0.005, 0.0), within(1.01 * distance)));
+        }
+        let still = Excursion { way: 0.0, rate: 0.0 };
+        assert!(
+            !cable.stays_below(1, &phase(YIELD, 0.0, 0.02), &at(0.03, 1.0), still),
+            "a speed is not bounded by a way"
+        );
+    }
+}

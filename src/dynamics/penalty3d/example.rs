@@ -12,6 +12,7 @@ use crate::dynamics::penalty3d::due::Due;
 use crate::dynamics::penalty3d::event_location::first_contact_events;
 use crate::dynamics::penalty3d::island::Island;
 use crate::dynamics::{Body, ContactSite, Model};
+use crate::scene::facing::{self, SolidId};
 use crate::scene::{Scene, format};
 
 /// Mass of a girder \[kg\].
@@ -46,6 +47,13 @@ pub(in crate::dynamics) fn row() -> Scene {
 pub(in crate::dynamics) fn free_to_turn(mut scene: Scene) -> Scene {
     scene.girders.iter_mut().for_each(|girder| girder.held.clear());
     scene
+}
+
+/// The compiled scene, whose first two girders have met: every face of one has a pair with every face of the other.
+pub(in crate::dynamics) fn met(scene: &Scene) -> Model {
+    let mut facings = facing::find(scene).unwrap_or_else(|errors| panic!("{errors}"));
+    facings.extend(facing::between(scene, &[[SolidId::Girder(0), SolidId::Girder(1)]], &facings));
+    Model::of(scene, facings).unwrap_or_else(|errors| panic!("{errors}"))
 }
 
 /// The compiled scene, with every node closed whose projection is inside a face as placed, in the mode given by

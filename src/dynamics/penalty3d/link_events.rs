@@ -118,3 +118,143 @@ pub(in crate::dynamics) fn speed_roundoff(link: &Link, moved: f64, speed: f64, o
     let rounding = POSITION_ROUNDING * (link.size() + moved) * omega;
     SwitchRoundoff { zero: ZERO_BAND * speed + rounding, band: 0.0, noise: rounding }
 }
+
+#[cfg(test)]
+mod tests {
+    use std::sync::Arc;
+
+    use glam::{DMat3, DVec3};
+
+    use super::*;
+    use crate::dynamics::Body;
+    use crate::dynamics::connection::{Anchor, Device};
+    use crate::dynamics::devices::{Failure, Restrainer, Stopper, Yielding};
+    use crate::dynamics::integrator::step_control::ControllerState;
+    use crate::dynamics::penalty3d::coupled_system::Members;
+    use crate::dynamics::penalty3d::example::{MASS, SPEED, STIFFNESS, wall};
+
+    /// The girder without contacts that moves along x at [`SPEED`] from where it is placed, under a device from a point of the ground.
+    fn driven(device: Arc<dyn Device>, kinematics: Kinematics, ground: DVec3) -> (Model, Island) {
+        let mut model = Model::compile(&wall()).unwrap_or_else(|errors| panic!("{errors}"));
+        let ends = [Anchor::Body { body: 0, point: DVec3::ZERO }, Anchor::Ground(ground)];
+        model.link_by("device", ends, (DMat3::IDENTITY, kinematics), device).expect("a link in the plane");
+        let link = &model.links[0];
+        let motion = Separation { placed: link.placed(), moved: DVec3::X * 1e-12, rate: DVec3::X * SPEED };
+        let active = ActiveLink {
+            number: 0,
+            track: 0,
+            ends: [Some(0), None],
+            sections: [0; 2],
+            placed: link.placed(),
+            phase: link.device.initial(&motion),
+            evolving: None,
+        };
+        let bases = model.bodies.iter().map(Body::placed).collect();
+        let members = Members { bodies: vec![0], bases, active: Vec::new(), links: vec![active] };
+        let y = vec![0.0, 0.0, 0.0, SPEED, 0.0, 0.0];
+        let island = Island::new(&model, vec![0], members, Vec::new(), y, 0.0, ControllerState::default());
+        (model, island)
+    }
+
+    /// Plans steps until a phase ends, at most for 0.1 s.
+    fn first_end(model: &Model, island: &mut Island) -> Option<(f64, usize)> {
+        while island.step.until < 0.1 {
+            island.plan(model, 0.1, f64::INFINITY).expect("a step that can be made");
+            if let Some((t, due)) = first_phase_end(model, island) {
+                return Some((t, due.switch));
+            }
+        }
+        None
+    }
+
+    fn stopper(failure: Failure) -> Arc<dyn Device> {
+        Arc::new(Stopper { gap: 0.0, stiffness: STIFFNESS, failure })
+    }
+
+    fn omega() -> f64 {
+        (STIFFNESS / MASS).sqrt()
+    }
+
+    #[test]
+    fn a_stopper_opens_after_half_a_period() {
+        for kinematics in [Kinematics::Points, Kinematics::Linear, Kinematics::Carried] {
+            let (model, mut island) = driven(stopper(Failure::Never), kinematics, DVec3::ZERO);
+            let (t, switch) = first_end(&model, &mut island).expect("it opens");
+            assert_eq!(switch, 0);
+            let phase = omega() * t;
+            assert!((phase - std::f64::consts::PI).abs() < 1e-9, "{kinematics:?}: at {phase} rad");
+        }
+    }
+
+    #[test]
+    fn a_stopper_breaks_where_its_spring_has_its_strength() {
+        let strength = 0.6 * SPEED / omega() * STIFFNESS;
+        let (model, mut island) =
+            driven(stopper(Failure::Brittle { force: strength }), Kinematics::Points, DVec3::ZERO);
+        let (t, switch) = first_end(&model, &mut island).expect("it breaks");
+        assert_eq!(switch, 1);
+        // K (v/ω) sin ωt = 0.6 K v/ω.
+        assert!((omega() * t - 0.6_f64.asin()).abs() < 1e-9, "breaks at {} rad", omega() * t);
+    }
+
+    #[test]
+    fn a_cable_in_yield_turns_elastic_where_its_points_no_longer_part() {
+        // As long as 1 m, drawn out up to its yield as placed: it pulls with T_y + K₂ x.
+        let yielding = Some(Yielding { force: 100.0, stiffness: 0.25 * STIFFNESS });
+        let slack = -100.0 / STIFFNESS;
+        let cable = Restrainer { length: 1.0, slack, stiffness: STIFFNESS, yielding, break_elongation: 1.0 };
+        let (model, mut island) = driven(Arc::new(cable), Kinematics::Points, DVec3::NEG_X);
+        let (t, switch) = first_end(&model, &mut island).expect("it turns back");
+        assert_eq!(switch, 1);
+        // x = −x_s + x_s cos ω₂t + (v/ω₂) sin ω₂t with x_s = T_y/K₂: at rest at tan ω₂t = v/(ω₂ x_s).
+        let slow = 0.5 * omega();
+        let phase = (SPEED / (slow * 100.0 / (0.25 * STIFFNESS))).atan();
+        assert!((slow * t - phase).abs() < 1e-8, "at {} rad, not at {phase}", slow * t);
+    }
+
+    #[test]
+    fn a_device_without_an_event_ends_no_phase() {
+        let endless = Failure::Ductile { force: 1e9, displacement: f64::INFINITY };
+        let stopper = Stopper { gap: -10.0, stiffness: 1e-3, failure: endless };
+        let (model, mut island) = driven(Arc::new(stopper), Kinematics::Points, DVec3::ZERO);
+        assert_eq!(first_end(&model, &mut island), None, "pressed in by 10 m at first");
+    }
+
+    #[test]
+    fn no_point_departs_farther_within_a_step_than_its_excursion() {
+        let (model, mut island) = driven(stopper(Failure::Never), Kinematics::Points, DVec3::ZERO);
+        island.plan(&model, 0.1, f64::INFINITY).expect("a step");
+        let active = &island.system.links[0];
+        let within = excursion(&model, &island, active);
+        let [from, until] = [island.step.from, island.step.until];
+        let at = |t: f64| active.motion(&model, &island.system.bases, &island.frames_since(&model, &[t])).0;
+        let begins = at(from);
+        for part in [0.1, 0.35, 0.6, 0.85, 1.0] {
+            let motion = at(from + part * (until - from));
+            assert!((motion.moved - begins.moved).length() <= within.way, "{part} of the step");
+            assert!((motion.rate - begins.rate).length() <= within.rate, "{part} of the step");
+        }
+        let longest = within.way / (SPEED * (until - from));
+        assert!(longest < 2.0, "{longest} times the way at the initial speed");
+    }
+
+    #[test]
+    fn what_rounds_grows_with_the_link_and_its_motion() {
+        let (model, _) = driven(stopper(Failure::Never), Kinematics::Points, DVec3::ZERO);
+        let link = &model.links[0];
+        assert_eq!(link.size(), 0.0, "its points coincide at G");
+        let phase = Phase { branch: 1, ..Phase::default() };
+        let at = |x: f64, rate: f64| Separation { moved: DVec3::X * x, rate: DVec3::X * rate, ..Separation::default() };
+        let motions = [at(0.2, 0.1), at(-0.3, -4.0)];
+        // 16 units of round-off of 0.3 m moved and a gap of 0.3 m.
+        let SwitchRoundoff { zero, band, .. } = switch_roundoff(link, (0, &phase), &motions, 7.0);
+        let rounding = 16.0 * f64::EPSILON * 0.6;
+        assert!((band / rounding - 1.0).abs() < 1e-12, "{band} m");
+        assert!((zero / (1e-10 * 0.3 + rounding) - 1.0).abs() < 1e-12, "{zero} m");
+        // In yield the first one is a speed: of 4 m/s, and of 0.3 m at 7 rad/s.
+        let yielding = Phase { branch: 2, ..phase };
+        let SwitchRoundoff { zero, band, .. } = switch_roundoff(link, (0, &yielding), &motions, 7.0);
+        assert_eq!(band, 0.0);
+        assert!((zero / (4e-10 + 16.0 * f64::EPSILON * 0.3 * 7.0) - 1.0).abs() < 1e-12, "{zero} m/s");
+    }
+}

@@ -195,3 +195,121 @@ impl ContactLog {
         self.angles.shrink_to_fit();
     }
 }
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::contact::normal::Linear;
+    use crate::contact::{FrictionLaw, Normal};
+    use crate::dynamics::integrator::dense_output::DENSE_TERMS;
+
+    fn law(stiffness: f64) -> Law {
+        let normal = Normal::Linear(Linear { k: stiffness, c: 0.0 });
+        let friction = FrictionLaw::ReturnMapping;
+        Law { normal, k_t: stiffness, c_t: 0.0, mu_s: 0.5, mu_k: 0.4, friction, clamp: false, v_stick: 1e-6 }
+    }
+
+    fn stick(x: f64) -> ClosedContact {
+        ClosedContact::new(law(1e5), Mode::Stick { anchor: DVec2::new(x, 0.0) }, 0.0)
+    }
+
+    fn slip(stiffness: f64, regularisation: f64) -> ClosedContact {
+        ClosedContact::new(law(stiffness), Mode::Slip { direction: DVec2::Y }, regularisation)
+    }
+
+    const ARMED: Contact = Contact::Open { armed: true };
+    const WAY: DVec2 = DVec2::new(0.25, -0.5);
+
+    #[test]
+    fn a_state_holds_from_its_entry_on_and_of_several_at_one_time_the_last() {
+        let mut log = ContactLog::default();
+        assert_eq!((log.at(1.0), log.since(1.0), log.latest()), (ARMED, None, None), "before any entry it is open");
+        log.push(1.0, Contact::Closed(slip(1e5, 0.0)), DVec2::ZERO);
+        log.push(2.0, ARMED, DVec2::ZERO);
+        log.push(2.0, Contact::Open { armed: false }, DVec2::ZERO);
+        log.push(3.0, Contact::Closed(slip(1e5, 0.0)), DVec2::ZERO);
+        let states = [0.9, 1.0, 1.9, 2.0, 2.9, 3.0].map(|t| log.at(t));
+        let (disarmed, closed) = (Contact::Open { armed: false }, Contact::Closed(slip(1e5, 0.0)));
+        assert_eq!(states, [ARMED, closed, closed, disarmed, disarmed, closed]);
+        assert_eq!(log.beginnings(1.0, 2.0), [1.0, 2.0, 2.0], "both ends included");
+        assert_eq!(log.beginnings(2.1, 2.9), [0.0; 0]);
+        assert_eq!((log.latest(), log.closed(1), log.closed(3)), (Some(3), None, Some(slip(1e5, 0.0))));
+    }
+
+    #[test]
+    fn an_anchor_is_relative_to_the_placed_poses_or_to_the_reference_poses_as_asked() {
+        let mut log = ContactLog::default();
+        log.push(0.0, Contact::Closed(stick(1e-3)), WAY);
+        let Contact::Closed(ClosedContact { mode, .. }) = log.at(0.5) else { panic!("closed") };
+        assert_eq!(mode, Mode::Stick { anchor: WAY + DVec2::X * 1e-3 }, "since placed");
+        assert_eq!(log.since(0.5), Some(stick(1e-3)), "since the reference poses");
+        assert_eq!(log.way(), WAY);
+        let (from, whole) = log.states().next().expect("one state");
+        assert_eq!((from, whole), (0.0, log.at(0.0)));
+    }
+
+    #[test]
+    fn laws_touches_and_vectors_that_repeat_are_stored_once_and_read_back_as_entered() {
+        let mut log = ContactLog::default();
+        let entered = [stick(1e-3), slip(1e5, 0.0), slip(1e5, 0.0), slip(2e5, 0.0), slip(2e5, 1e-9)];
+        for (i, closed) in (0u32..).zip(entered) {
+            log.push(f64::from(i), Contact::Closed(closed), DVec2::ZERO);
+        }
+        for (i, closed) in (0u32..).zip(entered) {
+            assert_eq!(log.closed(i), Some(closed), "state {i}");
+        }
+        assert_eq!((log.laws.len(), log.touches.len(), log.vectors.len()), (3, 3, 2));
+        // An anchor of −0 is another one than that of 0, bit for bit.
+        log.push(5.0, Contact::Closed(stick(0.0)), DVec2::ZERO);
+        log.push(6.0, Contact::Closed(stick(-0.0)), DVec2::ZERO);
+        assert_eq!(log.vectors.len(), 4);
+    }
+
+    #[test]
+    fn flags_of_a_closed_state_are_kept() {
+        let mut log = ContactLog::default();
+        for (held_at_zero, passing_stop) in [(true, false), (false, true)] {
+            let mut closed = slip(1e5, 0.0);
+            (closed.held_at_zero, closed.solver.passing_stop) = (held_at_zero, passing_stop);
+            log.push(0.0, Contact::Closed(closed), DVec2::ZERO);
+            assert_eq!(log.at(0.0), Contact::Closed(closed));
+        }
+    }
+
+    #[test]
+    fn a_slip_that_turns_is_read_from_the_step_at_its_time() {
+        let mut log = ContactLog::default();
+        log.push(0.0, Contact::Closed(slip(1e5, 1e-9)), DVec2::ZERO);
+        let turning = |from: f64, first: f64, change: f64| {
+            let mut coefficients = [0.0; DENSE_TERMS];
+            (coefficients[0], coefficients[1]) = (first, change);
+            (from, DenseOutput::new(from, 1.0, vec![coefficients]))
+        };
+        log.angles = vec![turning(1.0, 0.2, 0.4), turning(2.0, 0.6, -0.8)];
+        for (t, angle) in [(1.0, 0.2), (1.5, 0.4), (2.0, 0.6), (2.25, 0.4)] {
+            let Contact::Closed(ClosedContact { mode: Mode::Slip { direction }, .. }) = log.at(t) else {
+                panic!("a slip")
+            };
+            assert!((direction - DVec2::from_angle(angle)).length() < 1e-15, "{direction} at {t} s");
+        }
+        let before = log.since(0.5).expect("closed");
+        assert_eq!(before.mode, Mode::Slip { direction: DVec2::Y }, "before the first step as it began");
+        log.push(3.0, Contact::Closed(slip(1e5, 0.0)), DVec2::ZERO);
+        assert_eq!(log.at(3.5), Contact::Closed(slip(1e5, 0.0)), "a slip without regularisation does not turn");
+    }
+
+    #[test]
+    fn its_memory_grows_with_each_state_by_what_that_stores() {
+        let mut log = ContactLog::default();
+        assert_eq!(log.bytes(), 0);
+        log.push(0.0, ARMED, DVec2::ZERO);
+        let open = log.bytes();
+        log.push(1.0, ARMED, DVec2::ZERO);
+        assert_eq!(log.bytes(), 2 * open, "an open state stores nothing more");
+        log.angles.push((0.0, DenseOutput::new(0.0, 1.0, vec![[0.0; DENSE_TERMS]])));
+        let angle = size_of::<(f64, DenseOutput)>() + 8 * DENSE_TERMS;
+        assert_eq!(log.bytes(), 2 * open + angle);
+        log.shrink();
+        assert_eq!((log.bytes(), log.at(1.0)), (2 * open + angle, ARMED));
+    }
+}

@@ -30,7 +30,11 @@ pub(in crate::dynamics) fn planned(scene: &Scene, states: &[PlanarState]) -> Wor
 
 /// The group of a scene with its bodies in flight from `states` at t = 0.
 pub(in crate::dynamics) fn in_flight(scene: &Scene, states: &[PlanarState]) -> World {
-    let model = Model::compile(scene).unwrap_or_else(|errors| panic!("{errors}"));
+    flying(Model::compile(scene).unwrap_or_else(|errors| panic!("{errors}")), states)
+}
+
+/// The group of a model with its bodies in flight from `states` at t = 0.
+pub(in crate::dynamics) fn flying(model: Model, states: &[PlanarState]) -> World {
     let mut world = World::of(&Arc::new(model), 0);
     for (body, state) in world.bodies.iter_mut().zip(states) {
         let free_motion = body.free_motion.as_ref().expect("a free motion in closed form");

@@ -83,3 +83,65 @@ impl World {
         range.unwrap_or([f64::NEG_INFINITY, f64::INFINITY])
     }
 }
+
+#[cfg(test)]
+mod tests {
+    use std::sync::Arc;
+
+    use glam::DVec3;
+
+    use super::*;
+    use crate::dynamics::Model;
+    use crate::dynamics::penalty3d::example::{MASS, SPEED, STIFFNESS, wall};
+    use crate::dynamics::world::example::{in_flight, planned};
+
+    #[test]
+    fn before_the_start_a_body_is_as_placed() {
+        let mut scene = wall();
+        scene.girders[0].initial.velocity = [SPEED, 0.1, 0.0];
+        let model = Model::compile(&scene).unwrap_or_else(|errors| panic!("{errors}"));
+        let world = World::of(&Arc::new(model), 0);
+        assert_eq!(world.state(0, 0.0), [0.0, 0.0, 0.0, SPEED, 0.1, 0.0], "with its initial velocity");
+        assert_eq!(world.frame(0, 0, 0.0), Frame::fixed(world.model.bodies[0].home));
+        assert_eq!((world.window_end(0, 0.0), world.coordinate(0, 0.0)), (f64::INFINITY, None));
+        assert_eq!(world.flight_range(0, [0.0, 1.0]), [f64::NEG_INFINITY, f64::INFINITY], "nothing is known");
+    }
+
+    #[test]
+    fn a_body_in_flight_moves_at_its_velocity_and_is_its_own_reference() {
+        let world = in_flight(&wall(), &[[-0.01, 0.0, 0.0, SPEED, 0.1, 0.0]]);
+        let (t, moved) = (0.2, DVec3::new(-0.01 + 0.2 * SPEED, 0.02, 0.0));
+        let frame = world.frame(0, 0, t);
+        assert!((frame.shift - moved).length() < 1e-16, "{}", frame.shift);
+        assert!((frame.velocity - DVec3::new(SPEED, 0.1, 0.0)).length() < 1e-16, "{}", frame.velocity);
+        let (base, state) = world.state_from_reference(0, t);
+        assert!((base.planar() - moved).length() < 1e-16, "the pose at that time: {}", base.planar());
+        assert_eq!(state[..3], [0.0; 3], "from which nothing has moved yet");
+        let gap = world.local(0, t).gap;
+        assert!((gap + moved.x).abs() < 1e-16, "behind a wall at its end: {gap} m");
+    }
+
+    #[test]
+    fn a_body_in_a_step_moves_on_its_oscillation_from_its_reference() {
+        let world = planned(&wall(), &[[0.0, 0.0, 0.0, SPEED, 0.0, 0.0]]);
+        let island = world.islands[0].as_ref().expect("an island");
+        let t = 0.5 * island.step.until;
+        let omega = (STIFFNESS / MASS).sqrt();
+        let [x, u] = [SPEED / omega * (omega * t).sin(), SPEED * (omega * t).cos()];
+        let frame = world.frame(0, 0, t);
+        assert!((frame.shift.x - x).abs() < 1e-9 * SPEED / omega, "{} m is not {x} m", frame.shift.x);
+        assert!((frame.velocity.x - u).abs() < 1e-9 * SPEED, "{} m/s is not {u} m/s", frame.velocity.x);
+        assert_eq!(world.state(0, t)[0], frame.shift.x);
+        let (base, state) = world.state_from_reference(0, t);
+        assert_eq!((base.planar(), state[0]), (DVec3::ZERO, frame.shift.x), "where its touch began");
+    }
+
+    #[test]
+    fn an_abutment_stands_where_its_site_has_it() {
+        let world = in_flight(&wall(), &[[0.0, 0.0, 0.0, 0.0, 0.3, 0.0]]);
+        let [node, face] = [world.side(0, 0, 0.5), world.side(0, 1, 0.5)];
+        assert!((node.shift.y - 0.15).abs() < 1e-16, "the girder has moved: {}", node.shift);
+        assert_eq!(face, world.site(0).stand);
+        assert_eq!(face.shift, DVec3::ZERO);
+    }
+}
