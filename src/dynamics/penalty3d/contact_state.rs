@@ -190,7 +190,7 @@ mod tests {
         assert!((of(law(), turned, 1e-9).expect("a state") - 0.7).abs() < 1e-15);
         assert_eq!(of(law(), STICK, 1e-9), None, "in stick");
         assert_eq!(of(law(), turned, 0.0), None, "without regularisation it is constant");
-        assert_eq!(of(Law { friction: FrictionLaw::Paper, ..law() }, turned, 1e-9), None);
+        assert_eq!(of(Law { friction: FrictionLaw::Paper.into(), ..law() }, turned, 1e-9), None);
         assert_eq!(of(Law { v_stick: 0.0, ..law() }, turned, 1e-9), None, "one direction of sliding");
     }
 

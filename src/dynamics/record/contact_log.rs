@@ -206,7 +206,16 @@ mod tests {
     fn law(stiffness: f64) -> Law {
         let normal = Normal::Linear(Linear { k: stiffness, c: 0.0 });
         let friction = FrictionLaw::ReturnMapping;
-        Law { normal, k_t: stiffness, c_t: 0.0, mu_s: 0.5, mu_k: 0.4, friction, clamp: false, v_stick: 1e-6 }
+        Law {
+            normal,
+            k_t: stiffness,
+            c_t: 0.0,
+            mu_s: 0.5,
+            mu_k: 0.4,
+            friction: friction.into(),
+            clamp: false,
+            v_stick: 1e-6,
+        }
     }
 
     fn stick(x: f64) -> ClosedContact {
