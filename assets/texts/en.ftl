@@ -884,7 +884,7 @@ ground-more = { $count } more
 ## verdicts on seats
 verdict-stays = stays on its seats: at worst { $left } of { $placed } left square to the edge, end { $end }, { $t } s
 verdict-support-lost = loses a support: bearing { $bearing } at { $t } s; at worst { $left } of { $placed } of its seats left square to the edge, end { $end }
-verdict-falls = falls: no bearing carries it from { $t } s, the first lost its support at { $first } s; what a run in plan shows after that is no motion of the girder, and in none of its numbers
+verdict-falls = falls: no bearing carries it from { $t } s, the first lost its support at { $first } s; what a run in plan shows after that is no motion of the girder and in none of its own numbers; devices and girders that it is joined to are computed with it as if it were carried
 verdict-tipped = tips over: by more than { $limit }° from { $t } s, by { $tilt }° at the most
 verdict-over-side = comes off its seat: corner { $corner } over the side, end { $end }, { $t } s
 verdict-corner-off = comes off its seat: corner { $corner }, end { $end }, { $t } s; at worst { $beyond } beyond the edge, { $worst } s

@@ -867,7 +867,7 @@ ground-more = ほか { $count } 成分
 ## 桁かかりの判定
 verdict-stays = 桁かかり内にとどまる：前縁に直角に測った桁かかり長 { $placed } のうち最小で { $left } が残る ({ $end } 端、{ $t } s)
 verdict-support-lost = 支承 { $bearing } が { $t } s に支持を失う：前縁に直角に測った桁かかり長 { $placed } のうち最小で { $left } が残る ({ $end } 端)
-verdict-falls = 落下：{ $t } s からどの支承にも支持されない (最初に支持を失った時刻は { $first } s)。その後の平面計算は桁の運動を表さず、桁の数値にも入らない
+verdict-falls = 落下：{ $t } s からどの支承にも支持されない (最初に支持を失った時刻は { $first } s)。その後の平面計算は桁の運動を表さず、桁自身の数値に入らない。これとつながる装置や桁は、支持されているものとして計算される
 verdict-tipped = { $t } s から { $limit }° を超えて傾く (最大 { $tilt }°)
 verdict-over-side = 桁かかりから外れる：隅角部 { $corner } が側方へ ({ $end } 端、{ $t } s)
 verdict-corner-off = 桁かかりから外れる：隅角部 { $corner } ({ $end } 端、{ $t } s)、前縁を最大 { $beyond } 越える ({ $worst } s)

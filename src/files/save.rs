@@ -1,5 +1,6 @@
 //! Writes files whole or not at all.
 
+use std::ffi::OsStr;
 use std::io::{BufWriter, ErrorKind, Write};
 use std::path::{Path, PathBuf};
 
@@ -12,6 +13,7 @@ use super::scene_source::SceneSource;
 use super::staging::Stage;
 use super::staging::{file_in, sweep};
 use super::write_error::WriteError;
+use crate::language::said;
 use crate::scene::{Motion, Scene, format};
 
 /// Saves a scene as TOML.
@@ -212,13 +214,21 @@ fn named(path: &Path, cause: std::io::Error) -> std::io::Error {
     }
 }
 
+/// Endings of files that commands write, and of other pictures: no folder is made under such a name.
+const FILES: [&str; 12] = ["csv", "gif", "html", "jpeg", "jpg", "json", "md", "mp4", "parquet", "png", "svg", "toml"];
+
 /// Makes sure that files can be written into a folder, before the work of finding out what to write.
 ///
 /// A folder that is missing is not made: its nearest ancestor must be one that may be written to.
 ///
 /// # Errors
-/// When something else stands there, or nothing may be written.
+/// When something else stands there, nothing may be written, or a folder that is missing has the name of a file.
 pub fn check_folder(folder: &Path) -> Result<(), WriteError> {
+    let ending = folder.extension().and_then(OsStr::to_str).map(str::to_ascii_lowercase);
+    if !folder.exists() && ending.is_some_and(|ending| FILES.contains(&ending.as_str())) {
+        let cause = std::io::Error::new(ErrorKind::InvalidInput, said!("unwritten-file-name"));
+        return Err(WriteError::new(folder, cause));
+    }
     let there = folder.ancestors().find(|path| path.exists() && *path != Path::new("")).unwrap_or(Path::new("."));
     // Gone again when dropped.
     file_in(there).map(drop).map_err(|cause| WriteError::new(folder, cause))

@@ -89,7 +89,7 @@ mod tests {
             "what to do"
         );
         assert!(!WriteError::new("a", ErrorKind::StorageFull.into()).is_of_place(), "the place is good");
-        assert!(words(ErrorKind::NotFound).contains("choose a folder that exists"), "another folder");
+        assert!(words(ErrorKind::NotFound).contains("choose a folder that may be written to"), "another folder");
     }
 
     #[test]

@@ -261,6 +261,18 @@ fn a_folder_that_cannot_be_written_is_named() {
 }
 
 #[test]
+fn no_folder_is_made_under_the_name_of_a_file() {
+    let folder = folder();
+    for name in ["a.jpg", "answer.CSV", "scene.toml"] {
+        let path = folder.path().join(name);
+        let said = call(&["run", "flush-free-hit", "--out", path.to_str().expect("a UTF-8 path")]);
+        assert_eq!(said.status, Some(2), "exit status 2, said {}", said.err);
+        assert!(said.err.contains(name) && said.err.contains("a folder is wanted"), "{}", said.err);
+        assert!(!path.exists(), "{name} is not made");
+    }
+}
+
+#[test]
 fn the_scene_in_the_readme_is_sound() {
     let readme = include_str!("../../README.md");
     let scene = readme.split("```toml\n").nth(1).and_then(|rest| rest.split("```").next()).expect("a scene in TOML");

@@ -280,7 +280,7 @@ mod tests {
             let farthest = form.displacement_bound(flight, 0.012).expect("one coordinate");
             let ways = (0..=90).map(|i| form.at(flight, 0.003 + 1e-4 * f64::from(i))[0].abs());
             let most = ways.fold(0.0, f64::max);
-            assert!(most <= farthest && farthest < 5.0 * most, "{omega2} 1/s²: {farthest} for {most} m");
+            assert!(most <= farthest && farthest < 6.0 * most, "{omega2} 1/s²: {farthest} for {most} m");
             let (mut t, mut kinks) = (start, 0);
             while t < 0.0399 {
                 let end = form.window_end(flight, t);
