@@ -13,7 +13,7 @@ use super::scene_source::SceneSource;
 use super::staging::Stage;
 use super::staging::{file_in, sweep};
 use super::write_error::WriteError;
-use crate::language::said;
+use crate::language::Text;
 use crate::scene::{Motion, Scene, format};
 
 /// Saves a scene as TOML.
@@ -226,7 +226,7 @@ const FILES: [&str; 12] = ["csv", "gif", "html", "jpeg", "jpg", "json", "md", "m
 pub fn check_folder(folder: &Path) -> Result<(), WriteError> {
     let ending = folder.extension().and_then(OsStr::to_str).map(str::to_ascii_lowercase);
     if !folder.exists() && ending.is_some_and(|ending| FILES.contains(&ending.as_str())) {
-        let cause = std::io::Error::new(ErrorKind::InvalidInput, said!("unwritten-file-name"));
+        let cause = std::io::Error::new(ErrorKind::InvalidInput, Text::new("unwritten-file-name").to_string());
         return Err(WriteError::new(folder, cause));
     }
     let there = folder.ancestors().find(|path| path.exists() && *path != Path::new("")).unwrap_or(Path::new("."));

@@ -52,6 +52,7 @@ fn find_due(model: &Model, effort: &mut Effort, island: &mut Island) -> Option<f
     let mut link = link_events::first_phase_end(model, island);
     if let Some((t, _)) = link
         && contacts.as_ref().is_none_or(|(first, _)| t < *first)
+        && !island.is_exact_inside()
         && island.end_beyond(model, t)
     {
         effort.steps += 1;

@@ -9,13 +9,17 @@ use crate::dynamics::penalty3d::island::Island;
 use crate::dynamics::penalty3d::stepper::Integrated;
 
 impl Island {
+    /// Whether the inside of the planned step is as exact as its end has to be, as of a step that a kink ends.
+    pub(in crate::dynamics) fn is_exact_inside(&self) -> bool {
+        self.stepper.error() <= RETAKE_ERROR
+    }
+
     /// Retakes an explicit planned step to end just beyond `t`, if that is well inside it; whether it was retaken.
     pub(in crate::dynamics) fn end_beyond(&mut self, model: &Model, t: f64) -> bool {
         let retakable = |dense: &&DenseOutput| self.step.explicit && dense.from == self.step.from;
         let Some(dense) = self.step.dense.as_ref().filter(retakable) else { return false };
         let part = (t - self.step.from) / dense.step;
-        // Of a step that ends at a kink the error may be far below the tolerance.
-        if self.stepper.error() <= RETAKE_ERROR || !(RETAKE_MARGIN..1.0 - RETAKE_MARGIN).contains(&part) {
+        if !(RETAKE_MARGIN..1.0 - RETAKE_MARGIN).contains(&part) {
             return false;
         }
         let (from, h) = (self.step.from, (t - self.step.from) * (1.0 + RETAKE_OVERSHOOT));

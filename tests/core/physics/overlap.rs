@@ -254,15 +254,24 @@ fn a_wall_thinner_than_the_girder_is_not_gone_through_in_silence() {
 /// A spring that takes 0.5 J over the 10 mm of a wall, and a girder of 9 J: its end comes out at the back, where no node is in the wall.
 #[test]
 fn a_girder_that_reaches_through_a_wall_is_inside_it_although_no_node_is() {
-    let history = run(&scene(
-        "name = \"through\"\nduration_s = 1.0\n[contact]\nstiffness_n_per_m = 1e4\nrestitution_normal = 1.0\n\
-         [[girder]]\nname = \"a\"\nlength_m = 1.0\nwidth_m = 0.5\nthickness_m = 0.2\nmass_kg = 2.0\n\
-         initial = { velocity_m_s = [3.0, 0.0] }\n\
-         [[abutment]]\nname = \"wall\"\nfaces = \"a\"\ngap_m = 0.5\ndepth_m = 0.01\n",
-    ));
+    let between = |between: &str| {
+        run(&scene(&format!(
+            "name = \"through\"\nduration_s = 1.0\n[contact]\nbetween = \"{between}\"\nstiffness_n_per_m = 1e4\n\
+             restitution_normal = 1.0\n[[girder]]\nname = \"a\"\nlength_m = 1.0\nwidth_m = 0.5\nthickness_m = 0.2\n\
+             mass_kg = 2.0\ninitial = {{ velocity_m_s = [3.0, 0.0] }}\n\
+             [[abutment]]\nname = \"wall\"\nfaces = \"a\"\ngap_m = 0.5\ndepth_m = 0.01\n"
+        )))
+    };
+    let history = between("ends");
     let [overlap] = history.overlaps() else { panic!("{:?}", history.overlaps()) };
     // The end is at the back after 0.51 m at 3 m/s, pressed back a little.
     assert!((overlap.first() - 0.17).abs() < 1e-3, "{} s", overlap.first());
     // Half of the girder's length and of the wall's thickness is the shortest way out at the most.
     within("depth", overlap.depth.value - 0.505, 1e-2);
+    // Bodies that have met have contact between all faces: v √(m/K) deep, and back as it came.
+    let history = between("all");
+    assert!(history.overlaps().is_empty(), "{:?}", history.overlaps());
+    let [deep] = &history.contacts().too_deep()[..] else { panic!("{:?}", history.contacts().too_deep()) };
+    within("depth", deep.depth.value / (3.0 * (2.0_f64 / 1e4).sqrt()) - 1.0, 1e-6);
+    within("rebound", history.motion(0, 1.0).velocity.x + 3.0, 1e-9);
 }
