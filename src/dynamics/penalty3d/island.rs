@@ -139,7 +139,7 @@ impl Island {
     fn limiting_kink(&self, model: &Model, t: f64) -> f64 {
         let changes = |link: &ActiveLink| !link.link(model).device.is_linear();
         let limits = model.moving.is_some() || self.system.links.iter().any(changes);
-        if limits { model.next_kink(t) } else { f64::INFINITY }
+        if limits { self.stepper.latest_end(model, t) } else { f64::INFINITY }
     }
 
     /// State of a contact with its slip direction at `t`.
