@@ -319,7 +319,7 @@ stop-memory = the steps so far take { $bytes } MiB, more than the { $most } MiB 
 stop-pace = { $done } steps and evaluations since t = { $from } s: at this pace the run would take { $expected } of them, beyond what a run may take
 stop-stands = { $done } steps and evaluations at t = { $at } s, without getting on in time
 stop-work = { $work } steps and evaluations exceed the bound on the work of a run
-stop-too-fast = { $spent }: a contact, a bearing or the ground is far too fast for the duration; lower its stiffness, damping or frequency, or shorten the run
+stop-too-fast = { $spent }: a contact, a bearing, a device or the ground is far too fast for the duration; lower its stiffness, damping or frequency, give a damper a brace or a larger v_r, or shorten the run
 stop-hits-too-fast = { $spent }: hits and changes of lasting contact follow one another far too fast for the duration; a larger stop_speed_m_s or a lower restitution_normal would end them, or the contact model
 stop-step = the step fell to { $step } s; a lower stiffness or a larger tolerance would be followed
 stop-starts-inside = it starts { $depth } m inside: rigid girders cannot overlap; move it out by its initial displacement or its place, or take the contact model

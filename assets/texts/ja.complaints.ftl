@@ -319,7 +319,7 @@ stop-memory = ここまでのステップに { $bytes } MiB 要り、1回の計�
 stop-pace = t = { $from } s からのステップと評価が { $done } 回：この調子では計算全体に { $expected } 回要り、上限を超える
 stop-stands = t = { $at } s でのステップと評価が { $done } 回：時刻が進まない
 stop-work = ステップと評価 { $work } 回が1回の計算の上限を超える
-stop-too-fast = { $spent }：接触、支承または地動が継続時間に対して速すぎる。その剛性、減衰または振動数を下げるか、計算時間を短くする
+stop-too-fast = { $spent }：接触、支承、装置または地動が継続時間に対して速すぎる。その剛性、減衰または振動数を下げるか、ダンパーにブレースか大きい v_r を与えるか、計算時間を短くする
 stop-hits-too-fast = { $spent }：衝突と接触状態の変化が継続時間に対して速すぎる。stop_speed_m_s を大きくするか restitution_normal を下げれば終わる。または接触モデルとする
 stop-step = ステップが { $step } s まで縮んだ。剛性を下げるか許容誤差を大きくすれば追える
 stop-starts-inside = { $depth } m 食い込んで始まる：剛な桁は重ならない。初期変位か位置で外に出すか、接触モデルとする
