@@ -215,7 +215,8 @@ fn named(path: &Path, cause: std::io::Error) -> std::io::Error {
 }
 
 /// Endings of files that commands write, and of other pictures: no folder is made under such a name.
-const FILES: [&str; 12] = ["csv", "gif", "html", "jpeg", "jpg", "json", "md", "mp4", "parquet", "png", "svg", "toml"];
+const FILE_ENDINGS: [&str; 12] =
+    ["csv", "gif", "html", "jpeg", "jpg", "json", "md", "mp4", "parquet", "png", "svg", "toml"];
 
 /// Makes sure that files can be written into a folder, before the work of finding out what to write.
 ///
@@ -225,7 +226,7 @@ const FILES: [&str; 12] = ["csv", "gif", "html", "jpeg", "jpg", "json", "md", "m
 /// When something else stands there, nothing may be written, or a folder that is missing has the name of a file.
 pub fn check_folder(folder: &Path) -> Result<(), WriteError> {
     let ending = folder.extension().and_then(OsStr::to_str).map(str::to_ascii_lowercase);
-    if !folder.exists() && ending.is_some_and(|ending| FILES.contains(&ending.as_str())) {
+    if !folder.exists() && ending.is_some_and(|ending| FILE_ENDINGS.contains(&ending.as_str())) {
         let cause = std::io::Error::new(ErrorKind::InvalidInput, Text::new("unwritten-file-name").to_string());
         return Err(WriteError::new(folder, cause));
     }

@@ -60,6 +60,13 @@ impl Model {
         self.foundations.iter().map(|foundation| foundation.body).chain(walls)
     }
 
+    /// Latest end of a step from `t` in an interval between two kinks of the ground's motion: its end or, in a run that halves the intervals,
+    /// its middle before that \[s\].
+    pub(in crate::dynamics) fn latest_end(&self, t: f64, [from, until]: [f64; 2]) -> f64 {
+        let middle = from.midpoint(until);
+        if self.halves_intervals && t < middle { middle } else { until }
+    }
+
     /// The next time after `t` at which the motion of the ground has a kink under any support; infinite when there is none \[s\].
     pub fn next_kink(&self, t: f64) -> f64 {
         let own = |body: &Body| match &body.coordinates {

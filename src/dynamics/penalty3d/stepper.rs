@@ -145,12 +145,9 @@ impl Stepper {
         self.controller.error()
     }
 
-    /// Latest end of the step from `t` by the kinks of the ground's motion: the next of them or, in a run that halves their intervals, the
-    /// middle before it \[s\].
+    /// Latest end of the step from `t` by the kinks of the ground's motion \[s\].
     pub(in crate::dynamics) fn latest_end(&self, model: &Model, t: f64) -> f64 {
-        let kink = model.next_kink(t);
-        let middle = self.since.midpoint(kink);
-        if model.halves_intervals && t < middle { middle } else { kink }
+        model.latest_end(t, [self.since, model.next_kink(t)])
     }
 
     /// Whether the slope at `t` in this interval of the ground motion follows from the state alone, and is known.

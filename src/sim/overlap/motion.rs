@@ -104,13 +104,12 @@ pub(super) fn reach(history: &History, body: usize, radius: f64) -> Reach {
             let looks = std::iter::successors(Some(from), |t| (*t < end).then(|| (t + step).max(t.next_up())));
             looks.map(|t| at(t.min(end))).fold(Reach::of(0.0, 0.0, radius), Reach::most)
         }
-        (from, StoredMotion::Start(_) | StoredMotion::Flight(_)) => {
+        (from, motion @ (StoredMotion::Start(_) | StoredMotion::Flight(_))) => {
             let end = end_of(history, body, number);
-            let known = match path.motion_of(number) {
-                (_, StoredMotion::Flight(flight)) if !turns => flight.displacement_bound(end),
-                _ => None,
-            };
-            if let Some(way) = known {
+            if let StoredMotion::Flight(flight) = motion
+                && !turns
+                && let Some(way) = flight.displacement_bound(end)
+            {
                 return Reach::of(way, 0.0, radius);
             }
             let (mut t, mut reach) = (from, Reach::of(0.0, 0.0, radius));

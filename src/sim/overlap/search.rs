@@ -123,12 +123,16 @@ pub(super) fn first(
 
 /// The intervals of two searches, and the deeper of them.
 fn deeper(one: Option<Found>, other: Option<Found>) -> Option<Found> {
-    let (Some(mut one), Some(mut other)) = (one.clone(), other.clone()) else { return one.or(other) };
-    if other.deepest.value > one.deepest.value {
-        std::mem::swap(&mut one, &mut other);
+    match (one, other) {
+        (Some(mut one), Some(mut other)) => {
+            if other.deepest.value > one.deepest.value {
+                std::mem::swap(&mut one, &mut other);
+            }
+            one.intervals.extend(other.intervals);
+            Some(one)
+        }
+        (one, other) => one.or(other),
     }
-    one.intervals.extend(other.intervals);
-    Some(one)
 }
 
 impl Meeting<'_> {
@@ -213,7 +217,7 @@ impl Meeting<'_> {
                 Sample { t, separation, excess, carried: carried.is_some(), watched: false, beyond: false }
             }
             Followed::Node(contact) => {
-                let NodeInPlan { separation, gap, beyond } = solids.node(history, self.pair, contact, t);
+                let NodeInPlan { separation, gap, before_back } = solids.node(history, self.pair, contact, t);
                 // A node that has handed on its contact at a shared vertex is in the body no deeper than the one that took over.
                 let carried = if separation < 0.0 { self.carried(t) } else { None };
                 let excess = -separation - carried.unwrap_or(0.0);
@@ -223,7 +227,7 @@ impl Meeting<'_> {
                     excess,
                     carried: carried.is_some(),
                     watched: gap > self.least,
-                    beyond: beyond < self.least,
+                    beyond: before_back < self.least,
                 }
             }
         }

@@ -67,7 +67,7 @@ pub(super) struct NodeInPlan {
     /// Before the plane of its face.
     pub gap: f64,
     /// Before the parallel plane through the farthest corner behind that; negative beyond the back of the body.
-    pub beyond: f64,
+    pub before_back: f64,
 }
 
 /// Poses of two bodies.
@@ -207,7 +207,7 @@ impl Solids {
         let (own, others) = (axes(site.node_body), axes(site.face_body));
         let owner = |&number: &usize| self.body(number) == site.face_body;
         let Some(other) = pair.into_iter().find(owner).map(|number| &self.all[number]) else {
-            return NodeInPlan { separation: f64::INFINITY, gap: f64::INFINITY, beyond: f64::INFINITY };
+            return NodeInPlan { separation: f64::INFINITY, gap: f64::INFINITY, before_back: f64::INFINITY };
         };
         let polygon = match site.face_body {
             Some(_) => other.outline(None).map(|corner| (face.origin() + face.turn(others * corner)).truncate()),
@@ -216,8 +216,8 @@ impl Solids {
         let point = (node.origin() + node.turn(own * site.point)).truncate();
         let gap = node_face::gap(&site.geometry, &node, &face)[0];
         let normal = face.turn(site.geometry.axes.z_axis).truncate();
-        let beyond = polygon.iter().map(|corner| normal.dot(point - *corner)).fold(f64::NEG_INFINITY, f64::max);
-        NodeInPlan { separation: plan_distance(&polygon, point), gap, beyond }
+        let before_back = polygon.iter().map(|corner| normal.dot(point - *corner)).fold(f64::NEG_INFINITY, f64::max);
+        NodeInPlan { separation: plan_distance(&polygon, point), gap, before_back }
     }
 
     /// Centre of what two bodies share: of the polygon in plan, of the common box of both in height \[m\].

@@ -2,7 +2,7 @@
 //! pressed on the wall and thrown along it: a damped oscillator in stick, a decay to the stop in slip.
 
 use crate::support::{free_hit, within};
-use girderbench::contact::{Breakaway, Forces, Friction, FrictionRule, Law, Local, Mode, SlipDirection};
+use girderbench::contact::{Breakaway, Forces, Friction, FrictionLaw, FrictionRule, Law, Local, Mode, SlipDirection};
 use girderbench::dynamics::Model;
 use girderbench::scene::{Direction, Kind, Scene};
 use girderbench::sim::{EventKind, History, Session};
@@ -18,7 +18,8 @@ const MU_K: f64 = 0.15;
 const C_T: f64 = 8.0;
 const SPEED: f64 = 0.3;
 
-/// Coulomb's friction and a dashpot on `V_t`; the tangential spring carries nothing in slip.
+/// Coulomb's friction and a dashpot on `V_t`; the tangential spring carries nothing in slip, so that a stop and a breakaway are those of law
+/// `paper`.
 #[derive(Debug)]
 struct Viscous;
 
@@ -36,22 +37,15 @@ impl FrictionRule for Viscous {
     }
 
     fn stopping(&self, law: &Law, direction: DVec2, here: &Local) -> f64 {
-        let (sliding, _) = law.velocity(here, DVec2::ZERO);
-        if law.v_stick > 0.0 {
-            0.5 * (law.v_stick - sliding.length_squared() / law.v_stick)
-        } else {
-            -sliding.dot(direction)
-        }
+        FrictionLaw::Paper.rule().stopping(law, direction, here)
     }
 
     fn breakaway(&self, law: &Law, anchor: DVec2, here: &Local) -> Breakaway {
-        let (sliding, _) = law.velocity(here, DVec2::ZERO);
-        let released = 0.5 * law.k_t * (here.way - anchor).length_squared();
-        Breakaway { mode: Mode::Slip { direction: sliding.normalize_or_zero() }, released }
+        FrictionLaw::Paper.rule().breakaway(law, anchor, here)
     }
 
-    fn on_stopping(&self, _: &Law, _: DVec2, here: &Local) -> Mode {
-        Mode::Stick { anchor: here.way }
+    fn on_stopping(&self, law: &Law, direction: DVec2, here: &Local) -> Mode {
+        FrictionLaw::Paper.rule().on_stopping(law, direction, here)
     }
 
     fn direction(&self) -> SlipDirection {

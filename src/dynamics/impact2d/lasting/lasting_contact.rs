@@ -175,7 +175,7 @@ impl LastingContact {
         let t = self.until;
         self.from = t;
         let piece = model.ground.piece(model.ground.piece_number(t));
-        let cap = cap.min(piece.until).min(t + quarter_period(&model.ground));
+        let cap = cap.min(model.latest_end(t, [piece.from, piece.until])).min(t + quarter_period(&model.ground));
         if let Some((slide, bounds)) = self.slide(model, &piece, cap) {
             self.until = cap.min(t + slide.sight);
             self.planned = Some(PlannedMotion::Slide(Box::new(slide), bounds));
